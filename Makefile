@@ -253,7 +253,7 @@ typeset:
 	@$(lineage) macros --out $(D)/paper
 	@for it in $(basename $(notdir $(wildcard $(foreach d,paper supplement theorem,paper/$(d).tex beyond/paper/$(d).tex)))); do \
 	  echo "  typeset  $(D)/$$it.pdf"; \
-	  TEXINPUTS="paper:beyond/paper:$(D)/paper:$(D)/figures:" BIBINPUTS="paper:" FORCE_SOURCE_DATE=1 \
+	  TEXINPUTS="$(D)/paper:paper:beyond/paper:$(D)/figures:" BIBINPUTS="paper:" FORCE_SOURCE_DATE=1 \
 	    latexmk -norc -g -pdf -interaction=nonstopmode -halt-on-error -outdir=$(D)/paper $$(ls paper/$$it.tex beyond/paper/$$it.tex 2>/dev/null) \
 	    > $(D)/paper/$$it.out.log 2>&1 || { tail -n 40 $(D)/paper/$$it.out.log; exit 1; }; \
 	  mv $(D)/paper/$$it.pdf $(D)/$$it.pdf.part && mv $(D)/$$it.pdf.part $(D)/$$it.pdf || exit; done

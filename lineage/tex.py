@@ -209,7 +209,7 @@ SEE = re.compile(r"\\see\{(x?\d\d)\}\{((?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*)\}")
 
 
 def captions(root):
-    """What paper/captions.tex says of each figure after the first sentence, in TeX. Fault for what is no entry."""
+    """What paper/captions.tex of a volume says of each figure after the first sentence, in TeX. Fault for what is no entry."""
     path = Path(root) / "paper/captions.tex"
     if not path.exists():
         return {}
@@ -331,14 +331,15 @@ def write(root, out):
     programs = [program for folder in all for program in programs_of(folder)]
     figures = {id: row | {"chapter": chapter_of(root, row["program"])} for id, row in figures.items()}
     texts = paper_texts(claims, lock, figures, metadata.read(root), findings)
-    captions(root)
+    said = joined(captions, all)
     documents = files_of(root, programs)
     if missing := [f"{path}: nothing is there for {reference}" for path, text in
                    sorted({p: t for document in documents.values() for p, t in document.items()}.items())
                    for reference in dangling(text, texts)]:
         raise ecsv.Fault("; ".join(missing) + " (a new number: make lock)")
-    if left := omissions({name: "\n".join(files.values()) for name, files in documents.items()}, claims, figures):
+    if "supplement" in documents and (left := omissions({name: "\n".join(files.values()) for name, files in documents.items()}, claims, figures)):
         raise ecsv.Fault(f"{Path(root) / 'paper'}: " + "; ".join(left))
     ecsv.write_whole(Path(out) / "numbers.tex", macros(texts, figures, programs))
     ecsv.write_whole(Path(out) / "claims.tex", claim_rows(claims, lock))
+    ecsv.write_whole(Path(out) / "captions.tex", HEAD + "".join(f"\\see{{{id}}}{{{text}}}\n" for id, text in said.items()))
     ecsv.write_whole(Path(out) / "proof.tex", proof(root))

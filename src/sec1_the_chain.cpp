@@ -171,7 +171,7 @@ A chapter needs those to the left of it, and the headers that it names. `[2]` is
        |         +-- sec4 precompression -- [2] growth
        |         +-- [2] travelling breathers -- [2] families -- [2] what becomes of a packet
        |                      +-- [2] kernel equation -- [2] enclosures
-       +-- sec2 no breathers without wells -- [2] sec2 soft wells
+       +-- sec2 no breathers without wells
        +-- secA integrators */
 Table& report_motions(Report& report) {
   return report.table("motions", {label("motion", "pulse, packet or breather"), number("t", "time"),

@@ -357,6 +357,14 @@ Criterion report_dispersal(Report& report) {
 }
 
 /**
+## Softer and softer wells
+
+What becomes of a breather whose wells are made softer at a fixed period? With $y(t) = k^2\,Y(\sqrt k\,t)$ wells of the
+stiffness $k$ are unit wells at the frequency $1/\sqrt k$. Its mean displacements obey $k\,\bar y_n =
+\bar F_{n-1}-\bar F_n$. In a wide breather, whose neighbours swing against each other at a mean distance $g$, this gives
+$\bar F'' = -k\,g(\bar F)$, so that its width grows like $k^{-1/2}$. Near its centre it tends to a motion of the free chain
+with the same mean force at every contact, as the theorem demands, and that motion is no longer localized.
+
 ## Differences and limits
 
 The article proves and does not compute, so every parameter here is ours. The frequency of the searches,
@@ -388,7 +396,7 @@ void reproduce(Report& report) {
    impact velocity.
 3. *Harder.* Shallow wells at a fixed period are unit wells at a high frequency. How large is a breather then?
    `build/bin/sec32_newton_breathers breather --omega 2` gives `amplitude` = 2.45676. Hint: substitute
-   $y(t) = k^2\,Y(k^{1/2}t)$ in the equation with wells of stiffness $k$; sec2_soft_wells.cpp goes on from there.
+   $y(t) = k^2\,Y(k^{1/2}t)$ in the equation with wells of stiffness $k$.
 4. *Open.* Which periodic motions does the free chain have between walls, and which are stable? With attracting contacts
    (cohesion) the argument fails: how little attraction makes a breather? */
 int main(int argc, char** argv) {

@@ -326,7 +326,7 @@ void report_softest(Report& report) {
   const double step = report.quick ? 0.02 : 0.01;
   Voyage hard[2], linear[2];
   parallel_for(4, [&](std::size_t k) {
-    const Strike strike{132, k < 2 ? 0.005 : 0, k < 2 ? 400.0 : 450.0};
+    const Strike strike{132, k < 2 ? 0.005 : 0, k < 2 ? 400.0 : 450.0, 800};
     (k < 2 ? hard : linear)[k % 2] = voyage({k % 2 ? step : 2 * step}, strike);
   });
   const TurnEstimate turn = estimate_turn(hard[0], hard[1]);

@@ -217,17 +217,6 @@ TEST_CASE("small breathers of pendulums are those of the quartic well with s = -
   CHECK(pinning("--well pendulum") > 1.2 * pinning(""));
 }
 
-TEST_CASE("an orbit in a named well is confirmed in extended precision", "[cli][model]") {
-  const Result narrow = call(breather + "--well pendulum"),
-               wide = call(breather + "--well pendulum --precision extended");
-  REQUIRE(wide.code == 0);
-  for (const char* name : {"amplitude", "energy", "area"}) {
-    CAPTURE(name);
-    CHECK(quantity(wide, name, "error") < 1e-14 * quantity(wide, name));
-    check_close(quantity(narrow, name), quantity(wide, name), 0, 1e-12);
-  }
-}
-
 TEST_CASE("breathers begin only in wells of frequency one", "[unit][model]") {
   CHECK_THROWS_AS(breather_problem(Centre::site, 1.1, None{}, 31), std::invalid_argument);
   CHECK_THROWS_AS(breather_problem(Centre::site, 1.1, Well{None{}}, 31), std::invalid_argument);

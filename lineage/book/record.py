@@ -66,7 +66,7 @@ class Record:
         self.findings, self.second = joined(read_findings, all), joined(read_second, all)
         self.literature = list(verdicts(joined(read_literature, all), self.quotable))
         self.seconds, self.alone = joined(read_costs, all), joined(read_commands, all)
-        self.captions = captions(root)  # figure -> what its caption says after the first sentence, in TeX
+        self.captions = joined(captions, all)  # figure -> what its caption says after the first sentence, in TeX
         self.sources = {}  # program -> its sources, set by the weaver
         self._columns, self._quotes = {}, {}
 

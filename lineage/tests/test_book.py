@@ -14,7 +14,7 @@ from pathlib import Path
 
 from lineage import chapters, ecsv, tex
 from lineage.values import Finding
-from lineage.volumes import volumes
+from lineage.volumes import joined, volumes
 
 from . import ROOT, Scratch
 
@@ -87,7 +87,7 @@ class Blocks(unittest.TestCase):
         for wrong in (r"\num{a.one}", "5 & 6", "$x", "a_b"):
             with self.assertRaises(ecsv.Fault):
                 prose.from_tex(wrong)
-        for said in tex.captions(ROOT).values():
+        for said in joined(tex.captions, volumes(ROOT)).values():
             prose.from_tex(said)
 
     def test_headers_come_after_what_they_need(self):

@@ -256,7 +256,7 @@ class Paper(Scratch):
             return subprocess.run(["latexmk", "-norc", "-g", "-pdf", "-interaction=nonstopmode", "-halt-on-error", "one.tex"],
                                   cwd=self.root, capture_output=True, text=True, errors="replace", check=False,
                                   env={"PATH": "/usr/bin:/bin", "HOME": str(self.root),
-                                       "TEXINPUTS": f"{ROOT}/paper:{ROOT}/beyond/paper:{self.root}/good:"})
+                                       "TEXINPUTS": f"{self.root}/good:{ROOT}/paper:{ROOT}/beyond/paper:"})
 
         run = typeset(r"It is \num{pn.omega11}.")
         self.assertEqual(run.returncode, 0, run.stdout[-2000:])
@@ -296,7 +296,7 @@ class ThisRepository(unittest.TestCase):
     def test_the_paper_refers_to_what_is_there(self):
         with tempfile.TemporaryDirectory() as folder:
             tex.write(ROOT, folder)  # a Fault else
-        self.assertEqual(set(tex.captions(ROOT)) - set(joined(refresh.read_figures, volumes(ROOT))), set())
+        self.assertEqual(set(joined(tex.captions, volumes(ROOT))) - set(joined(refresh.read_figures, volumes(ROOT))), set())
 
     def test_the_proof_is_whole(self):
         """All of its steps, with their formulas, and no mark of Markdown is left."""

@@ -24,18 +24,6 @@ DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::
   return out;
 }
 
-DpsOutcome follow_dps_by(const Dps& dps, const Field& start, const Integration& integrate) {
-  DpsOutcome out{{}, start};
-  std::vector<double> x = interleaved(start);
-  const double at_start = norm(start);
-  integrate(dps, x, [&](double tau, const std::vector<double>& now) {
-    for (std::size_t n = 0; n < out.end.size(); ++n) out.end[n] = {now[2 * n], now[2 * n + 1]};
-    out.norm_drift = std::max(out.norm_drift, std::abs(norm(out.end) / at_start - 1));
-    look(out, tau, out.end);
-  });
-  return out;
-}
-
 double packet_amplitude(const Track& track) {
   const double end = track.centre.back();
   const double last = track.largest_peak(end - 1, end).value;

@@ -28,16 +28,6 @@ DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::
                       const Tolerance& tolerance, const DpsObserver& watch);
 
 /**
-What does a method do to the packet that is less careful than GSL's (runge_kutta.hpp)? Then the method is the
-caller's: `integrate(rhs, x, observe)` carries `x` and shows every sample to `observe`. */
-using Integration = std::function<void(
-    const Rhs& rhs, std::vector<double>& x,
-    const std::function<void(double tau, const std::vector<double>& x)>& observe)>;
-
-/// Follows the packet with a method of the caller's.
-DpsOutcome follow_dps_by(const Dps& dps, const Field& start, const Integration& integrate);
-
-/**
 The amplitude of a packet oscillates while it moves from site to site. So `packet_amplitude` is the largest maximum in
 time of $|A_n|$ while the centre moves over the last site of its track, or over the last two if none falls on the last.
 It is nan where there is none at all. */

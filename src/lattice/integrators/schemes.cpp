@@ -86,13 +86,4 @@ Nystrom nystrom(const Scheme& scheme) {
   return base;
 }
 
-// The classical method, with a fifth stage that is nothing but the new positions
-Nystrom classical_runge_kutta() {
-  return {"runge-kutta-4",
-          4,
-          {0, 1. / 2, 1. / 2, 1, 1},
-          {{}, {0}, {1. / 4, 0}, {0, 1. / 2, 0}, {1. / 6, 1. / 6, 1. / 6, 0}},
-          {1. / 6, 1. / 3, 1. / 3, 1. / 6, 0}};
-}
-
 }  // namespace lattice

@@ -84,10 +84,4 @@ both families. Kick $j$ changes the velocity by $h k_j g(Y_j)$ at time $c_j h$, 
 to stage $i$ turn this into a change of position: $a_{ij} = k_j (c_i - c_j)$ and $b_j = k_j$. */
 Nystrom nystrom(const Scheme& scheme);
 
-/**
-The best-known method of all is among them: if the forces do not depend on the velocities, the classical
-Runge-Kutta method of order four is such a scheme, with a fifth stage of zero weight for the new
-positions. We need it to find the errors of a computation that took no notice of opening contacts. */
-Nystrom classical_runge_kutta();
-
 }  // namespace lattice
