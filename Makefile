@@ -302,7 +302,7 @@ test-platforms: install-deps
 test-slurm: programs
 	@sh tests/slurm/run.sh
 
-## fresh: the README's commands, make book and make paper in a bare Debian root (SUITE=trixie; takes root)
+## fresh: the README's commands, make beyond, test-beyond, book and paper in a bare Debian root (SUITE=trixie; takes root)
 fresh:
 	@sh tools/fresh.sh $(SUITE)
 

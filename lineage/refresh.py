@@ -118,7 +118,7 @@ def summary_rows(claims, figures, findings, literature):
     """What `make figures` ends with, as whoever runs it wants to know beforehand."""
     return ["```", f"figures    : {len(figures)} in build/figures (svg, pdf, png)",
             f"claims     : {tally([c['status'] for c in claims.values()])}",
-            f"literature : {literature_tally(row['status'] for row in literature.values())}",
+            *[f"literature : {literature_tally(row['status'] for row in literature.values())}"] * bool(literature),
             f"findings   : {kinds_of(findings)}", "```"]
 
 

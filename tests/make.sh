@@ -8,7 +8,7 @@ scratch=$(mktemp -d)
 mounted=
 trap '[ -z "$mounted" ] || umount "$scratch/small"; rm -rf "$scratch"' EXIT
 here="$scratch/a b/it's here"
-mkdir -p "$here/src" "$here/bench" "$here/figures" "$scratch/bin"
+mkdir -p "$here/src" "$here/paper" "$here/figures" "$here/beyond/src" "$here/beyond/paper" "$here/beyond/figures" "$scratch/bin"
 cd "$here"
 cp -r "$root/Makefile" "$root/tools" "$root/lineage" "$root/apt-packages.txt" .
 cp "$root"/figures/draw.py "$root"/figures/matplotlibrc "$root"/figures/style.gp figures
@@ -20,8 +20,15 @@ x01,"",3,sec3_own,x01_own.py,ER,own,"Three."
 ROWS
 printf 'program,seconds\nsec1_short,1\nsec2_long,9.5\nsec3_own,12\n' > paper/costs.ecsv
 touch src/sec1_short.cpp src/sec2_long.cpp src/sec3_own.cpp
+# A second volume of one program and one figure.
+cat > beyond/figures/figures.ecsv <<'ROWS'
+id,label,section,program,script,class,data,caption
+x02,"",5,sec5_far,x02_far.py,ER,far,"Four."
+ROWS
+printf 'program,seconds\nsec5_far,2\n' > beyond/paper/costs.ecsv
+touch beyond/src/sec5_far.cpp
 for script in fig01_short fig02_long; do printf 'print "<svg></svg>"\n' > figures/$script.gp; done
-echo 'import sys; open(sys.argv[2], "w").write("drawn</svg>")' > figures/x01_own.py
+echo 'import sys; open(sys.argv[2], "w").write("drawn</svg>")' | tee figures/x01_own.py > beyond/figures/x02_far.py
 export STUB_LOG="$scratch/log" STUB_PROGRAM="$scratch/bin/program"
 
 stub() { cat > "$scratch/bin/$1"; chmod +x "$scratch/bin/$1"; }
@@ -38,9 +45,11 @@ case $1 in
 --build)
   mkdir -p "$2/bin"
   cp "$2/CMakeCache.txt" "$2/bin/.home"
-  for name in $(cd src && ls | sed -n 's/\.cpp$//p'); do
-    case " $* " in *" $name "* | *" programs "* | *" all "*) ;; *) continue ;; esac
-    [ "$2/bin/$name" -nt "src/$name.cpp" ] || { cat "$STUB_PROGRAM" "src/$name.cpp" > "$2/bin/.$name"; chmod +x "$2/bin/.$name"; mv "$2/bin/.$name" "$2/bin/$name"; }
+  for source in src/*.cpp beyond/src/*.cpp; do
+    name=$(basename "$source" .cpp) all=programs
+    case $source in beyond/*) all=programs_beyond ;; esac
+    case " $* " in *" $name "* | *" $all "*) ;; *) continue ;; esac
+    [ "$2/bin/$name" -nt "$source" ] || { cat "$STUB_PROGRAM" "$source" > "$2/bin/.$name"; chmod +x "$2/bin/.$name"; mv "$2/bin/.$name" "$2/bin/$name"; }
   done ;;
 esac
 STUB
@@ -204,7 +213,7 @@ cd "$here"
 mkdir "$scratch/few"
 ln -sf /usr/bin/* "$(command -v make)" "$scratch/bin/cmake" "$scratch/few"
 rm -f "$scratch/few/gnuplot" "$scratch/few/rsvg-convert"
-PATH="$scratch/few" refused article B=nine
+PATH="$scratch/few" refused figures B=nine
 said 'missing: gnuplot' "gnuplot is not missed"
 ran "" "computed before gnuplot is missed"
 
@@ -214,16 +223,21 @@ rm -rf build
 with="PYTHON=$python"
 mv lineage/__main__.py "$scratch/kept.py"
 : > lineage/__main__.py
-together() { [ "$(head -n 2 "$STUB_LOG" | cut -d' ' -f1 | sort | tr '\n' ' ')" = "sec1_short sec2_long " ] || fail "$1"; }
-run article -j2
-together "make article does not run the article's programs only"
-[ "$(find build/figures -name '*.pdf' | wc -l) $(wc -l < "$STUB_LOG")" = "2 2" ] || fail "make article draws or runs something else"
-said '^together   : [0-9]* s' "a run does not say how long it took"
-rm -r build/data build/figures
 run figures
-together "the article's programs are not first"
-said '^article    : its 2 figures are drawn after [0-9]* s' "the article's figures are not announced"
+[ "$(find build/figures -name '*.pdf' | wc -l) $(wc -l < "$STUB_LOG")" = "3 3" ] || fail "make figures draws or runs something else than its volume"
+said '^together   : [0-9]* s' "a run does not say how long it took"
 said '^computing  : [0-9]* s in 3 programs' "the summary does not say what the programs took"
+run beyond
+ran "sec5_far " "make beyond does not run the programs of its volume only"
+[ -f build/figures/x02_far.pdf ] || fail "make beyond does not draw its figure"
+said '^computing  : [0-9]* s in 1 programs' "the summary of volume two does not say what its programs took"
+rm build/figures/x02*
+run x2
+[ -f build/figures/x02_far.svg ] || fail "a figure of volume two has no command"
+mv beyond "$scratch/beyond"
+run figures
+ran "" "without volume two something runs again"
+mv "$scratch/beyond" beyond
 mv "$scratch/kept.py" lineage/__main__.py
 rm build/figures/x01*
 with=
@@ -287,7 +301,7 @@ for script in "$root"/figures/fig08*.py "$root/python/notebooks.py"; do
   [ "$(grep -cx '[a-z]*: .* has no module matplotlib (Debian: python3-matplotlib; PYTHON=.*)' "$scratch/out") $(wc -l < "$scratch/out")" = "1 1" ] ||
     fail "$script does not say in one line what is missing"
 done
-for script in "$root"/figures/[!d]*.py; do
+for script in "$root"/figures/[!d]*.py "$root"/beyond/figures/*.py; do
   awk '/^import (draw|spectra)$/ { first = 1 } /^(import|from) (matplotlib|numpy)/ && !first { exit 1 }' "$script" ||
     fail "$script does not import draw first"
 done

@@ -41,7 +41,7 @@ if [ $# = 3 ]; then
     *disk*) refuse "the drawing cannot be written (is the disk full?)" ;;
     *) refuse "gnuplot failed" ;;
     esac ;;
-  *) "$PYTHON" "$3" "$2" "$part" || refuse "the drawing failed" ;;
+  *) PYTHONPATH="${0%/*}/../figures" "$PYTHON" "$3" "$2" "$part" || refuse "the drawing failed" ;;
   esac
 else
   case $out in

@@ -3,7 +3,7 @@
 # cmake, make and git that the README asks for, a clone of HEAD in a folder with a space in its name, and an
 # empty environment.
 #   fresh.sh [SUITE]            both commands, then make book and make paper; SUITE is the machine's own release
-#   fresh.sh --two [SUITE]      both commands only
+#   fresh.sh --two [SUITE]      both commands, and those of the second volume
 #   fresh.sh --container [SUITE]  the steps of the Dockerfile instead, in a root without even those four
 # FRESH_ENV='CXXFLAGS=-Werror' adds to the empty environment; KEEP=1 leaves the root where it is. Ends with 77
 # where such a root cannot be made.
@@ -98,6 +98,9 @@ git clone -q --no-hardlinks . "$root/home/a checkout" || exit 1
 # shellcheck disable=SC2016
 commands=$(sed -n '/^```sh$/,/^```$/s/^\(make [a-z]*\).*/\1/p; /^```$/q' README.md)
 [ "$(echo "$commands" | wc -l)" = 2 ] || { echo "README.md does not begin with two commands" >&2; exit 1; }
+[ ! -d beyond ] || commands="$commands
+make beyond
+make test-beyond"
 [ "$what" = --two ] || commands="$commands
 make book
 make paper"

@@ -42,16 +42,14 @@ std::string counted(const ShownStage& at) {
 
 }  // namespace
 
-// A stage without a count introduces what is counted in it
+// A stage without a count introduces the next one
 std::string progress_line(const std::string& who, double seconds,
                           const std::vector<ShownStage>& stages) {
   char since[32];
   std::snprintf(since, sizeof since, " %.0f s", std::floor(seconds));
   std::string line = who + since, joint = ", ";
-  int counts = 0;
   for (const ShownStage& at : stages) {
     const bool counts_parts = at.total > 0;
-    if (counts_parts && ++counts > 2) break;
     line += joint + (counts_parts ? counted(at) : at.label);
     joint = counts_parts ? ", " : ": ";
   }

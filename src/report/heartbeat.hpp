@@ -13,8 +13,7 @@ error shows one line that is overwritten once a second: who computes since when,
 
 namespace lattice {
 
-/// The line that is shown: who computes since how many seconds, and the stages, the outermost first. Of those that
-/// count it shows two, because a line has little room.
+/// The line that is shown: who computes since how many seconds, and the stages, the oldest first.
 std::string progress_line(const std::string& who, double seconds,
                           const std::vector<ShownStage>& stages);
 

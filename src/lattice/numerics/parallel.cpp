@@ -43,9 +43,8 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
   std::atomic<std::size_t> next{0};
   std::exception_ptr error;
   std::mutex guard;
-  const auto work = [&, flag = stop_flag, stage = Progress::here()] {
+  const auto work = [&, flag = stop_flag] {
     const Interruptible with_flag(flag);
-    Progress::join(stage);
     for (std::size_t i; (i = next++) < count;) try {
         heed_stop();
         body(i);

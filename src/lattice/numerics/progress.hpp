@@ -2,9 +2,9 @@
 /**
 # How far a computation is
 
-A long loop says where it is by a `Progress` that lives as long as the loop. Those of nested loops form a tree, with a
-branch for each worker of `parallel_for`. Whoever wants to show it (report/heartbeat.hpp) makes a `Watch` and brings a
-clock; without one a `Progress` does nothing. No result depends on it. */
+A long loop says where it is by a `Progress` that lives as long as the loop. Whoever wants to show it
+(report/heartbeat.hpp) makes a `Watch` and brings a clock; without one a `Progress` does nothing. No result depends on
+it. */
 
 #include <atomic>
 #include <cstddef>
@@ -29,9 +29,7 @@ std::string number_label(const std::string& what, double value);
 /// Seconds since some instant.
 using Clock = double (*)();
 
-/**
-A stage begins inside of the one in which its thread is. It counts its parts with `tick` from any thread, or a single
-thread says by `reach` how much is done. */
+/// A stage counts its parts with `tick` from any thread, or a single thread says by `reach` how much is done.
 class Progress {
  public:
   /// A stage of `total` parts; one stands for a quantity that grows to one, zero for a number that nobody knows.
@@ -45,31 +43,18 @@ class Progress {
   /// So much is done of a total of one.
   void reach(double share) { share_.store(share, std::memory_order_relaxed); }
 
-  /// The innermost stage of this thread; null if nobody watches.
-  static Progress* here();
-  /// Lets this thread work inside of `stage`, that of the thread which began it.
-  static void join(Progress* stage);
-
  private:
   friend class Watch;
-  explicit Progress(Clock clock) : clock_(clock) {}
   double share() const;
-  Progress* inner() const;
 
-  std::string label_{};
-  std::size_t total_ = 0;
+  std::string label_;
+  std::size_t total_;
   std::atomic<std::size_t> parts_{0};
   std::atomic<double> share_{0};
-  Progress* around_ = nullptr;
-  std::vector<Progress*> inside_{};
-  Clock clock_ = nullptr;
-  double since_ = 0;
+  std::optional<double> since_{};  ///< if somebody watches
 };
 
-/**
-A `Watch` is the root of the tree. Where several workers are busy inside of a stage that counts, that stage is the
-last one to be told; if it does not count, the oldest of them goes on. */
-/// As long as it lives the stages of this thread and its workers can be seen.
+/// As long as it lives the stages of all threads can be seen; there is one at a time.
 class Watch {
  public:
   explicit Watch(Clock clock);
@@ -77,12 +62,8 @@ class Watch {
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
-  /// The stages of now, the outermost first. The seconds left are said of a stage that takes long.
+  /// The stages of now, from the oldest to the first one that counts. The seconds left are said of one that takes long.
   std::vector<ShownStage> stages() const;
-
- private:
-  Progress root_;
-  Progress* before_;
 };
 
 }  // namespace lattice
