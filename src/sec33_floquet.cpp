@@ -125,12 +125,12 @@ struct OnLine : Spectrum {
   Orbit<double> orbit{};
 };
 
-/// The breathers on a line through the plane, followed both ways from number `first`, which is near `start`.
+/// The breathers on a line through the plane, followed both ways from number `first`, which is known.
 std::vector<OnLine> along(Centre centre, const std::vector<Spot>& line, std::size_t first,
-                          const Orbit<double>& start) {
+                          const Orbit<double>& known) {
   const auto at = [&](std::size_t k) { return problem_at(centre, line[k]); };
   std::vector<OnLine> out(line.size());
-  out[first].orbit = follow(at(first), start);
+  out[first].orbit = known;
   for (std::size_t k = first + 1; k < line.size(); ++k)
     out[k].orbit = follow(at(k), out[k - 1].orbit);
   for (std::size_t k = first; k-- > 0;) out[k].orbit = follow(at(k), out[k + 1].orbit);
@@ -144,7 +144,8 @@ std::vector<OnLine> along(Centre centre, const std::vector<Spot>& line, std::siz
 std::vector<OnLine> along_wells(Centre centre, const std::vector<double>& wells) {
   std::vector<Spot> line;
   for (double s : wells) line.push_back({omega_b, s});
-  return along(centre, line, wells.size() / 2, find_breather(problem_at(centre, {omega_b, 0})));
+  const std::size_t middle = line.size() / 2;
+  return along(centre, line, middle, find_breather(problem_at(centre, line[middle])));
 }
 
 /**

@@ -326,18 +326,19 @@ void report_softest(Report& report) {
   const double step = report.quick ? 0.02 : 0.01;
   Voyage hard[2], linear[2];
   parallel_for(4, [&](std::size_t k) {
-    const Strike strike{132, k < 2 ? 0.005 : 0, k < 2 ? 400.0 : 450.0, 800};
+    const Strike strike{132, k < 2 ? 0.005 : 0, k < 2 ? 400.0 : 460.0, 800};
     (k < 2 ? hard : linear)[k % 2] = voyage({k % 2 ? step : 2 * step}, strike);
   });
   const TurnEstimate turn = estimate_turn(hard[0], hard[1]);
   report.results.add("boomeron.any_s", turn.apex_site, "site");
   report.facts.add("return_time_softest", turn.return_time);
 
-  // The centre that is followed, and the farthest that it has ever fallen back
+  // Where the centre is at t = 450, and the farthest that it has ever fallen back
   double centre[2], back[2]{};
   for (int k : {0, 1}) {
     const Path p = smooth(linear[k].path, path_smoothing);
-    double most = centre[k] = p.centre.back();
+    centre[k] = p.centre[std::size_t(std::lround((450 - p.t[0]) / path_sampling))];
+    double most = p.centre[0];
     for (double x : p.centre) most = std::max(most, x), back[k] = std::max(back[k], most - x);
   }
   report.facts.add("centre_without_hardness", compare(centre[0], centre[1]), "site");

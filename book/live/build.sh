@@ -13,7 +13,10 @@ if [ ! -e "$runtime" ] || ! command -v wasm-ld >/dev/null || [ ! -e /usr/lib/was
   exit 0
 fi
 mkdir -p "$out"
-pages="breather strike defect drive"
+pages="breather strike defect"
+[ ! -e "$root/beyond/book/live/drive.cpp" ] || pages="$pages drive"
+# A source of either volume, from the folder of the checkout.
+of() { ls "$root/$1" 2>/dev/null || ls "$root/beyond/$1" 2>/dev/null; }
 # Whether the object $1 is newer than everything that its compiler has read.
 is_new() {
   [ -e "$1.o" ] && [ -e "$1.d" ] || return 1
@@ -27,7 +30,7 @@ is_new() {
 compile() {
   is_new "$2" && return
   $browser -std=c++20 -O2 -mllvm -jump-threading-threshold=0 -fexceptions -fno-rtti -ffp-contract=off \
-    -fno-math-errno -msimd128 -I"$root/src" -I/usr/include/eigen3 -MMD -c "$1" -o "$2.part.o" -MF "$2.d"
+    -fno-math-errno -msimd128 -I"$here" -I"$root/src" -I"$root/beyond/src" -I/usr/include/eigen3 -MMD -c "$1" -o "$2.part.o" -MF "$2.d"
   mv "$2.part.o" "$2.o"
 }
 
@@ -35,14 +38,14 @@ compile() {
 needed() {
   sed 's/^[^:]*://; s/\\$//' "$@" | tr ' ' '\n' | sed -n 's|^.*/src/\(.*\)\.hpp$|\1|p' | sort -u |
     while read -r part; do
-      if [ -e "$root/src/$part.cpp" ]; then echo "$part"; fi
+      if of "src/$part.cpp" > /dev/null; then echo "$part"; fi
     done
 }
 
 # The pages first, then what they need, then what that needs, until nothing is added.
 running=
 for page in $pages; do
-  compile "$here/$page.cpp" "$out/$page" &
+  compile "$(of "book/live/$page.cpp")" "$out/$page" &
   running="$running $!"
 done
 for process in $running; do wait "$process"; done
@@ -56,7 +59,7 @@ do
   running=
   for part in $more; do
     object=$out/$(echo "$part" | tr / -)
-    compile "$root/src/$part.cpp" "$object" &
+    compile "$(of "src/$part.cpp")" "$object" &
     running="$running $!"
     case $lists in *"$object.d"*) ;; *) lists="$lists $object.d" ;; esac
   done

@@ -11,6 +11,7 @@ from ..claims import SAID, VERDICTS
 from ..findings import KINDS, in_plain, margins
 from ..literature import OBTAINED
 from ..refresh import command_of
+from ..volumes import volumes
 from . import code, notebooks, prose, words
 from .bind import PageBinding
 from .source import modules_of
@@ -21,6 +22,12 @@ LISTS = {"published.html": "Published against reproduced", "findings.html": "Wha
 ENDS = {"answers": "Statements answered here", "literature": "Numbers of other authors"}
 LIVE = [("strike", "Strike the chain"), ("breather", "Find a breather"), ("defect", "Put a defect in the way"),
         ("drive", "Drive the array")]
+
+
+def live_in(folders):
+    """The live pages of these volumes: their folder, name and title."""
+    return [(folder / "book/live", name, title) for name, title in LIVE for folder in folders
+            if (folder / f"book/live/{name}.cpp").exists()]
 
 
 class Book:
@@ -34,13 +41,13 @@ class Book:
         for s in self.order:
             for i in s.includes:
                 self.included_by.setdefault(i, []).append(s)
-        self.env = Environment(loader=FileSystemLoader(prose.ASSETS / "templates"), autoescape=True, trim_blocks=True,
+        self.env = Environment(loader=FileSystemLoader([v / "book/templates" for v in volumes(prose.ASSETS.parent)]), autoescape=True, trim_blocks=True,
                                undefined=StrictUndefined, keep_trailing_newline=False)
         self.env.filters.update({f.__name__: f for f in (words.number, words.short, words.spelled, words.unit, words.broken, words.value,
                                                          words.agreement, words.spoken, words.short_figure, command_of)})
         self.notebooks = notebooks.read(record.root)
         self.titles.update({page: title for page, title, *_ in self.notebooks})
-        lists = [*LISTS.items()] + [(f"{page}.html", f"{title} (live)") for page, title in LIVE if binder.live]
+        lists = [*LISTS.items()] + [(f"{page}.html", f"{title} (live)") for _, page, title in live_in(record.volumes) if binder.live]
         lists += [(page, f"{title} (Python)") for page, title, *_ in self.notebooks]
         self.env.globals.update(record=record, inventory=inventory, book=binder, parts_of_book=parts, modules=modules, titles=self.titles, lists=lists,
                                 verdicts=VERDICTS, said=SAID, statuses=self.statuses)
@@ -187,7 +194,7 @@ class Book:
 
     def live_pages(self):
         out = {}
-        for name, title in LIVE if self.binder.live else ():
+        for _, name, title in live_in(self.record.volumes) if self.binder.live else ():
             body = self.render(name)
             self.note(name + ".html", "", title, title, body)
             out[name + ".html"] = self.page(name + ".html", title, body)
@@ -208,7 +215,7 @@ class Book:
         binding.anchor = "main"
         said = Markup(binding.prose(text))
         live = self.binder.live and Markup(binding.figure("21", str(escape(self.record.figures["21"]["caption"]))))
-        body = self.render("index", words=said, invitation=live, findings=self.findings(), ideas=modules_of(self.record.root),
+        body = self.render("index", words=said, invitation=live, lives=[name for _, name, _ in live_in(self.record.volumes)], findings=self.findings(), ideas=modules_of(self.record.root),
                            summaries={s.path: self.summary(s) for s in self.chapters})
         return self.page("index.html", "", body + binding.carried(), after=self.chapters[0])
 

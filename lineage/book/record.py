@@ -51,7 +51,7 @@ class Quote:
 class Record:
     def __init__(self, root, data):
         self.root, self.data = Path(root), Path(data)
-        all = computed(root, data)
+        all = self.volumes = computed(root, data)
         self.claims, self.figures = read_claims(root), joined(read_figures, all)
         self.locked = joined(read_lock, all)
         fresh = read_fresh(data, [program for folder in all for program in programs_of(folder)], self.claims)

@@ -14,8 +14,9 @@ from .. import inventory
 from ..ecsv import Fault, check_written, text_of
 from ..findings import with_kind, with_sentences
 from . import check, pages, prose
+from ..volumes import joined
 from .bind import Binder, PageBinding, read_live
-from .record import Record, computed
+from .record import Record
 from .source import find_sources, title_of
 
 KATEX = [Path("/usr/share/javascript/katex"), Path("/usr/share/nodejs/katex/dist")]
@@ -139,13 +140,12 @@ def wells_of(root):
     return {re.search(r'name = "(\w+)"', body)[1]: re.findall(r'Parameter<\w+>\{"(\w+)"', body) for body in bodies}
 
 
-def copy_live(out, root, folder):
+def copy_live(out, root, lives, folder):
     """The compiled library as scripts, because a page from a folder may not fetch a file."""
-    names = [name for name, _ in pages.LIVE]
-    for page in names:
+    for _, page, _ in lives:
         packed = base64.b64encode(gzip.compress((folder / f"{page}.wasm").read_bytes(), mtime=0)).decode()
         (out / f"{page}.module.js").write_text(f'(window.LIVE_MODULES ??= {{}}).{page} = "{packed}";\n', encoding="utf-8")
-    shared, *kinds = (text_of(prose.ASSETS / "live" / f"{name}.js") for name in ["live"] + names)
+    shared, *kinds = (text_of(place / f"{name}.js") for place, name in [(prose.ASSETS / "live", "live")] + [one[:2] for one in lives])
     (out / "live.js").write_text(f"{shared}Live.wells = {json.dumps(wells_of(root))};\n{''.join(kinds)}", encoding="utf-8")
 
 
@@ -153,13 +153,14 @@ def make(root, data, figures, out, live="", programs=""):
     """The verb; returns the number of files that are text."""
     root, figures, out, live = Path(root), Path(figures), Path(out), Path(live)
     record = Record(root, data)
-    chapters, library = find_sources(root, computed(root, data), read_order(prose.ASSETS / "contents.txt"))
+    chapters, library = find_sources(root, record.volumes, read_order(prose.ASSETS / "contents.txt"))
     link_sources(record, chapters, library)
     sources = chapters + [s for module in library.values() for s in module]
     tell_findings(sources, record.findings)
     images = find_images(record, figures)
-    has_live = all((live / f"{name}.wasm").exists() for name, _ in pages.LIVE)
-    binder = Binder(record, sources, images, read_live(root / "book/live/figures.txt") if has_live else {})
+    lives = pages.live_in(record.volumes)
+    has_live = bool(lives) and all((live / f"{name}.wasm").exists() for _, name, _ in lives)
+    binder = Binder(record, sources, images, joined(read_live, [v / "book/live/figures.txt" for v in record.volumes]) if has_live else {})
     there = {"tables": list(inventory.tables(root, data)), "commands": list(inventory.commands(root, programs)),
              "packages": inventory.packages(root)}
     book = pages.Book(record, binder, read_parts(prose.ASSETS / "contents.txt", chapters), library, there)
@@ -173,7 +174,7 @@ def make(root, data, figures, out, live="", programs=""):
         (part / name).write_text(prose.with_formulas(page, done) if name.endswith(".html") else page, encoding="utf-8")
     copy_assets(part, record, figures, images)
     if has_live:
-        copy_live(part, root, live)
+        copy_live(part, root, lives, live)
     if complaints := check.complaints(part):
         raise Fault("\n  ".join([f"the book is not whole (left in {part}):"] + complaints[:40]))
     shutil.rmtree(out, ignore_errors=True)

@@ -171,7 +171,7 @@ class Numbers(unittest.TestCase):
 
     def test_every_locked_number_has_its_lines(self):
         known = Record(ROOT, ROOT / "build/data")
-        chapters, library = source.find_sources(ROOT, computed(ROOT, ROOT / "build/data"))
+        chapters, library = source.find_sources(ROOT, known.volumes)
         weave.link_sources(known, chapters, library)
         without = [id for id, f in known.quotable.items()
                    if f.key in known.locked and f.program in known.sources and not known.quote(id).places]
