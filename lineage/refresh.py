@@ -11,7 +11,7 @@ import re
 from pathlib import Path
 
 from . import codecheck, ecsv, metadata, modules
-from .chapters import chapter_of, costs_text, explained_by, read_commands, renewed_costs, run_of, shown_cost
+from .chapters import costs_text, explained_by, read_commands, renewed_costs, run_of, shown_cost
 from .claims import SAID, VERDICTS, Judge, name_of, printed_range, read_claims
 from .findings import check_quotations, in_plain, read_findings, tally as kinds_of
 from .literature import read_literature, tally as literature_tally
@@ -87,7 +87,7 @@ def published_rows(claims, lock):
 def see(id, claims, costs, alone):
     """Where a claim that is missed is computed and explained: chapters with their commands and costs, and the command
     for the number alone."""
-    chapters = ", ".join(f"[`{run_of(program)}`]({chapter_of('.', program)}) ({shown_cost(costs.get(program, math.nan))} s)"
+    chapters = ", ".join(f"[`{run_of(program)}`](src/{program}.cpp) ({shown_cost(costs.get(program, math.nan))} s)"
                          for program in explained_by(id, claims))
     return chapters + (f"; alone: `{alone[id][0]}`" if id in alone else "")
 

@@ -4,7 +4,7 @@ import draw
 import matplotlib.pyplot as plt
 
 data, out = draw.arguments()
-seen = draw.read(f"{data}/sec5_driven_packets/strengths.ecsv")
+seen = draw.read(f"{data}/sec5_driving/strengths.ecsv")
 strength = seen["strength"]
 
 figure, (a, b) = plt.subplots(1, 2, figsize=(draw.TWO_COLUMNS, 62 * draw.MM), layout="constrained")

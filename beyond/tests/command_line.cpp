@@ -49,14 +49,14 @@ TEST_CASE("a computation beyond the article that fails says why", "[cli]") {
       {"sec5_travelling_packets orbit --alpha 3 --phase 1", "misses itself by 0.165919 of"},
       {"sec5_travelling_packets orbit --alpha 2 --phase 0.5 --profile",
        "misses itself by 0.0494715 of"},
-      {"sec5_driven_packets packet --strength 0.5", "packet 1 has not passed the beads 12 to 28"}};
+      {"sec5_driving packet --strength 0.5", "packet 1 has not passed the beads 12 to 28"}};
   for (const auto& [command, said] : all) check_failure(command, said);
 }
 
 TEST_CASE("every command of volume two reports its quantities", "[cli]") {
   const auto any = std::nan("");
   check_answers({
-      {"sec5_driven_packets packet --strength 0", {}},
+      {"sec5_driving packet --strength 0", {}},
       {"sec5_driving drive --amplitude 20 --time 20",
        {{"outcome", 1}, {"budget", 0, 1e-10}, {"power", any}}},
       {"sec5_enclosures dps", {}},

@@ -1,5 +1,6 @@
 """Numbers in prose, the tables of the pages, and the numbers of the paper."""
 
+import re
 import shutil
 import subprocess
 import tempfile
@@ -273,7 +274,7 @@ class ThisRepository(unittest.TestCase):
         self.assertEqual(stale, [], "make refresh")
 
     def test_every_discrepancy_names_its_chapters(self):
-        """With command and cost; sec33_multiplier_errors draws no figure, and shows why s_0 is wrong."""
+        """With command and cost."""
         claims, costs = lock.read_claims(ROOT), chapters.read_costs(ROOT)
         readme, known = ecsv.text_of(ROOT / "README.md"), lock.programs_of(ROOT)
         for id in (id for id, claim in claims.items() if claim["reason"]):
@@ -283,9 +284,6 @@ class ThisRepository(unittest.TestCase):
             for program in chapters.explained_by(id, claims):
                 self.assertIn(program, known)
                 self.assertIn(f"[`build/bin/{program}`](src/{program}.cpp) ({chapters.shown_cost(costs[program])} s)", see)
-        for id in ("floquet.s0_bond", "floquet.s0_site"):
-            self.assertEqual(chapters.explained_by(id, claims), ["sec33_floquet", "sec33_multiplier_errors"])
-        self.assertEqual(chapters.explained_by("moving.pn_dynamic", claims), ["sec33_mobility", "sec33_article_integrator"])
 
     def test_every_table_has_a_place(self):
         claims, locked, figures = lock.read_claims(ROOT), lock.read_lock(ROOT), refresh.read_figures(ROOT)
@@ -310,6 +308,19 @@ class ThisRepository(unittest.TestCase):
         claims, locked = lock.read_claims(ROOT), joined(lock.read_lock, volumes(ROOT))
         self.assertEqual([id for id, c in claims.items() if c["status"] != "open" and (c["program"], id) not in locked], [])
         self.assertEqual(lock.quoted(ROOT) - {lock.name_of(f, claims) for f in locked.values()}, set())
+
+    def test_the_article_needs_nothing_of_the_second_volume(self):
+        """Its claims, findings, commands and its paper quote its own numbers, and its own programs answer."""
+        claims, programs = lock.read_claims(ROOT), set(lock.programs_of(ROOT))
+        own = set(refresh.quotable(lock.read_lock(ROOT), claims))
+        quoted = lock.quoted_by(claims) | set(chapters.read_commands(ROOT))
+        for row in lock.read_findings(ROOT).values():
+            quoted |= lock.quoted_in(row)
+        for path in (ROOT / "paper").glob("*.tex"):
+            quoted |= set(re.findall(r"\\(?:num|err|both|about)\{([^}#]+)\}", lock.uncommented(ecsv.text_of(path))))
+        self.assertEqual(quoted - own, set())
+        self.assertEqual({c["program"] for c in claims.values() if c["program"]} - programs, set())
+        self.assertEqual({command.split()[0].split("/")[-1] for command, _ in chapters.read_commands(ROOT).values()} - programs, set())
 
     @of_volume
     def test_the_lock_holds_what_is_claimed_quoted_or_a_headline(self):
