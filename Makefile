@@ -300,6 +300,7 @@ test-platforms: install-deps
 
 ## test-slurm: the lineage and a map in parts under Slurm, on a cluster of two nodes on this machine (takes root)
 test-slurm: programs
+	@$(MAKE) volume=beyond programs
 	@sh tests/slurm/run.sh
 
 ## fresh: the README's commands, make beyond, test-beyond, book and paper in a bare Debian root (SUITE=trixie; takes root)
@@ -318,7 +319,7 @@ dist:
 ## style: clang-format, shellcheck and reuse (from its version 4 on), where they are installed
 style:
 	@! command -v clang-format >/dev/null 2>&1 || { files=$$(git ls-files '*.cpp' '*.hpp') && clang-format --dry-run --Werror $${files:?git lists none}; }
-	@! command -v shellcheck >/dev/null 2>&1 || shellcheck .ci/run tools/*.sh tests/*.sh tests/slurm/*.sh examples/*.sbatch
+	@! command -v shellcheck >/dev/null 2>&1 || shellcheck .ci/run tools/*.sh tests/*.sh tests/slurm/*.sh examples/*.sbatch $(wildcard beyond/examples/*.sbatch)
 	@! reuse --version 2>/dev/null | grep -Eq ' ([4-9]|[1-9][0-9])\.' || reuse lint --lines
 
 ## tidy: clang-tidy on the sources that differ from a commit, SINCE=HEAD~1; without it on all (an hour)

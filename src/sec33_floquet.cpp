@@ -217,8 +217,8 @@ $10^{-4}$ in $\kappa$ and not exactly, because the tail of the breather still re
 tested at every thirteenth frequency and in three wells. These bounds are ours.
 
 On the two lines the statement is true: the fourth multiplier is no farther from $+1$ than
-[](num:sec33_floquet.spectrum_fourth). Elsewhere it is not: in hard wells the pinning pair leaves the neighbourhood of $+1$
-towards high frequencies, and around a bond at $\omega_b = 2$ and $s = 1$ it is [](num:sec33_floquet.fourth_in_hard_wells)
+[0.000815379](num:sec33_floquet.spectrum_fourth). Elsewhere it is not: in hard wells the pinning pair leaves the neighbourhood of $+1$
+towards high frequencies, and around a bond at $\omega_b = 2$ and $s = 1$ it is [1.06121](num:sec33_floquet.fourth_in_hard_wells)
 away. */
 void report_lines(Report& report, std::array<std::vector<OnLine>, 2> lines) {
   const int frequencies = report.quick ? 34 : 80;

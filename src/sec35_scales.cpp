@@ -113,7 +113,7 @@ velocity of your choice (sec35/all_scales.hpp); cantilever.hpp has the formulas.
 The beads of an array lose their energy in some 10 ms. The article's conclusion compares this with the growth of an
 instability: a disturbance that is multiplied by $1+\epsilon$ in each period stays hidden if it does not grow by a factor
 of $e$ in that time, that is for $\epsilon < 0.015$. With the printed period of 0.15 ms $(1+\epsilon)^{10/0.15} = e$ gives
-[](num:outlook.dominated), with $2\pi\tau_c$ [](num:sec35_scales.epsilon_e_fold). */
+[0.0151131](num:outlook.dominated), with $2\pi\tau_c$ [0.0159718](num:sec35_scales.epsilon_e_fold). */
 void report_losses(Report& report, const StruckArray& array) {
   const double lifetime = 10, period = 0.15;  // ms
   const double linear_period = array.scales.milliseconds(2 * std::numbers::pi);

@@ -1,7 +1,7 @@
 #!/bin/sh
 # The lineage and a map under a real scheduler (`make test-slurm`): a cluster of two nodes on this machine.
 #   1. `make QUICK=1 all-data LAUNCH='srun -n1'` gives the recorded bytes
-#   2. examples/turning_map.sbatch, in parts of an array, gives the bytes of the plain run
+#   2. beyond/examples/turning_map.sbatch, in parts of an array, gives the bytes of the plain run
 #   3. the same while a node fails: its parts are queued and computed again
 # Argument: the steps (all without); PROGRAMS='sec34_kink' takes only these for the first. Ends with 77 where no cluster can be started.
 set -eu
@@ -42,14 +42,14 @@ esac
 case $steps in *2*)
   plain
   rm -rf "build/turning-$SIDE"
-  PARTS=8 sbatch --wait --quiet --array=1-8 examples/turning_map.sbatch || fail "a part"
+  PARTS=8 sbatch --wait --quiet --array=1-8 beyond/examples/turning_map.sbatch || fail "a part"
   [ "$(cat "build/turning-$SIDE"/.reversal_map.rows-* | wc -l)" -ge $((SIDE * SIDE)) ] || fail "the parts are not complete"
   same "a map in 8 parts" ;;
 esac
 case $steps in *3*)
   plain
   rm -rf "build/turning-$SIDE"
-  job=$(PARTS=4 sbatch --parsable --array=1-4 examples/turning_map.sbatch)
+  job=$(PARTS=4 sbatch --parsable --array=1-4 beyond/examples/turning_map.sbatch)
   # A node is lost when the first rows are safe, and comes back when the controller has noticed.
   while [ "$(cat "build/turning-$SIDE"/.reversal_map.rows-* 2>/dev/null | wc -l)" -lt 20 ] ||
     [ -z "$(squeue -h -w node1 -t running -o %A)" ]; do sleep 0.2; done
