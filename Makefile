@@ -200,7 +200,7 @@ examples: programs
 
 ## python: build the Python module, build/python/lattice
 python: configure
-	@sh tools/build.sh $(B) $(JOBS) python_module
+	@sh tools/build.sh $(B) $(JOBS) python_$(if $(home),beyond,module)
 
 run-tests: configure
 	@sh tools/build.sh $(B) $(JOBS) all
@@ -209,7 +209,7 @@ run-tests: configure
 	@$(MAKE) test-lineage
 	@ctest -j $(JOBS) $(CTEST_ARGS) --label-exclude beyond
 run-tests-beyond: configure
-	@sh tools/build.sh $(B) $(JOBS) tests_beyond
+	@sh tools/build.sh $(B) $(JOBS) tests_beyond python_beyond
 	@$(MAKE) volume=beyond QUICK=1 built=yes $(two_by_two) all-data
 	@$(weaver) -m lineage.tests beyond
 	@ctest -j $(JOBS) $(CTEST_ARGS) --label-regex beyond

@@ -118,7 +118,7 @@ class Blocks(unittest.TestCase):
                                ("src/sec33/b.hpp", "int y;"), ("src/sec33_x.cpp", "/** # X */"),
                                ("README.md", "| [`sec33`](src/sec33) | of 3.3 |\n")]:
                 ecsv.write_whole(Path(folder) / name, text)
-            chapters, library = source.find_sources(folder)
+            chapters, library = source.find_sources(folder, [folder])
             self.assertEqual((list(library), source.modules_of(folder)), (["sec33", "numbers"], {"sec33": "of 3.3"}))
         self.assertEqual([s.page for s in chapters], ["sec33_x.html"])
         self.assertEqual({module: [(s.page, s.title) for s in found] for module, found in library.items()},

@@ -179,7 +179,7 @@ class Paper(Scratch):
 
     def test_what_the_paper_leaves_out_is_named(self):
         whole = "\\wide[0.6]{01}\n\\gone{a.one}{they erred}\n\\newcommand\\gone[2]{\\num{#1}} (Fig.~01).\n"
-        self.write("paper/paper.tex", whole)
+        self.write("paper/supplement.tex", whole)
         self.assertEqual(self.lineage("macros"), (0, "", ""))
         for paper, words in [(whole.replace("\\wide", "% \\wide"), "figure 01 of figures/figures.ecsv is not shown"),
                              (whole + "\\pair{01}{02}", "figure 01 is shown 2 times"),
@@ -187,7 +187,7 @@ class Paper(Scratch):
                               "figure 03 is cited and not in figures/figures.ecsv; figure x02"),
                              (whole.replace("\\gone{a.one}", "\\num{a.one}"), "claim 'a.one' has no row"),
                              (whole + "\\gone{a.two}{none}", "'a.two' has a row \\gone and is not discrepant")]:
-            self.write("paper/paper.tex", paper)
+            self.write("paper/supplement.tex", paper)
             self.refuses("macros", words)
 
     def test_every_figure_is_in_one_of_the_documents(self):
