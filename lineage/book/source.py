@@ -179,7 +179,7 @@ def find_sources(root, folders, order=()):
 
     `order` lists the chapters by name; a chapter that it does not know follows the last known one
     of its section, so that a new chapter has a page at once."""
-    root, texts = Path(root), [folder / "src" for folder in folders]
+    root, texts = Path(root), [Path(folder) / "src" for folder in folders]
     chapters = {path.stem: read_source(root, path.relative_to(root)) for src in texts for path in src.glob("sec*.cpp")}
     known = [n for n in order if n in chapters]
     for name in sorted(set(chapters) - set(known)):
