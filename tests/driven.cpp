@@ -96,6 +96,10 @@ TEST_CASE("viscous contacts have the restitution of perturbation theory", "[unit
   const double lost = 3 * contact * v * x * std::sqrt(x) * 0.4 * beta / (v * v / 4);
   check_close(1 - restitution(contact, v), lost / 2, 0, 5e-3);
   check_close(restitution(0, v), 1, 1e-9);
+  // Dormand and Prince's method of order eight, in another program
+  check_close(restitution(0.2, 0.7), 0.66227774363, 1e-11);
+  check_close(restitution(0.2, 3), 0.57813594145, 1e-11);
+  check_close(restitution(0.03, 0.05), 0.96321156395, 1e-11);
   check_close(restitution(contact_loss(0.9, v), v), 0.9, 1e-9);
   CHECK_THROWS_AS(contact_loss(1.1, v), std::invalid_argument);
 }
