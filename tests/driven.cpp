@@ -1,5 +1,6 @@
 // Driven and damped chains: losses, drives, what they book; journeys, decays, thresholds.
 
+#include "sec5/driven_array.hpp"
 #include "sec5/driven_end.hpp"
 
 #include <limits>
@@ -111,6 +112,16 @@ TEST_CASE("impossible losses are refused", "[unit][driven]") {
   CHECK_THROWS_AS(run_driven({Chain{3}, {0, -1}}, state, grid, unwatched), std::invalid_argument);
   CHECK_THROWS_AS(run_driven({Chain{3}, {std::nan(""), 0}}, state, grid, unwatched),
                   std::invalid_argument);
+}
+
+TEST_CASE("packets of a strong drive are counted between the looks of a coarse run",
+          "[unit][driven]") {
+  // Extrapolated midpoint rule in another program, with looks ever closer: four packets in the second half
+  DrivenArray drive;
+  drive.frequency = 7955.80282808034, drive.amplitude = 200;
+  drive.lifetime = 1.1669966356216845, drive.duration = 20.045936549755897;
+  const Emission seen = drive.run(DrivenArray::step);
+  check_close(drive.per_second(seen.rate(drive.horizon())), 199.5416872, 1e-6);
 }
 
 TEST_CASE("a sensor sees as far as the beads are fast", "[unit][journey]") {
