@@ -8,6 +8,7 @@
 #include "check.hpp"
 #include "lattice/dps/evolve.hpp"
 #include "lattice/impact/impact.hpp"
+#include "sec5/damped_packet.hpp"
 #include "sec5/decay.hpp"
 #include "sec5/journey.hpp"
 
@@ -107,6 +108,23 @@ TEST_CASE("the slow clock of a weak packet needs the weight of a push", "[proper
   // and another rate is not confirmed
   CHECK(std::abs(centre_after(slowed(free, 1.1 * nu), t) / centre_after(lossy, t) - 1) > 0.03);
   CHECK_THROWS_AS(centre_after(free, t), std::out_of_range);
+}
+
+TEST_CASE("a damped packet is where another program has it", "[unit][journey]") {
+  // Extrapolated midpoint rule; the centre swings within a period, and after twenty lifetimes overlaps are below 1e-90
+  struct Case {
+    double velocity, lifetime, sites, centre;
+  };
+  const double t10 = array36.time(ten_ms);
+  for (const Case& c : {Case{0.4, 5000, 13.8263789, 10.0710085},
+                        {0.2, 10, 8.9290074, 7.0960342},
+                        {1, 0.5, 14.3815192, 4.1210768}}) {
+    const TwoJourneys found = two_journeys(c.velocity, c.lifetime, 0, 16, {0.05, 0.025});
+    const Estimate centre = found.both([&](const Journey& j) { return centre_after(j, t10); });
+    CAPTURE(c.velocity, centre.error);
+    check_close(found.of_way(t10, &Progressed::sites).value, c.sites, 2e-6);
+    check_close(centre.value, c.centre, std::min(2e-5, centre.error));
+  }
 }
 
 TEST_CASE("a shift of a breather of the DpS limit has four lifetimes", "[unit][decay]") {

@@ -1,5 +1,6 @@
 // Driven and damped chains: losses, drives, what they book; journeys, decays, thresholds.
 
+#include "sec5/driven_array.hpp"
 #include "sec5/driven_end.hpp"
 
 #include <limits>
@@ -96,6 +97,10 @@ TEST_CASE("viscous contacts have the restitution of perturbation theory", "[unit
   const double lost = 3 * contact * v * x * std::sqrt(x) * 0.4 * beta / (v * v / 4);
   check_close(1 - restitution(contact, v), lost / 2, 0, 5e-3);
   check_close(restitution(0, v), 1, 1e-9);
+  // Dormand and Prince's method of order eight, in another program
+  check_close(restitution(0.2, 0.7), 0.66227774363, 1e-11);
+  check_close(restitution(0.2, 3), 0.57813594145, 1e-11);
+  check_close(restitution(0.03, 0.05), 0.96321156395, 1e-11);
   check_close(restitution(contact_loss(0.9, v), v), 0.9, 1e-9);
   CHECK_THROWS_AS(contact_loss(1.1, v), std::invalid_argument);
 }
@@ -107,6 +112,16 @@ TEST_CASE("impossible losses are refused", "[unit][driven]") {
   CHECK_THROWS_AS(run_driven({Chain{3}, {0, -1}}, state, grid, unwatched), std::invalid_argument);
   CHECK_THROWS_AS(run_driven({Chain{3}, {std::nan(""), 0}}, state, grid, unwatched),
                   std::invalid_argument);
+}
+
+TEST_CASE("packets of a strong drive are counted between the looks of a coarse run",
+          "[unit][driven]") {
+  // Extrapolated midpoint rule in another program, with looks ever closer: four packets in the second half
+  DrivenArray drive;
+  drive.frequency = 7955.80282808034, drive.amplitude = 200;
+  drive.lifetime = 1.1669966356216845, drive.duration = 20.045936549755897;
+  const Emission seen = drive.run(DrivenArray::step);
+  check_close(drive.per_second(seen.rate(drive.horizon())), 199.5416872, 1e-6);
 }
 
 TEST_CASE("a sensor sees as far as the beads are fast", "[unit][journey]") {

@@ -231,7 +231,13 @@ TEST_CASE("a collision of two beads, step by step", "[unit][driven]") {
     Again again{{Chain{2, None{}}, {0, 0.2}}, unit / 512, State<double>(2)};
     again.s.v[0] = v;
     for (int k = 0; k < 6 * 512; ++k) again.step();
-    check_close(restitution(0.2, v), (again.s.v[1] - again.s.v[0]) / v, 1e-12);
+    State<double> state(2);
+    state.v[0] = v;
+    run_driven(again.d, state, time_grid(6 * unit, 6 * unit, unit / 512),
+               [](const State<double>&, const EnergyBudget&) { return true; });
+    check_close((state.v[1] - state.v[0]) / v, (again.s.v[1] - again.s.v[0]) / v, 1e-12);
+    // The alternating steps err where the contact switches
+    check_close(restitution(0.2, v), (again.s.v[1] - again.s.v[0]) / v, 3e-5);
   }
   CHECK(contact_loss(1, 0.7) == 0);
   const double strong = contact_loss(0.02, 0.7);

@@ -78,8 +78,7 @@ Journey journey_again(const DrivenChain& d, double velocity, double duration, st
       break;
   }
   Journey out;
-  for (std::size_t i = 0; i < end; ++i)
-    if (i == 0 || time[i] > out.centres.back().t + 1) out.centres.push_back({time[i], centre[i]});
+  for (std::size_t i = 0; i < end; ++i) out.centres.push_back({time[i], centre[i]});
   for (std::size_t n = 0; n < contacts; ++n) {
     Passing p;
     p.pushes = tops(push[n], grid.step(), woken[n], end),

@@ -213,8 +213,8 @@ Emission drive_chain(const DrivenChain& driven, double duration, std::size_t det
   Emission out;
   State<double> state(driven.chain.sites);
   double half = 0;
-  // The middle of the run is a look
-  TimeGrid grid = time_grid(duration / 2, 0.4, step);
+  // The middle of the run is a look. The looks of fine steps lie closer, because the maximum in a period depends on them
+  TimeGrid grid = time_grid(duration / 2, std::min(0.4, 5 * step), step);
   grid.duration = duration, grid.samples *= 2;
   const double h = grid.interval();
   Quintic<double> way{};

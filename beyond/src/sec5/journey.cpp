@@ -98,9 +98,8 @@ Journey follow_packet(const DrivenChain& driven, double velocity, double duratio
       push[n].add(now.t, overlap > 0 ? overlap * std::sqrt(overlap) : 0, steps.step());
       speed[n].add(now.t, std::abs(now.v[n]), steps.step());
     }
-    // The centre once per unit of time
-    if (out.centres.empty() || now.t > out.centres.back().t + 1)
-      out.centres.push_back({now.t, energy_centre(energy_density(chain, now), 0, chain.sites)});
+    // The centre swings with the beads; so it is taken at every step
+    out.centres.push_back({now.t, energy_centre(energy_density(chain, now), 0, chain.sites)});
     // The packet has passed when the last push is well below its maximum
     const Peaks& end = push.back();
     if (period_at(end.all, end.highest) == 0 || now.y[contacts - 1] >= now.y[contacts]) return true;
