@@ -52,8 +52,8 @@ void compute_chart(Sweep& sweep, const ArraySetup& setup, bool quick, Part part)
     const double omega = 1 + p.delta, a = p.ratio * threshold_law(Drive::By::piston, omega);
     const DrivenChain driven =
         setup.driven(Drive::By::piston, omega, a, 0, horizon / 12, DrivenArray::sites);
-    const Emission coarse = drive_chain(driven, horizon / 2, ArraySetup::detector, 0.4);
-    const Emission fine = drive_chain(driven, horizon, ArraySetup::detector, 0.2);
+    const Emission coarse = drive_chain(driven, horizon / 2, ArraySetup::detector, 0.2);
+    const Emission fine = drive_chain(driven, horizon, ArraySetup::detector, 0.1);
     const double per_second = setup.per_second(1);
     return Cells{p.delta,
                  setup.hertz(omega),
