@@ -162,7 +162,7 @@ TEST_CASE("the caller's method follows the same DpS packet as GSL", "[unit][dps]
         integrate_fixed(dormand_prince_5(), rhs, x, 60, 60, 20, observe);
       });
   const DpsOutcome theirs = follow_dps(dps, dps_impact(40), 60, 60, 1e-10, Unwatched{});
-  check_close(packet_amplitude(ours.track), packet_amplitude(theirs.track), 0, 1e-5);
+  check_close(packet_amplitude(ours.track).value, packet_amplitude(theirs.track).value, 0, 1e-5);
   check_close(ours.track.centre.back(), theirs.track.centre.back(), 1e-4);
   CHECK(ours.norm_drift < 1e-6);
 }
