@@ -97,7 +97,7 @@ The article does not say what it calls the amplitude. One reading is the largest
 packet at an arbitrary phase of its oscillation, so we take the largest $2\epsilon|A_n|$ while the centre moves over the
 last site before $\tau = 250$. A parabola through the highest sample and its neighbours gives the maximum. */
 double amplitude_of(const DpsOutcome& out) {
-  return 2 * eps * packet_amplitude(out.track);
+  return 2 * eps * packet_amplitude(out.track).value;
 }
 Estimate amplitude_of(const DpsPair& runs) {
   return compare(amplitude_of(runs.coarse), amplitude_of(runs.fine));

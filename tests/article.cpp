@@ -519,7 +519,7 @@ TEST_CASE(
   const std::array<Packet, 2> chain{chain_packet({0.2}), chain_packet({0.1})};
   const DpsPair dps = follow_dps_to(1e-9, Dps{120}, dps_impact(120), tau, 500, Unwatched{});
   const auto dps_amplitude = [&](const DpsOutcome& out) {
-    return 2 * eps * packet_amplitude(out.track);
+    return 2 * eps * packet_amplitude(out.track).value;
   };
 
   Estimate amplitude = both(chain, [](const Packet& p) { return p.amplitude; });

@@ -218,7 +218,16 @@ TEST_CASE("a perturbation grows at the rate of its exponent", "[property][dps][e
   }
 }
 
-TEST_CASE("a DpS chain is long enough for what runs away in it", "[dps][exponents]") {
+TEST_CASE("the amplitude of a DpS packet knows what its samples leave", "[unit][dps][exponents]") {
+  DpsStrike impact;
+  impact.tau = 323.3731837235295, impact.end = Ends::fixed;
+  const Table t = impact.quantities(impact.find());
+  // From another program with steps of 0.012
+  check_close(t.numbers("value")[2], 0.65536189, t.numbers("error")[2]);
+  CHECK(t.numbers("error")[2] < 1e-3);
+}
+
+TEST_CASE("a DpS chain is long enough for what runs away in it", "[unit][dps][exponents]") {
   // Centres and norms from another program, which has longer chains
   struct Seen {
     double alpha, tau, centre, norm;

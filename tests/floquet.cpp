@@ -239,3 +239,15 @@ TEST_CASE("an exchange is found between two frequencies and nowhere else", "[pro
   CHECK(found.place.error < 1e-6);
   CHECK_THROWS_AS(exchange<double>(Centre::site, cut, 1.08, 1.09, near), NoBranch);
 }
+
+TEST_CASE("exchanges near the end of a family are found one by one", "[property][floquet]") {
+  // Between these wells the multipliers of single breathers change the sign of kappa, and at -0.05 they do not
+  const InWells all = exchanges_in_wells(Centre::site, 1.988251481051147);
+  const std::vector<std::array<double, 2>> between{
+      {0.03, 0.04}, {-0.0625, -0.055}, {-0.08, -0.07}, {-0.1, -0.08}};
+  REQUIRE(all.places.size() == between.size());
+  for (const auto& [low, high] : between)
+    CHECK(std::count_if(all.places.begin(), all.places.end(), [&](const Estimate& e) {
+            return e.value - e.error > low && e.value + e.error < high;
+          }) == 1);
+}

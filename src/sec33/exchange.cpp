@@ -153,38 +153,71 @@ Exchange exchange(Centre centre, const Cut& cut, double low, double high, Orbit<
   return polish_zero<T>(centre, cut, exchange_between(centre, cut, below, above, orbit, 1e-5));
 }
 
-InWells exchanges_in_wells(Centre centre, double omega_b) {
-  struct Look {
-    double s, kappa;
-    Orbit<double> orbit;
+namespace {
+
+// A well that was looked at
+struct Look {
+  double s, kappa;
+  Orbit<double> orbit;
+};
+
+// Where the parabola through three looks is flat, between the outer two
+double flat_between(const Look& a, const Look& b, const Look& c) {
+  const double left = b.s - a.s, right = c.s - b.s;
+  const double up = (c.kappa - b.kappa) / right, down = (b.kappa - a.kappa) / left;
+  const double bend = (up - down) / (left + right);
+  return bend == 0
+             ? b.s
+             : std::clamp(b.s - (up * left + down * right) / (left + right) / (2 * bend), a.s, c.s);
+}
+
+}  // namespace
+
+// From the linear well to either end of the family; so soft or hard that the breather would grow by more than a tenth at
+// once no step goes, or Newton's method may leap to another family
+static std::vector<Look> looks_along(Centre centre, double omega_b, int side) {
+  const auto look = [&](double s, const Orbit<double>& near) {
+    const auto problem = problem_at(centre, {omega_b, s});
+    const Orbit<double> orbit = follow(problem, near);
+    return Look{s, floquet_pairs(problem.chain, orbit.start, orbit.period()).pinning(), orbit};
   };
+  Progress progress(side > 0 ? "s up to 1" : "s down to -1", 20);
+  std::vector<Look> all{look(0, find_breather(problem_at(centre, {omega_b, 0})))};
+  for (double h = 0.05; h > 0.05 / 128 && std::abs(all.back().s) < 1;) {
+    const double next = std::min(std::abs(all.back().s) + h, 1.0);
+    try {
+      Look there = look(side * next, all.back().orbit);
+      const double grown = std::abs(there.orbit.amplitude / all.back().orbit.amplitude - 1);
+      if (grown < 0.1) {
+        all.push_back(std::move(there));
+        progress.reach(next);
+        if (grown < 0.03) h = std::min(2 * h, 0.05);
+        continue;
+      }
+    } catch (const NewtonFailed&) {  // it ends, or the step is too long
+    }
+    h /= 2;
+  }
+  return all;
+}
+
+InWells exchanges_in_wells(Centre centre, double omega_b) {
+  std::vector<Look> all = looks_along(centre, omega_b, -1);
+  std::reverse(all.begin(), all.end());
+  const std::vector<Look> harder = looks_along(centre, omega_b, 1);
+  all.insert(all.end(), harder.begin() + 1, harder.end());
+  // Does kappa dip through zero and back beside the least of three?
   const auto look = [&](double s, Orbit<double> near) {
     const double kappa = quick_kappa(centre, {omega_b, s}, near);
     return Look{s, kappa, std::move(near)};
   };
-  // From the linear well to either end of the family
-  std::vector<Look> all;
-  for (int side : {-1, 1}) {
-    Progress progress(side > 0 ? "s up to 1" : "s down to -1", 20);
-    Orbit<double> orbit = find_breather(problem_at(centre, {omega_b, 0}));
-    try {
-      for (int k = side < 0; k <= 20; ++k, progress.tick()) {
-        all.push_back(look(side * k / 20.0, orbit));
-        orbit = all.back().orbit;
-      }
-    } catch (const NewtonFailed&) {  // it ends
-    }
-    if (side < 0) std::reverse(all.begin(), all.end());
-  }
-  // Does kappa dip through zero and back beside the least of three?
   for (std::size_t k = 1; k + 1 < all.size(); ++k) {
     const double here = all[k].kappa;
     const auto larger = [&](const Look& l) { return l.kappa / here >= 1; };
     if (!larger(all[k - 1]) || !larger(all[k + 1])) continue;
     Look left = all[k - 1], middle = all[k], right = all[k + 1];
-    for (double h = 0.05; middle.kappa * here > 0 && h > 1e-4; h /= 10) {
-      const Parabola dip(left.kappa, middle.kappa, right.kappa);
-      middle = look(middle.s + std::clamp(dip.vertex(), -1.0, 1.0) * h, middle.orbit);
+    for (double h = (right.s - left.s) / 2; middle.kappa * here > 0 && h > 1e-4; h /= 10) {
+      middle = look(flat_between(left, middle, right), middle.orbit);
       left = look(middle.s - h / 10, middle.orbit), right = look(middle.s + h / 10, middle.orbit);
     }
     if (middle.kappa * here < 0) all.insert(all.begin() + long(k) + (middle.s > all[k].s), middle);
@@ -197,8 +230,20 @@ InWells exchanges_in_wells(Centre centre, double omega_b) {
       const Look &near = all[all[k].s > 0 ? k - 1 : k], &far = all[all[k].s > 0 ? k : k - 1];
       const Cut cut{true, omega_b};
       const Exchange found =
-          exchange_between(centre, cut, {near.s, near.kappa}, {far.s, far.kappa}, near.orbit, 1e-5);
-      out.places.push_back(polish_zero<Wide>(centre, cut, found).place);
+          polish_zero<Wide>(centre, cut,
+                            exchange_between(centre, cut, {near.s, near.kappa}, {far.s, far.kappa},
+                                             near.orbit, 1e-5));
+      // A zero has opposite signs on its sides
+      const auto sign_at = [&](double s) {
+        const auto problem = problem_at(centre, cut.at(s));
+        return spectrum<Wide>(problem, follow(problem, found.orbit)).kappa().value > 0;
+      };
+      const double aside = std::max(4 * found.place.error, 1e-6);
+      if (sign_at(found.place.value - aside) == sign_at(found.place.value + aside))
+        throw NewtonFailed("kappa changes its sign between s = " + std::to_string(all[k - 1].s) +
+                               " and " + std::to_string(all[k].s) + ", and no zero is found there",
+                           {});
+      out.places.push_back(found.place);
     }
   return out;
 }

@@ -161,10 +161,10 @@ template <class T>
 Exchange exchange(Centre centre, const Cut& cut, double low, double high, Orbit<double> orbit);
 
 /**
-A breather may lose and regain its stability several times. Wells are looked at in steps of a twentieth, from the linear
-one to $s = \pm1$ or to where the family ends. Two exchanges may lie between two neighbours of one sign. Then $|\kappa|$ is
-least at one of these, and the parabola through it and its neighbours tells where it comes nearest to zero in between;
-two parabolas more, each a tenth as wide, make sure. */
+A breather may lose and regain its stability several times. Wells are looked at in steps of a twentieth, or so short that
+the amplitude changes by less than a tenth, from the linear one to $s = \pm1$ or to where the family ends. Two exchanges
+may lie between two neighbours of one sign. Then $|\kappa|$ is least at one of these, and the parabola through it and its
+neighbours tells where it comes nearest to zero in between; two parabolas more, each a tenth as wide, make sure. */
 /// The wells between which was looked, and all exchanges there, in extended precision.
 struct InWells {
   double from, to;

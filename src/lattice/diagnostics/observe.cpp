@@ -85,8 +85,11 @@ this error a lower maximum may be the largest. */
 Estimate Track::largest_peak(double from, double to) const {
   double best = std::nan(""), bound = best;
   for (std::size_t i = 1, end = until(to); i <= end && i + 1 < t.size(); ++i) {
-    if (peak[i] < peak[i - 1] || peak[i] < peak[i + 1]) continue;
+    if (peak[i] < peak[i - 1]) continue;
     const Parabola top(peak[i - 1], peak[i], peak[i + 1]);
+    // After the last sample nobody sees the fall: there the parabola tells
+    const bool falls = i + 2 == t.size() && top.bend < 0 && top.vertex() <= 1;
+    if (peak[i] < peak[i + 1] && !falls) continue;
     const bool flat = top.bend == 0;
     const double where =
         centre[i] + (flat ? 0 : top.vertex()) * (centre[i + 1] - centre[i - 1]) / 2;

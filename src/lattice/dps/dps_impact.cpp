@@ -24,10 +24,12 @@ DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::
   return out;
 }
 
-double packet_amplitude(const Track& track) {
+Estimate packet_amplitude(const Track& track) {
   const double end = track.centre.back();
-  const double last = track.largest_peak(end - 1, end).value;
-  return std::sqrt(std::isnan(last) ? track.largest_peak(end - 2, end).value : last);
+  Estimate top = track.largest_peak(end - 1, end);
+  if (std::isnan(top.value)) top = track.largest_peak(end - 2, end);
+  const double amplitude = std::sqrt(top.value);
+  return {amplitude, top.error / (2 * amplitude)};
 }
 
 DpsPair follow_dps_to(double tolerance, const Dps& dps, const Field& start, double duration,

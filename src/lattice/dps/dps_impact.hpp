@@ -30,8 +30,8 @@ DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::
 /**
 The amplitude of a packet oscillates while it moves from site to site. So `packet_amplitude` is the largest maximum in
 time of $|A_n|$ while the centre moves over the last site of its track, or over the last two if none falls on the last.
-It is nan where there is none at all. */
-double packet_amplitude(const Track& track);
+Its error is what the samples leave; both are nan where there is none at all. */
+Estimate packet_amplitude(const Track& track);
 
 /**
 For errors the same impact is followed twice: first with a hundred times the tolerance and `samples`
