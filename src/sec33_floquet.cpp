@@ -459,8 +459,8 @@ void reproduce(Report& report) {
 
 `sec33_floquet multipliers` prints all multipliers of one breather (multipliers.hpp), and `sec33_floquet exchange
 --centre bond` where the pinning pair passes $+1$ in the article's wells; other pairs, which may leave the circle
-elsewhere, are not looked at. A pair may pass several times. All exchanges between $s=-1$ and $1$ are printed, the one
-nearest to the linear well first; if there is none, the command fails rather than print an empty table. */
+elsewhere, are not looked at. A pair may pass several times. The exchanges that are seen between $s=-1$ and $1$ are
+printed, the one nearest to the linear well first; if there is none, the command fails rather than print an empty table. */
 struct Exchanges : ChosenBreather {
   static constexpr Title title{"exchange", "anharmonicity at which the pinning pair passes +1"};
 
@@ -475,8 +475,13 @@ struct Exchanges : ChosenBreather {
     std::sort(found.begin(), found.end(), nearer);
     Answers q;
     for (std::size_t k = 0; k < found.size(); ++k)
-      q.add_small(k ? "s0_" + std::to_string(k + 1) : "s0", found[k], "",
-                  "anharmonicity s at which kappa of the pinning pair changes its sign");
+      q.add_small(
+          k ? "s0_" + std::to_string(k + 1) : "s0", found[k], "",
+          "anharmonicity s at which kappa of the pinning pair changes its sign; looked for "
+          "from s = " +
+              short_text(from) + " to " + short_text(to) +
+              ", where the amplitude changes by less than three per cent from one look to the "
+              "next; two zeros between two looks may be missed");
     return q.table;
   }
 };

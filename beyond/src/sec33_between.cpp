@@ -175,7 +175,7 @@ void report_range(Report& report, const std::vector<OnChart>& seen, double spaci
   std::vector<OnChart> ends;
   Estimate linear{};
   for (const OnChart& at : seen) {
-    const auto& [omega_b, s] = at.node->spot;
+    const double omega_b = at.node->spot.omega_b, s = at.node->spot.s;
     if (std::abs(s) == 1 && std::lround((omega_b - 1.01) / spacing) % 13 == 0) ends.push_back(at);
     if (s == 0) linear = larger(linear, excess(at.node->pairs));
   }

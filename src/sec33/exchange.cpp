@@ -42,12 +42,18 @@ int at_edge(const std::vector<Pair>& pairs, double omega_b, double close) {
 }
 
 // The same breather on a longer chain, with beads at rest beyond the old ends
+static Orbit<double> lengthened(const Shooting<double>& longer, const Orbit<double>& orbit,
+                                const NewtonRule<double>& how = {}) {
+  const std::size_t more = longer.chain.sites - orbit.start.y.size();
+  State<double> start(longer.chain.sites);
+  std::copy(orbit.start.y.begin(), orbit.start.y.end(), start.y.begin() + long(more / 2));
+  return newton(longer, longer.reduce(start), how);
+}
+
 int added_at_edge(Centre centre, const Spot& spot, const Orbit<double>& orbit,
                   const std::vector<Pair>& pairs, const NewtonRule<double>& how) {
   const auto longer = problem_at(centre, spot, 10);
-  State<double> start(longer.chain.sites);
-  std::copy(orbit.start.y.begin(), orbit.start.y.end(), start.y.begin() + 5);
-  const Orbit<double> there = newton(longer, longer.reduce(start), how);
+  const Orbit<double> there = lengthened(longer, orbit, how);
   const auto found = floquet_pairs(longer.chain, there.start, there.period(), how.events);
   std::vector<Pair> more;
   for (const auto& kappa : found.kappa) more.push_back({kappa, found.defect});
@@ -173,25 +179,27 @@ double flat_between(const Look& a, const Look& b, const Look& c) {
 
 }  // namespace
 
-// From the linear well to either end of the family; so soft or hard that the breather would grow by more than a tenth at
-// once no step goes, or Newton's method may leap to another family
-static std::vector<Look> looks_along(Centre centre, double omega_b, int side) {
+// From the linear well to either end of the family, on the article's chain as long as it holds the tail. No step goes so
+// far that the breather grows by more than three per cent at once, or Newton's method may leap to another family
+static std::vector<Look> looks_along(Centre centre, const Cut& cut, int side) {
   const auto look = [&](double s, const Orbit<double>& near) {
-    const auto problem = problem_at(centre, {omega_b, s});
+    const auto problem = problem_at(centre, cut.at(s));
     const Orbit<double> orbit = follow(problem, near);
     return Look{s, floquet_pairs(problem.chain, orbit.start, orbit.period()).pinning(), orbit};
   };
   Progress progress(side > 0 ? "s up to 1" : "s down to -1", 20);
-  std::vector<Look> all{look(0, find_breather(problem_at(centre, {omega_b, 0})))};
-  for (double h = 0.05; h > 0.05 / 128 && std::abs(all.back().s) < 1;) {
+  const Orbit<double> shorter = find_breather(problem_at(centre, {cut.fixed, 0}));
+  std::vector<Look> all{look(0, lengthened(problem_at(centre, cut.at(0)), shorter))};
+  for (double h = 0.025; h > 0.025 / 16 && std::abs(all.back().s) < 1;) {
     const double next = std::min(std::abs(all.back().s) + h, 1.0);
     try {
       Look there = look(side * next, all.back().orbit);
       const double grown = std::abs(there.orbit.amplitude / all.back().orbit.amplitude - 1);
-      if (grown < 0.1) {
+      if (grown < 0.03) {
+        if (sites_needed(there.orbit, 1e-17) > there.orbit.start.y.size()) break;
         all.push_back(std::move(there));
         progress.reach(next);
-        if (grown < 0.03) h = std::min(2 * h, 0.05);
+        if (grown < 0.01) h = std::min(2 * h, 0.025);
         continue;
       }
     } catch (const NewtonFailed&) {  // it ends, or the step is too long
@@ -202,13 +210,14 @@ static std::vector<Look> looks_along(Centre centre, double omega_b, int side) {
 }
 
 InWells exchanges_in_wells(Centre centre, double omega_b) {
-  std::vector<Look> all = looks_along(centre, omega_b, -1);
+  const Cut cut{true, omega_b, 10};
+  std::vector<Look> all = looks_along(centre, cut, -1);
   std::reverse(all.begin(), all.end());
-  const std::vector<Look> harder = looks_along(centre, omega_b, 1);
+  const std::vector<Look> harder = looks_along(centre, cut, 1);
   all.insert(all.end(), harder.begin() + 1, harder.end());
   // Does kappa dip through zero and back beside the least of three?
   const auto look = [&](double s, Orbit<double> near) {
-    const double kappa = quick_kappa(centre, {omega_b, s}, near);
+    const double kappa = quick_kappa(centre, cut.at(s), near);
     return Look{s, kappa, std::move(near)};
   };
   for (std::size_t k = 1; k + 1 < all.size(); ++k) {
@@ -228,18 +237,19 @@ InWells exchanges_in_wells(Centre centre, double omega_b) {
     if (all[k - 1].kappa * all[k].kappa < 0) {
       // From the end that is nearer to the linear well, where the family changes less
       const Look &near = all[all[k].s > 0 ? k - 1 : k], &far = all[all[k].s > 0 ? k : k - 1];
-      const Cut cut{true, omega_b};
       const Exchange found =
           polish_zero<Wide>(centre, cut,
                             exchange_between(centre, cut, {near.s, near.kappa}, {far.s, far.kappa},
                                              near.orbit, 1e-5));
-      // A zero has opposite signs on its sides
+      // A zero lies where it was looked for, and has opposite signs on its sides
       const auto sign_at = [&](double s) {
         const auto problem = problem_at(centre, cut.at(s));
         return spectrum<Wide>(problem, follow(problem, found.orbit)).kappa().value > 0;
       };
       const double aside = std::max(4 * found.place.error, 1e-6);
-      if (sign_at(found.place.value - aside) == sign_at(found.place.value + aside))
+      const bool inside = std::min(near.s, far.s) < found.place.value &&
+                          found.place.value < std::max(near.s, far.s);
+      if (!inside || sign_at(found.place.value - aside) == sign_at(found.place.value + aside))
         throw NewtonFailed("kappa changes its sign between s = " + std::to_string(all[k - 1].s) +
                                " and " + std::to_string(all[k].s) + ", and no zero is found there",
                            {});

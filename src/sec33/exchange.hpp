@@ -27,10 +27,12 @@ A chain is long enough if the bead missing at its end would be pushed by less th
 a check. */
 struct Spot {
   double omega_b = 1.1, s = 0;
+  std::size_t more = 0;  ///< sites
 };
 /// The problem of a breather in quartic wells at that place of the plane.
 inline Shooting<double> problem_at(Centre centre, const Spot& spot, std::size_t more = 0) {
-  return breather_problem(centre, spot.omega_b, spot.s, sites_of(centre, Length::shortest) + more);
+  return breather_problem(centre, spot.omega_b, spot.s,
+                          sites_of(centre, Length::shortest) + spot.more + more);
 }
 
 /// The breather of a problem near that of another. The guess scales positions with the square of
@@ -116,10 +118,11 @@ Criterion depends_on_well(const std::array<Estimate, 2>& weak,
 
 A cut runs along $s$ at fixed $\omega_b$, or along $\omega_b$ at fixed $s$. */
 struct Cut {
-  bool along_s = true;  ///< or along omega_b
-  double fixed = 1.1;   ///< the other one of the two
+  bool along_s = true;   ///< or along omega_b
+  double fixed = 1.1;    ///< the other one of the two
+  std::size_t more = 0;  ///< sites
   /// The place on the cut with this parameter.
-  Spot at(double p) const { return along_s ? Spot{fixed, p} : Spot{p, fixed}; }
+  Spot at(double p) const { return along_s ? Spot{fixed, p, more} : Spot{p, fixed, more}; }
 };
 
 /// A zero of kappa on a cut, the slope of kappa there, and the breather.
@@ -161,8 +164,9 @@ template <class T>
 Exchange exchange(Centre centre, const Cut& cut, double low, double high, Orbit<double> orbit);
 
 /**
-A breather may lose and regain its stability several times. Wells are looked at in steps of a twentieth, or so short that
-the amplitude changes by less than a tenth, from the linear one to $s = \pm1$ or to where the family ends. Two exchanges
+A breather may lose and regain its stability several times. Wells are looked at in steps of a fortieth, or so short that
+the amplitude changes by less than three per cent, from the linear one to $s = \pm1$ or to where the family ends or the article's
+31 or 32 sites do not hold its tail. Two exchanges
 may lie between two neighbours of one sign. Then $|\kappa|$ is least at one of these, and the parabola through it and its
 neighbours tells where it comes nearest to zero in between; two parabolas more, each a tenth as wide, make sure. */
 /// The wells between which was looked, and all exchanges there, in extended precision.
