@@ -7,6 +7,7 @@
 #include "lattice/impact/impact.hpp"
 #include "lattice/impact/turning.hpp"
 #include "run.hpp"
+#include "sec34/acceleration.hpp"
 #include "sec34/decorrelation.hpp"
 
 using namespace lattice;
@@ -241,4 +242,15 @@ TEST_CASE("a path is smoothed, and its turn is found, by hand", "[unit][turning]
   CHECK(find_turn(trip, 4.9).apex.found());
   CHECK(find_turn(trip, 5, 3, 6.9).stop.time == vertex(trip, 1).time);
   CHECK(find_turn(trip, 5, 3, 7).stop.time == vertex(trip, 3).time);
+}
+
+TEST_CASE("velocities of a packet are the slopes of its path", "[unit][boomeron]") {
+  Path path;
+  for (int i = 0; i < 400; ++i) {
+    const double t = path_sampling * i;
+    path.t.push_back(t), path.centre.push_back(3 + 0.4 * t - 0.01 * t * t);
+  }
+  const auto [t, v] = velocities(path, 0, path.t.size(), path_sampling);
+  REQUIRE(t.size() > 10);
+  for (std::size_t k = 0; k < t.size(); ++k) check_close(v[k], 0.4 - 0.02 * t[k], 1e-12);
 }

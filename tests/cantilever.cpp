@@ -320,6 +320,13 @@ TEST_CASE("the mode of a light defect by plain formulas", "[unit][cantilever]") 
   CHECK(miss[1] < 30 * asymmetry / orbit.amplitude);
 }
 
+TEST_CASE("the frequency of what stays, from the first upward passage to the last",
+          "[unit][cantilever]") {
+  // At 0.5 and 4.25, with one between
+  check_close(frequency_of({{0, 1, 2, 3, 4, 5, 6}, {}, {-1, 1, -1, 1, -1, 3, 1}, {}}),
+              4 * half_turn / (4.25 - 0.5), 1e-13);
+}
+
 TEST_CASE("two beads collide, and a cradle's ratio", "[unit][cantilever]") {
   const Collision by_energy = collision_by_energy(), run = collide(0.05);
   // The integral of ds / sqrt(1 - s^(5/2)) with 1 - s = u^2

@@ -315,3 +315,8 @@ TEST_CASE("the slow plane of a breather from its monodromy matrix", "[unit][kick
   check_matrix(eigenvector_near(m, 1, Vector<double>::Ones(3)).cwiseAbs(), Eigen::Vector3d(1, 0, 0),
                1e-12);
 }
+
+TEST_CASE("a kick frees a breather if its share of the energy is the barrier", "[unit][kick]") {
+  for (double barrier : {3.0, -3.0})
+    check_close(freeing_kick(barrier, {1, 0.5}), std::sqrt(12), 1e-14);
+}

@@ -220,6 +220,19 @@ std::vector<Member> branch(const Numbers& kappa) {
 
 }  // namespace
 
+TEST_CASE("one centre of a pair of breathers grows, by the rate of its multiplier",
+          "[unit][decay]") {
+  // cosh(sigma T) = 1 + 2 kappa
+  const double omega = 1.05;
+  const Member up = member_at(Centre::site, omega, 0), down = member_at(Centre::bond, omega, 0);
+  CAPTURE(up.kappa, down.kappa);
+  CHECK(up.kappa * down.kappa < 0);
+  const Member& loud = up.kappa > 0 ? up : down;
+  check_close(loud.growth, std::acosh(1 + 2 * loud.kappa) * omega / turn, 0, 1e-6);
+  check_close(loud.multiplier(), std::exp(loud.growth * turn / omega), 0, 1e-12);
+  CHECK((up.kappa > 0 ? down : up).growth == 0);
+}
+
 TEST_CASE("the growth of a shift along a branch of both signs", "[unit][decay]") {
   // Above the last member there is nothing, below the first one the limit
   for (const Numbers& kappa : {Numbers{0.02, 0.05, 0.01},

@@ -331,6 +331,7 @@ TEST_CASE("both numbers of the lemma follow from their formulas", "[unit][dps]")
     check_close(dps_eta(last), eta(last), 0, 1e-10);
     for (auto& row : last.inverse) row.assign(row.size(), 0);
     check_close(dps_eta(last), 0.008, 0, 1e-12);
+    for (double radius : {0.3, 0.5}) check_close(dps_q(last, radius), q(last, radius), 0, 1e-10);
     CHECK(dps_guess<double>(centre).r.size() == 12);
   }
 }

@@ -398,3 +398,11 @@ TEST_CASE("the linearized equation is the linear system of the grid", "[unit][ke
   check_line(refusal<std::runtime_error>([&] { solve_linearized(line, stiffness, right, 0); }),
              "not solved");
 }
+
+TEST_CASE("the wave of an ascent is its image times a power of its last quotient",
+          "[unit][kernel]") {
+  // To alpha / (alpha - 1), of 1/4
+  const Ascent course{{}, Vector<double>{{1, 2}}, {0.2, 0.25}};
+  for (const auto& [alpha, factor] : {std::pair{1.5, 64.0}, {3.0, 8.0}})
+    CHECK(course.wave({alpha, 0}).isApprox(factor * course.image, 1e-13));
+}
