@@ -254,3 +254,18 @@ TEST_CASE("velocities of a packet are the slopes of its path", "[unit][boomeron]
   REQUIRE(t.size() > 10);
   for (std::size_t k = 0; k < t.size(); ++k) check_close(v[k], 0.4 - 0.02 * t[k], 1e-12);
 }
+
+TEST_CASE("an endless chain is as long as the fastest wave of its stiffest contact goes",
+          "[unit][boomeron]") {
+  struct Blow {
+    double velocity;
+    Contact contact;
+    double stiffness;
+  };
+  for (const Blow& b : {Blow{3, Hertz{}, 0.8 * std::pow(3, 0.4)},
+                        {0.1, CompressedHertz{0.9}, 1.5 * std::sqrt(0.9)}}) {
+    const double speed = (std::sqrt(1 + 4 * b.stiffness) - 1) / 2;
+    CHECK(endless({b.velocity, {7, Harmonic{}, b.contact}, 1e6}).chain.sites ==
+          100 + std::size_t(1.15e6 * speed));
+  }
+}
