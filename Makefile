@@ -289,10 +289,10 @@ gallery: $(foreach r,$(rows),$(if $(wildcard $(home)figures/gallery/$(notdir $(b
 second: install-deps
 	@PYTHONPATH=tests $(call with,numpy; import mpmath) -m second --out paper/second.ecsv
 
-## mutants: errors put into the sources one at a time; the tests must notice (long; random ones: RANDOM=200 SEED=1)
+## mutants: errors put into the sources one at a time; the tests must notice (long)
 mutants: configure
 	@sh tools/build.sh $(B) $(JOBS) all
-	@$(or $(PYTHON),python3) tools/mutants.py $(if $(RANDOM),random=$(RANDOM) seed=$(or $(SEED),1),$(MUTANTS))
+	@$(or $(PYTHON),python3) tools/mutants.py $(MUTANTS)
 
 ## test-platforms: the same bytes from other compilers, Debian 13 and ARM64 (an hour; PLATFORMS='clang trixie')
 test-platforms: install-deps

@@ -7,6 +7,7 @@
 #include "lattice/impact/impact.hpp"
 #include "lattice/impact/turning.hpp"
 #include "run.hpp"
+#include "sec34/acceleration.hpp"
 #include "sec34/decorrelation.hpp"
 
 using namespace lattice;
@@ -151,4 +152,120 @@ TEST_CASE("no phonon reaches the end of an endless chain", "[unit][boomeron]") {
   const double sites = double(endless({0.1, chain, time}).chain.sites);
   CHECK(sites > fastest * time);
   CHECK(sites < 2 * fastest * time);
+}
+
+namespace {
+
+using Numbers = std::vector<double>;
+
+const double turn_angle = std::acos(-1.0);
+
+/// Numbers between 0 and 1 without any order.
+Numbers dust(std::size_t count, double seed) {
+  Numbers x(count);
+  for (std::size_t n = 0; n < count; ++n)
+    x[n] = std::pow(std::sin(seed + 12.9898 * double(n * n) + 3.7 * double(n)), 2);
+  return x;
+}
+
+/// The same numbers to ten digits.
+void check_all(const Numbers& value, const Numbers& expected, double absolute = 1e-10) {
+  REQUIRE(value.size() == expected.size());
+  std::size_t worst = 0;
+  for (std::size_t i = 0; i < value.size(); ++i)
+    if (!(std::abs(value[i] - expected[i]) <= std::abs(value[worst] - expected[worst])) &&
+        std::isfinite(value[worst]))
+      worst = i;
+  CAPTURE(worst);
+  check_close(value[worst], expected[worst], absolute);
+}
+
+}  // namespace
+
+TEST_CASE("a path is smoothed, and its turn is found, by hand", "[unit][turning]") {
+  Path path;
+  const Numbers c = dust(30, 0.2), e = dust(30, 0.9);
+  for (std::size_t i = 0; i < 30; ++i)
+    path.t.push_back(3 + 0.5 * double(i)), path.centre.push_back(c[i]), path.energy.push_back(e[i]);
+  const Path smoothed =
+      smooth(path, 4.3);  // four samples on either side, with the width 5 of the weight
+  Numbers t, centre, energies;
+  for (std::size_t i = 4; i < 26; ++i) {
+    double sum = 0, x = 0, y = 0;
+    for (int k = -4; k <= 4; ++k) {
+      const double weight = std::pow(std::cos(turn_angle * k / 10), 2);
+      const auto at = std::size_t(int(i) + k);
+      sum += weight, x += weight * c[at], y += weight * e[at];
+    }
+    t.push_back(path.t[i]), centre.push_back(x / sum), energies.push_back(y / sum);
+  }
+  check_all(smoothed.t, t);
+  check_all(smoothed.centre, centre);
+  check_all(smoothed.energy, energies);
+  Path three{{0, 1, 2}, {1, 2, 3}, {1, 1, 1}};
+  CHECK(smooth(three, 1).t.size() == 1);
+  three.t.pop_back();
+  CHECK_THROWS_AS(smooth(three, 1), std::invalid_argument);
+
+  // Vertices: an inner one, one that is no extremum, one just at the bound, a straight line, both ends
+  Path way{{0, 2, 4, 6, 8, 10, 12}, {1, 5, 4, 2, 1, 0, 0, -1}, {}};
+  way.centre.pop_back();  // what lies behind the last one does not count
+  const std::vector<std::array<double, 3>> known{{1, 5 + 2.25 / 10, 2 + 2 * 0.3},
+                                                 {2, 4, 4},
+                                                 {3, 2, 6},
+                                                 {4, 1, 8},
+                                                 {5, 0 - 0.125, 11},
+                                                 {0, 1, 0},
+                                                 {6, 0, 12}};
+  for (const auto& [i, site, time] : known) {
+    CAPTURE(i);
+    check_close(vertex(way, std::size_t(i)).site, site, 1e-14);
+    check_close(vertex(way, std::size_t(i)).time, time, 1e-14);
+  }
+  CHECK_FALSE(Moment{}.found());
+  CHECK(std::isnan(Moment{}.site));
+
+  // Out with a stop before site 8 and one beyond it, back by five from 14 at 7, again by three from 4 at 12
+  Path trip;
+  trip.centre = {1, 7, 6, 9, 8.5, 12, 13, 14, 13.5, 9, 10, 8, 4, 6, 7, 7.01, 3};
+  for (std::size_t i = 0; i < trip.centre.size(); ++i) trip.t.push_back(double(i));
+  trip.energy = trip.centre;
+  const Turn turn = find_turn(trip);
+  check_close(turn.stop.time, vertex(trip, 3).time, 1e-14);
+  check_close(turn.apex.time, vertex(trip, 7).time, 1e-14);
+  check_close(turn.rebound.time, vertex(trip, 12).time, 1e-14);
+  trip.centre[15] = 7;  // exactly three sites are not enough
+  CHECK_FALSE(find_turn(trip).rebound.found());
+  CHECK(find_turn(trip, 5, 2.9).rebound.found());
+  trip.centre.resize(10);
+  CHECK_FALSE(find_turn(trip).apex.found());  // exactly five neither
+  CHECK(find_turn(trip, 4.9).apex.found());
+  CHECK(find_turn(trip, 5, 3, 6.9).stop.time == vertex(trip, 1).time);
+  CHECK(find_turn(trip, 5, 3, 7).stop.time == vertex(trip, 3).time);
+}
+
+TEST_CASE("velocities of a packet are the slopes of its path", "[unit][boomeron]") {
+  Path path;
+  for (int i = 0; i < 400; ++i) {
+    const double t = path_sampling * i;
+    path.t.push_back(t), path.centre.push_back(3 + 0.4 * t - 0.01 * t * t);
+  }
+  const auto [t, v] = velocities(path, 0, path.t.size(), path_sampling);
+  REQUIRE(t.size() > 10);
+  for (std::size_t k = 0; k < t.size(); ++k) check_close(v[k], 0.4 - 0.02 * t[k], 1e-12);
+}
+
+TEST_CASE("an endless chain is as long as the fastest wave of its stiffest contact goes",
+          "[unit][boomeron]") {
+  struct Blow {
+    double velocity;
+    Contact contact;
+    double stiffness;
+  };
+  for (const Blow& b : {Blow{3, Hertz{}, 0.8 * std::pow(3, 0.4)},
+                        {0.1, CompressedHertz{0.9}, 1.5 * std::sqrt(0.9)}}) {
+    const double speed = (std::sqrt(1 + 4 * b.stiffness) - 1) / 2;
+    CHECK(endless({b.velocity, {7, Harmonic{}, b.contact}, 1e6}).chain.sites ==
+          100 + std::size_t(1.15e6 * speed));
+  }
 }

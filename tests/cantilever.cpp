@@ -2,11 +2,14 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 #include "check.hpp"
 #include "report/sweep.hpp"
 #include "run.hpp"
+#include "sec35/all_scales.hpp"
 #include "sec36/defect_mode.hpp"
+#include "sec36/trapped_mode.hpp"
 
 using namespace lattice;
 namespace fs = std::filesystem;
@@ -239,4 +242,147 @@ TEST_CASE("parts are written k/n", "[unit][cantilever]") {
   for (const char* bad :
        {"", "0/3", "4/3", "1", "1/", "a/b", "1/2/3", "-1/2", "1/0", " 1/2", "1/999999"})
     CHECK_THROWS_AS(parse_part(bad), std::invalid_argument);
+}
+
+namespace {
+
+using Numbers = std::vector<double>;
+
+const double half_turn = std::acos(-1.0);
+
+double metres(const StruckArray& blow) {
+  return std::pow(blow.scales.k / blow.scales.gamma, 2);
+}
+
+double sum_of(const Numbers& e, std::size_t from, std::size_t to) {
+  double sum = 0;
+  for (std::size_t n = from; n < to; ++n) sum += e[n];
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("the mode of a light defect by plain formulas", "[unit][cantilever]") {
+  const CantileverArray array;
+  const Shooting<double> problem = mode_problem(array, 0.9);
+  CHECK((mode_sites == 31 && problem.chain.sites == 31));
+  for (std::size_t n = 0; n < 31; ++n)
+    check_close(problem.chain.mass_of(n), n == 15 ? array.mu(0.9) : 1, 1e-15);
+  for (std::size_t i = 0; i <= 31; ++i)
+    check_close(problem.chain.eta_of(i), i == 15 || i == 16 ? std::sqrt(1.8 / 1.9) : 1, 1e-15);
+  CHECK(problem.chain.contact.force(-1e-100) > 0);
+  const Orbit<double> orbit = mode_of_energy(problem, 2e-4);
+  check_close(orbit.energy, 2e-4, 0, 2e-10);
+  Shooting<double> there = problem;
+  there.omega = orbit.omega;
+  check_close(newton(there, orbit.x).energy, 2e-4, 0, 1e-9);
+  CHECK(orbit.start.y[15] > 0);
+  CHECK_THROWS_AS(mode_of_energy(problem, 1e-40), std::runtime_error);
+
+  Numbers mean(31, 0);
+  State<double> now = orbit.start;
+  for (int k = 0; k <= 5; ++k) {
+    const Numbers e = energy_density(problem.chain, now);
+    for (std::size_t n = 0; n < 31; ++n) mean[n] += e[n] / 6;
+    evolve(ContactAware{0.05}, problem.chain, now, 2 * half_turn / orbit.omega / 5, 9,
+           Unobserved{});
+  }
+  const Numbers found = mean_density(problem, orbit, 5);
+  for (std::size_t n = 0; n < 31; ++n) check_close(found[n], mean[n], 1e-13);
+  Stay stay;
+  for (int n = 0; n < 200; ++n) stay.density.push_back(1 + 0.1 * (n % 7));
+  const Profile shares = profile(array, problem, orbit, stay, 5);
+  REQUIRE((shares.run.size() == 9 && shares.mode.size() == 9));
+  double apart = 0;
+  for (std::size_t n = 0; n < 9; ++n) {
+    const double run = stay.density[95 + n] / sum_of(stay.density, 95, 104),
+                 mode = mean[11 + n] / sum_of(mean, 11, 20);
+    check_close(shares.run[n], run, 1e-13);
+    check_close(shares.mode[n], mode, 1e-11);
+    apart += std::abs(run - mode);
+  }
+  check_close(shares.overlap(), 1 - apart / 2, 1e-11);
+
+  const StruckArray blow;
+  const Table table = trapped::mode_table(blow, shares, orbit);
+  REQUIRE(table.rows.size() == 9);
+  CHECK(table.numbers("n")[0] == 96);
+  check_close(table.numbers("run")[3], shares.run[3], 1e-15);
+  check_close(table.numbers("mode")[3], shares.mode[3], 1e-15);
+  check_close(table.numbers("y")[5], orbit.start.y[16] * metres(blow) * 1e6, 0, 1e-12);
+  CHECK(table.numbers("n")[8] == 104);
+  const auto miss = trapped::misses<double>(there, orbit);
+  there.symmetry = site_centred(31);
+  const double asymmetry =
+      there.shoot(there.reduce(orbit.start), {}, false).miss.cwiseAbs().maxCoeff();
+  CHECK(miss[0] < 1e-11);
+  CHECK(miss[1] > 0.03 * asymmetry / orbit.amplitude);
+  CHECK(miss[1] < 30 * asymmetry / orbit.amplitude);
+}
+
+TEST_CASE("the frequency of what stays, from the first upward passage to the last",
+          "[unit][cantilever]") {
+  // At 0.5 and 4.25, with one between
+  check_close(frequency_of({{0, 1, 2, 3, 4, 5, 6}, {}, {-1, 1, -1, 1, -1, 3, 1}, {}}),
+              4 * half_turn / (4.25 - 0.5), 1e-13);
+}
+
+TEST_CASE("two beads collide, and a cradle's ratio", "[unit][cantilever]") {
+  const Collision by_energy = collision_by_energy(), run = collide(0.05);
+  // The integral of ds / sqrt(1 - s^(5/2)) with 1 - s = u^2
+  const double x = std::pow(5 / 8.0, 2 / 5.0);
+  double time = 0;
+  for (int k = 0; k < 4000; ++k) {
+    const double u = (k + 0.5) / 4000, s = 1 - u * u;
+    time += 2 * u / std::sqrt(1 - s * s * std::sqrt(s)) / 4000;
+  }
+  check_close(by_energy.compression, x, 1e-14);
+  check_close(by_energy.contact_time, 2 * x * time, 1e-6);
+  check_close(run.contact_time, by_energy.contact_time, 1e-4);
+  check_close(run.compression, by_energy.compression, 1e-4);
+  check_close(cradle_ratio(10, 2, 6, 3), std::pow(0.05, 2.5), 1e-15);
+  check_close(cradle(9.81, 2.43), std::pow(0.5 / 9.81, 2.5) * std::pow(2.43 / 0.077e-3, 5), 0,
+              1e-12);
+}
+
+TEST_CASE("the table of scales has its closed forms", "[unit][cantilever]") {
+  const Table table = AllScales{.velocity = 2}.table();
+  std::map<std::string, double> value;
+  const auto names = table.texts("quantity");
+  for (std::size_t i = 0; i < names.size(); ++i) value[names[i]] = table.numbers("value")[i];
+  const CantileverArray array;
+  const Scales s = array.scales();
+  const Collision hit = collision_by_energy();
+  const double V = 2, tau = std::pow(s.m * s.m / (s.gamma * s.gamma * V), 0.2);
+  check_close(value.at("impact_velocity"), 2, 0);
+  check_close(value.at("contact_time"), hit.contact_time * tau, 0, 1e-12);
+  check_close(value.at("max_compression"), hit.compression * std::pow(s.m * V * V / s.gamma, 0.4),
+              0, 1e-12);
+  check_close(value.at("cradle_lambda_5_2"), cradle(9.81, hit.contact_time), 0, 1e-12);
+  const double gamma = 193e9 * std::sqrt(2 * 2.38e-3) / 3 / (1 - 0.46 * 0.46);
+  check_close(value.at("gamma_with_beam_modulus"), gamma, 0, 1e-12);
+  check_close(value.at("lambda_with_beam_modulus"),
+              s.m / s.k * std::pow(gamma * gamma * V / s.m / s.m, 0.4), 0, 1e-12);
+}
+
+TEST_CASE("units of an array, there and back", "[unit][cantilever]") {
+  const CantileverArray array;
+  const Scales s = array.scales();
+  check_close(s.milliseconds(s.time(2.5)), 2.5, 1e-12);
+  check_close(s.time(1), 1e-3 / s.tau_c(), 0, 1e-12);
+  check_close(s.hertz(s.omega(7000)), 7000, 0, 1e-12);
+  check_close(s.omega(7000), 2 * pi<double>() * 7000 * std::sqrt(s.m / s.k), 0, 1e-12);
+  check_close(s.micrometres(2), 2e6 * (s.k / s.gamma) * (s.k / s.gamma), 0, 1e-12);
+  check_close(s.velocity(3), 3 * s.tau_c() / s.xi(), 0, 1e-12);
+  check_close(s.per_second(2), 2 / s.tau_c(), 0, 1e-12);
+  check_close(s.watts(2), 2 * s.k * s.xi() * s.xi() / s.tau_c(), 0, 1e-12);
+  check_close(s.unit_force(), s.k * s.xi(), 0, 1e-12);
+  check_close(s.rate(10), s.tau_c() / 10e-3, 0, 1e-12);
+  CHECK(s.rate(0) == 0);
+  check_close(s.tau_h(2), std::pow(s.m * s.m / (s.gamma * s.gamma * 2), 0.2), 0, 1e-12);
+  check_close(s.delta(2), std::pow(s.m * 4 / s.gamma, 0.4), 0, 1e-12);
+  check_close(array.area_moment(), 5e-3 * 1e-9 / 12, 0, 1e-12);
+  check_close(array.beam_mass(), 8e3 * 5e-3 * 1e-3 * 25e-3, 0, 1e-12);
+  check_close(array.bead_mass(1.5), 4 * pi<double>() / 3 * 2.2e3 * std::pow(1.5 * 2.38e-3, 3), 0,
+              1e-12);
 }

@@ -5,8 +5,13 @@
 #include <random>
 
 #include "check.hpp"
+#include "lattice/events/event_driven.hpp"
+#include "lattice/impact/impact.hpp"
+#include "lattice/integrators/driven_chain.hpp"
 #include "lattice/integrators/integrate.hpp"
+#include "lattice/orbits/other_chains.hpp"
 #include "lattice/quadruple_orbits/orbits.hpp"
+#include "sec3/breather_like.hpp"
 
 using namespace lattice;
 
@@ -221,4 +226,82 @@ TEST_CASE("impossible masses are refused", "[unit][chain]") {
   CHECK_THROWS_AS(vary(chain, {}, {1, -1, 1, 1}), std::invalid_argument);
   chain.ends = Ends::periodic;
   CHECK_THROWS_AS(vary(chain, {}, {1, 1, 1, 2}), std::invalid_argument);
+}
+
+TEST_CASE("chains longer than a block of the loops, whatever they are made of", "[unit][chain]") {
+  const std::size_t n = 150;
+  std::vector<double> y(n), mass(n), eta(n + 1);
+  for (std::size_t i = 0; i < n; ++i)
+    y[i] = std::sin(0.7 * double(i * i)), mass[i] = 1 + 0.5 * std::cos(double(i));
+  for (std::size_t i = 0; i <= n; ++i) eta[i] = 1 + 0.4 * std::sin(double(i));
+  eta[0] = eta[n];
+  const auto force = [](double x) { return x > 0 ? x * std::sqrt(x) : 0; };
+  for (Ends ends : {Ends::free, Ends::fixed, Ends::periodic})
+    for (bool varied : {false, true}) {
+      Chain chain{.sites = n, .well = Quartic{0.3}, .ends = ends};
+      if (varied) vary(chain, mass, eta);
+      const std::vector<long double> wide(y.begin(), y.end());
+      const auto a = accelerations(chain, y);
+      const auto b = accelerations(chain, wide);
+      for (std::size_t i = 0; i < n; ++i) {
+        const auto push = [&](std::size_t k) {
+          const double before = k > 0                    ? y[k - 1]
+                                : ends == Ends::periodic ? y[n - 1]
+                                                         : 0,
+                       behind = k < n                    ? y[k]
+                                : ends == Ends::periodic ? y[0]
+                                                         : 0;
+          if ((k == 0 || k == n) && ends == Ends::free) return 0.0;
+          return force(before - behind) * (varied ? eta[k] : 1);
+        };
+        const double expected =
+            (-y[i] - 0.3 * y[i] * y[i] * y[i] + push(i) - push(i + 1)) / (varied ? mass[i] : 1);
+        check_close(a[i], expected, 1e-13);
+        check_close(double(b[i]), expected, 1e-13);
+      }
+    }
+}
+
+TEST_CASE("a chain runs with the length of its masses and in states of that length only",
+          "[unit][chain]") {
+  Chain twelve{12};
+  vary(twelve, std::vector<double>(12, 1), {});
+  const auto refused = [](const Chain& chain, const State<double>& start) {
+    State<double> state = start;
+    CAPTURE(chain.sites, chain.mass.size(), state.y.size());
+    CHECK_THROWS_AS(energy_density(chain, state), std::invalid_argument);
+    CHECK_THROWS_AS(evolve(ContactAware{0.1}, chain, state, 1, 1, Unobserved{}),
+                    std::invalid_argument);
+    CHECK_THROWS_AS(flow<double>(chain, state, 1.0), std::invalid_argument);
+    CHECK_THROWS_AS(run_driven({chain, {}, {}}, state, time_grid(1, 1, 0.1),
+                               [](const auto&, const auto&) { return true; }),
+                    std::invalid_argument);
+    if (state.y.size() == chain.mass.size()) return;
+    CHECK_THROWS_AS(accelerations(chain, state.y), std::invalid_argument);
+    CHECK_THROWS_AS(contact_forces(chain, state.y), std::invalid_argument);
+    CHECK_THROWS_AS(linearise(chain, state.y), std::invalid_argument);
+  };
+  for (const std::size_t sites : {8, 13, 136}) {
+    Chain other = twelve;
+    other.sites = sites;
+    refused(other, struck(sites, 1));
+    refused(twelve, struck(sites, 1));
+    refused(Chain{12}, struck(sites, 1));
+    CHECK_THROWS_AS(lengthened(other, sites + 2), std::invalid_argument);
+    CHECK_THROWS_AS(between(other, Chain{sites}, 0.5), std::invalid_argument);
+    CHECK_THROWS_AS(between(Chain{sites}, other, 1), std::invalid_argument);
+  }
+  State<double> torn = struck(12, 1);
+  torn.v.pop_back();
+  refused(twelve, torn);
+  // Masses without stiffnesses, and the other way round
+  Chain half{12};
+  half.mass = half.inverse_mass = twelve.mass;
+  refused(half, struck(12, 1));
+  half.mass = half.inverse_mass = {}, half.eta = twelve.eta;
+  refused(half, struck(12, 1));
+  // Nor is it made longer; as it is it has the bits of a chain without masses
+  CHECK_THROWS_AS(endless({1, twelve, 20}), std::invalid_argument);
+  const Impact plain{1, {12}, 20, 0.2, may_move}, heavy{1, twelve, 20, 0.2, may_move};
+  CHECK(strike(ContactAware{0.1}, plain).end.y == strike(ContactAware{0.1}, heavy).end.y);
 }

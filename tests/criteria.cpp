@@ -421,3 +421,15 @@ TEST_CASE("forces rise though two of them are alike", "[unit][criteria]") {
   CHECK_FALSE(holds(rises({{-1, 0.1}, {-1.05, 0.1}, {-1.1, 0.1}})));
   CHECK_FALSE(holds(rises({{-3, 0.1}, {-2, 0.1}, {-1, 0.1}})));
 }
+
+TEST_CASE("a packet's energy changes from the mean of one half of its way to that of the other",
+          "[unit][criteria]") {
+  Track track;
+  double first = 0, second = 0;  // of seven samples, three and four
+  for (int k = 0; k < 7; ++k) {
+    track.t.push_back(k), track.centre.push_back(fit_from + k), track.peak.push_back(1);
+    track.energy.push_back(3 + std::cos(k));
+    (k < 3 ? first : second) += track.energy.back() / (k < 3 ? 3 : 4);
+  }
+  check_close(energy_change(track), second / first - 1, 1e-13);
+}

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "check.hpp"
+#include "lattice/gsl/random.hpp"
 #include "sec33/dps_motion.hpp"
 
 using namespace lattice;
@@ -146,4 +147,67 @@ TEST_CASE("a pendulum tells which push frees a breather, and when one leaves", "
     check_close(leaves, site.departure(growing), 0, 0.05);
   }
   CHECK(std::isinf(site.departure(0)));
+}
+
+namespace {
+
+const double half_turn = std::acos(-1.0), never = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+TEST_CASE("a breather of the DpS equation and its pendulum", "[unit][dps]") {
+  const Field v{{1, 2}, {0, 1}, {-2, 0}, {0, 0.5}};
+  // |v|^4 is 25, 1, 16 and 1/16, at the sites -1 to 2
+  const double weight = 25 + 1 + 16 + 0.0625, moment = -25 + 16 + 0.125;
+  check_close(quartic_centre(Centre::site, v), moment / weight, 1e-14);
+  check_close(quartic_centre(Centre::bond, v), moment / weight - 0.5, 1e-14);
+  for (Centre centre : both_centres) {
+    const auto state = stationary<double>(centre, 2.5, centre == Centre::site ? 9 : 8);
+    const PinnedBreather b(state);
+    CHECK((b.centre == centre && b.mu == 2.5));
+    CHECK(PinnedBreather(centre, 2.5, state.u.size()).pair.m == b.pair.m);
+    // A small shift along the pair moves the centre by g, to larger n
+    Field ahead = b.u, behind = b.u;
+    b.pair.add(1e-5, ahead), b.pair.add(-1e-5, behind);
+    const double g = (quartic_centre(centre, ahead) - quartic_centre(centre, behind)) / 2e-5;
+    CHECK(g > 0);
+    check_close(b.shift, g, 0, 1e-7);
+    check_close(b.freeing_push(), b.pair.rate / half_turn / b.shift / (2.5 - b.pair.m), 0, 1e-13);
+    // From the middle of a hill to half a site away
+    const double speed = 2 * b.shift * b.pair.rate * 0.03;
+    double time = 0;
+    for (int k = 0; k < 400; ++k)
+      time += 1 /
+              std::hypot(speed, b.pair.rate / half_turn * std::sin(half_turn * (k + 0.5) / 800)) /
+              800;
+    for (double growing : {0.03, -0.03}) check_close(b.departure(growing), time, 0, 1e-10);
+    CHECK(b.departure(0) == never);
+  }
+  const Noise shape{"", true, false, true, 0.1};
+  const PinnedBreather site(Centre::site, 2.5, 9);
+  for (int k = 0; k < 8; ++k) {
+    const Noise noise{"", (k & 1) != 0, (k & 2) != 0, (k & 4) != 0, 0.3};
+    Random random(7);
+    const Field w = noise(site.u, 7);
+    for (std::size_t n = 0; n < 9; ++n) {
+      const double low = noise.positive ? 0 : -1, re = 0.3 * random.uniform(low, 1),
+                   im = noise.imaginary ? 0.3 * random.uniform(low, 1) : 0;
+      const auto expected = std::complex<double>(re, im) * (noise.relative ? site.u[n] : 1);
+      check_close(std::abs(w[n] - expected), 0, 1e-15);
+    }
+  }
+  for (bool pinned : {true, false}) {
+    Trial trial{5};
+    const Field w = perturbed(site, shape, pinned, trial), noise = shape(site.u, 5);
+    std::complex<double> kick = 0;
+    for (std::size_t n = 0; n < 9; ++n) kick += noise[n] * site.pair.V[Eigen::Index(n)];
+    for (std::size_t n = 0; n < 9; ++n)
+      check_close(std::abs(w[n] - site.u[n] - noise[n] +
+                           (pinned ? 0 : kick * site.pair.V[Eigen::Index(n)])),
+                  0, 1e-14);
+    const double growing = (kick.real() + (2.5 - site.pair.m) / site.pair.rate * kick.imag()) / 2;
+    check_close(std::abs(trial.kick - (pinned ? kick : 0)), 0, 1e-14);
+    check_close(trial.growing, pinned ? std::abs(growing) : 0, 1e-14);
+  }
+  CHECK((Trial{}.growing == 0 && Trial{}.kick == 0.0));
 }

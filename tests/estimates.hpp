@@ -1,7 +1,6 @@
 #pragma once
 // What tests of estimates and of criteria share.
 
-#include <functional>
 #include <string>
 
 #include "check.hpp"
@@ -20,12 +19,4 @@ inline std::string failing(const lattice::Criterion& criterion) {
   for (const lattice::Condition& c : criterion)
     if (!c.holds()) names += (names.empty() ? "" : " ") + c.name;
   return names;
-}
-
-/// `make(x)` holds a little on this side of `bound` and fails, by this name, on the other.
-inline void bounded_by(double bound, bool below, const std::string& name,
-                       const std::function<lattice::Criterion(double)>& make) {
-  CAPTURE(bound, name);
-  CHECK(failing(make(bound * (below ? 0.99 : 1.01))).empty());
-  CHECK(failing(make(bound * (below ? 1.01 : 0.99))) == name);
 }

@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "check.hpp"
+#include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/orbits/floquet.hpp"
 #include "run.hpp"
 #include "sec33/kick_threshold.hpp"
 
@@ -218,4 +220,103 @@ TEST_CASE("what a strong kick sheds and the ends send back is in the error", "[c
     CAPTURE(kick, r.output);
     check_close(quantity(r, "sites_travelled"), way, quantity(r, "sites_travelled", "error"));
   }
+}
+
+namespace {
+
+using Numbers = std::vector<double>;
+
+void check_matrix(const Matrix<double>& found, const Matrix<double>& expected, double absolute) {
+  REQUIRE((found.rows() == expected.rows() && found.cols() == expected.cols()));
+  check_close((found - expected).cwiseAbs().maxCoeff(), 0, absolute);
+}
+
+Creep path_with(const Numbers& t, const Numbers& X) {
+  Creep path;
+  path.t = t, path.X = X;
+  return path;
+}
+
+}  // namespace
+
+TEST_CASE("a kick and the path after it by hand", "[unit][kick]") {
+  const Numbers g = kick_direction({1, 4, 2, -3});
+  const double norm = std::sqrt(16. + 1 + 49 + 4);
+  for (const auto& [n, x] :
+       std::vector<std::pair<std::size_t, double>>{{0, 4}, {1, 1}, {2, -7}, {3, -2}})
+    check_close(g[n], x / norm, 1e-14);
+  State<double> state(4);
+  state.y = {1, 4, 2, -3}, state.v = {1, 1, 1, 1};
+  check_close(kicked(state, -2).v[2], 1 + 14 / norm, 1e-14);
+  CHECK(kicked(state, -2).y == state.y);
+  check_close(creep_sample(3), 3 * 0.1236067977499789696, 1e-14);
+  check_close(breather_place({0, 1, 5, 2}), (2 + 15 + 8) / 8.0 - 2.5, 1e-14);
+  CHECK(Creep{}.share == 1);
+  CHECK(Creep{}.travelled() == 0);
+
+  Creep path = path_with({0, 1, 2, 4, 5}, {3, 3.5, 2, 1.2, 1.6});
+  check_close(path.farthest(), 1.8, 1e-14);
+  check_close(path.travelled(), -1.4, 1e-14);
+  check_close(path.speed(1, 4).value,
+              ((1 - 7 / 3.0) * 3.5 + (2 - 7 / 3.0) * 2 + (4 - 7 / 3.0) * 1.2) / (14 / 3.0), 1e-13);
+  check_close(path.mean_speed(1.4), 1.4 / (2 + 2 * 0.4 / 0.8), 1e-14);
+  check_close(path.mean_speed(0.5), 0.5 / 1, 1e-14);
+  check_close(path.mean_speed(2, 1), 2 / (2 + 2 * 0.5 / 0.8 - 1), 1e-14);
+  CHECK_THROWS_AS(path.mean_speed(1.81), std::runtime_error);
+  path.run.energy_drift = 1e-8;
+  check_close(path.drift_margin(3, 5), 9 / 10.0 / 1e-8, 0, 1e-13);
+}
+
+TEST_CASE("the slow plane of a breather from its monodromy matrix", "[unit][kick]") {
+  for (Centre centre : both_centres) {
+    const bool site = centre == Centre::site;
+    const std::size_t sites = site ? 9 : 8;
+    const auto problem = breather_problem(centre, 1.4, 0, sites);
+    const Orbit<double> orbit = find_breather(problem);
+    const double period = orbit.period();
+    const auto n = Eigen::Index(sites);
+    const Matrix<double> map = monodromy(problem.chain, orbit.start, site ? period / 2 : period);
+    Matrix<double> A = map.topLeftCorner(n, n), B = map.topRightCorner(n, n),
+                   basis = Matrix<double>::Identity(n, n);
+    if (site) A = -A.colwise().reverse().eval(), B = -B.colwise().reverse().eval();
+    const PeriodMap got = period_map(problem.chain, centre, orbit.start, period, {});
+    check_matrix(got.A, A, 1e-10);
+    check_matrix(got.B, B, 1e-10);
+    if (!site) {
+      basis = Matrix<double>::Zero(n, n / 2);
+      for (Eigen::Index i = 0; i < n / 2; ++i) basis(i, i) = basis(n - 1 - i, i) = std::sqrt(0.5);
+    }
+    check_matrix(got.basis, basis, 1e-14);
+    // The eigenvector next to one, or to minus one
+    const Matrix<double> a = basis.transpose() * A * basis, b = basis.transpose() * B * basis;
+    const auto nearest = [&](const Matrix<double>& m) {
+      double best = 10;
+      for (const std::complex<double>& value : eigenvalues_of(m))
+        if (std::abs(value - (site ? -1.0 : 1.0)) < std::abs(best - (site ? -1.0 : 1.0)))
+          best = value.real();
+      return std::pair<double, Vector<double>>(best, eigenvector_of(m, best));
+    };
+    const auto [alpha, x] = nearest(a);
+    const Vector<double> z = nearest(a.transpose()).second;
+    const Numbers kick = kick_direction(orbit.start.y);
+    const double part = x.dot(basis.transpose() * Eigen::Map<const Vector<double>>(kick.data(), n));
+    const double share = z.dot(b * z) / z.dot(x) * part * part / (period * x.dot(z));
+    const Pinning p = pinning_of(problem.chain, centre, orbit.start, period);
+    // Half a period turns by half of the angle
+    const double cosine = site ? 2 * alpha * alpha - 1 : alpha;
+    check_close(p.frequency2, 2 * (1 - cosine) / (period * period), 1e-11, 1e-6);
+    check_close(p.share, site ? 2 * alpha * share : share, 0, 1e-6);
+  }
+  CHECK((Pinning{}.frequency2 == 0 && Pinning{}.share == 0));
+  Matrix<double> m(3, 3);
+  m << 1, 0, 1, 0, 2, 0, 0, 0, 4;
+  check_matrix(eigenvector_near(m, 4, Vector<double>::Ones(3)).cwiseAbs(),
+               Eigen::Vector3d(1, 0, 3) / std::sqrt(10.), 1e-12);
+  check_matrix(eigenvector_near(m, 1, Vector<double>::Ones(3)).cwiseAbs(), Eigen::Vector3d(1, 0, 0),
+               1e-12);
+}
+
+TEST_CASE("a kick frees a breather if its share of the energy is the barrier", "[unit][kick]") {
+  for (double barrier : {3.0, -3.0})
+    check_close(freeing_kick(barrier, {1, 0.5}), std::sqrt(12), 1e-14);
 }

@@ -1,10 +1,14 @@
 // The mean contact force of periodic motions, and shooting by leapfrog steps.
 
 #include "sec2/mean_force.hpp"
+
+#include <numbers>
+
 #include "check.hpp"
 #include "lattice/gsl/random.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "sec2/fixed_leapfrog.hpp"
+#include "sec2/periodic_motions.hpp"
 
 using namespace lattice;
 
@@ -85,5 +89,105 @@ TEST_CASE("shooting by leapfrog has the exact derivative of its map", "[unit][or
         (problem.shoot(x + h, {}, false).miss - problem.shoot(x - h, {}, false).miss) / 2e-6;
     CAPTURE(k);
     CHECK(sup<double>(slope - shot.jacobian.col(k)) < 1e-4);
+  }
+}
+
+namespace {
+
+double push(double x, double power = 1.5) {
+  return x > 0 ? std::pow(x, power) : 0;
+}
+
+/// Fourth-order steps of x' = rate(x).
+template <class Rate>
+std::vector<double> carried(std::vector<double> x, double time, int steps, Rate rate) {
+  const double h = time / steps;
+  const auto at = [&](double by, const std::vector<double>& k) {
+    std::vector<double> z(x);
+    for (std::size_t i = 0; i < z.size(); ++i) z[i] += by * k[i];
+    return z;
+  };
+  for (int s = 0; s < steps; ++s) {
+    const auto a = rate(x), b = rate(at(h / 2, a)), c = rate(at(h / 2, b)), e = rate(at(h, c));
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += h / 6 * (a[i] + 2 * b[i] + 2 * c[i] + e[i]);
+  }
+  return x;
+}
+
+}  // namespace
+
+TEST_CASE("mean forces and what they leave, by hand", "[unit][mean_force]") {
+  MeanForces means{{5, 2, 9, 4, 3}, {3.5, -7.25, 5, 0.5}, State<double>(4)};
+  CHECK(means.spread(1, 3) == 7);
+  CHECK(means.spread(3, 4) == 1);
+  CHECK(means.spread(0, 1) == 3);
+  check_close(means.imbalance(), 0.5, 1e-15);  // of the first and of the last
+  means.well = {3, -7, 5, 3};
+  check_close(means.imbalance(), 2, 1e-15);
+  means.well = {3, -7, 4.25, 1};
+  check_close(means.imbalance(), 0.75, 1e-15);
+  CHECK(MeanForces{{2, 1}, {1}, State<double>(1)}.imbalance() == 0);
+  // Two unequal beads between walls, each contact of its own kind
+  const motions::MixedChain chain{2, {}, {1.3, 0.7}, {1.1, 0.9, 1.2}, {1.5, 1.7, 1.4}};
+  const double y[] = {0.3, -0.2};
+  check_close(motions::contact_push(chain, y, 1), 0.9 * std::pow(0.5, 1.7), 1e-15);
+  CHECK(motions::contact_push(chain, y, 0) == 0);
+  CHECK(motions::contact_push(chain, y, 2) == 0);
+  const double other[] = {-0.3, 0.2};
+  check_close(motions::contact_push(chain, other, 0), 1.1 * std::pow(0.3, 1.5), 1e-15);
+  check_close(motions::contact_push(chain, other, 2), 1.2 * std::pow(0.2, 1.4), 1e-15);
+  CHECK(motions::contact_push(chain, other, 1) == 0);
+  State<double> start(2);
+  start.t = 4, start.y = {0.3, -0.2}, start.v = {0.1, -0.05};
+  const MeanForces walls = mean_forces(chain, start, 2, 1e-12);
+  const auto rate = [](const std::vector<double>& x) {
+    const double a = 1.1 * push(-x[0]), b = 0.9 * push(x[0] - x[1], 1.7), c = 1.2 * push(x[1], 1.4);
+    return std::vector<double>{x[2], x[3], (a - b) / 1.3, (b - c) / 0.7, a, b, c};
+  };
+  const auto end = carried({0.3, -0.2, 0.1, -0.05, 0, 0, 0}, 2, 2000, rate);
+  CHECK(walls.end.t == 6);
+  for (std::size_t k = 0; k < 2; ++k) {
+    check_close(walls.end.y[k], end[k], 1e-8);
+    check_close(walls.end.v[k], end[2 + k], 1e-8);
+    CHECK(walls.well[k] == 0);
+  }
+  for (std::size_t k = 0; k < 3; ++k) check_close(walls.contact[k], end[4 + k] / 2, 1e-8);
+  // Wells pull as well
+  const Chain held{1, Quartic{2}, Hertz{}, Ends::fixed};
+  State<double> one(1);
+  one.y = {0.4};
+  const MeanForces pulled = mean_forces(held, one, 3, 1e-12);
+  const auto hold = carried({0.4, 0, 0}, 3, 2000, [](const std::vector<double>& x) {
+    const double pull = x[0] + 2 * x[0] * x[0] * x[0];
+    return std::vector<double>{x[1], push(-x[0]) - push(x[0]) - pull, pull};
+  });
+  check_close(pulled.well[0], hold[2] / 3, 1e-8);
+  check_close(pulled.end.v[0], hold[1], 1e-8);
+}
+
+TEST_CASE("a wave of a ring without wells moves on by one site", "[unit][orbits]") {
+  using namespace motions;
+  check_close(wave_amplitude(std::numbers::pi, 1.5), std::pow(0.457 * std::pow(2, 2.5), -2), 1e-15);
+  check_close(wave_amplitude(std::numbers::pi / 3, 2), 1 / 0.457, 1e-12);
+  // A wave moves on by one site in its period, and all 6 pi / N of its phase
+  Shooting<double> problem;
+  problem.chain = {9, None{}, Hertz{.floor = 0}, Ends::periodic};
+  const Orbit<double> wave = ring_wave(problem);
+  const double q = 6 * std::numbers::pi / 9;
+  check_close(problem.omega, 2 * std::numbers::pi / q, 1e-13);
+  std::vector<double> x(wave.start.y);
+  x.insert(x.end(), wave.start.v.begin(), wave.start.v.end());
+  const auto rate = [](const std::vector<double>& z) {
+    std::vector<double> out(z.begin() + 9, z.end());
+    for (std::size_t n = 0; n < 9; ++n)
+      out.push_back(push(z[(n + 8) % 9] - z[n]) - push(z[n] - z[(n + 1) % 9]));
+    return out;
+  };
+  x = carried(x, q, 800, rate);
+  const double shift = x[1] - wave.start.y[0];
+  CHECK(wave.amplitude > 0.1);
+  for (std::size_t n = 0; n < 9; ++n) {
+    check_close(x[(n + 1) % 9] - shift, wave.start.y[n], 1e-6 * wave.amplitude);
+    check_close(x[9 + (n + 1) % 9], wave.start.v[n], 1e-6 * wave.amplitude);
   }
 }

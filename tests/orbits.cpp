@@ -344,3 +344,47 @@ TEST_CASE("breathers need wells of their symmetry, with all digits", "[unit][orb
     if (well.stiffness(0.0) == 1) CHECK(in(OwnWell(well)) == "");
   });
 }
+
+TEST_CASE("the discrete gradient, its direction, and how many sites a tail needs",
+          "[unit][orbits]") {
+  const Vector<double> g = gradient({1, 2, 4, 8, 16});
+  CHECK(g == (Vector<double>(5) << 0, 3, 6, 12, 0).finished());
+  check_close(alignment(g, -2 * g), 1, 1e-15);
+  check_close(alignment(Vector<double>::Unit(5, 1), Vector<double>(g)), 3 / std::sqrt(189.0),
+              1e-15);
+  // A tail of which the power 3/2 is below the precision times (omega^2 - 1) times the amplitude
+  Orbit<double> orbit;
+  orbit.omega = 1.5, orbit.amplitude = 0.8;
+  const double bound = 1e-6 * 1.25 * 0.8, edge = std::pow(bound, 2.0 / 3);
+  const auto needed = [&](std::vector<double> y) {
+    orbit.start.y = std::move(y);
+    return sites_needed(orbit, 1e-6);
+  };
+  const double weak = 0.99 * edge, strong = 1.01 * edge;
+  CHECK(needed({0, weak, strong, 1, -1, -strong, -weak, 0}) == 6);
+  CHECK(needed({0, 0, weak, strong, 1, -1, -strong, -weak, 0, 0}) == 6);
+  CHECK(needed({0, weak, weak, 1, -1, -strong, -weak, 0}) == 6);  // both ends have to be weak
+  CHECK(needed({0, weak, strong, 1, -1, -weak, -weak, 0}) == 6);
+  CHECK(needed({0, strong, 1, -1, -strong, 0}) == 6);
+  CHECK(needed({0, 0, 0, 0, 0, 0, 0, 0}) == 4);
+  CHECK(needed({0, 0, 0, 0, 0, 0, 0}) == 3);
+}
+
+TEST_CASE("a breather far up its branch is the same on chains that are shorter or longer",
+          "[property][orbits]") {
+  const double omega = 1.15;
+  REQUIRE(omega > direct_up_to);
+  const auto middle = [](const Fitted& f) { return f.orbit.start.y[f.problem.chain.sites / 2]; };
+  for (Centre centre : both_centres) {
+    const std::size_t odd = centre == Centre::site;
+    const auto fitted = [&](std::size_t sites) {
+      return fit_chain(centre, omega, Harmonic{}, sites, 16 + odd, 1e-10, Phase::compressed);
+    };
+    const Fitted usual = fitted(0), longer = fitted(40 + odd);
+    CHECK(usual.problem.chain.sites == 16 + odd);
+    CHECK(longer.problem.chain.sites == 40 + odd);
+    check_close(longer.orbit.energy, usual.orbit.energy, 0, 1e-9);
+    check_close(middle(longer), middle(usual), 0, 1e-9);
+    CHECK_THROWS_AS(fitted(4 + odd), ShortChain);
+  }
+}

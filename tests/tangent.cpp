@@ -156,3 +156,40 @@ TEST_CASE("a mirrored flow has the mirrored errors", "[unit][tangent]") {
   CHECK(one.error > 0);
   CHECK(one.error == other.error);
 }
+
+namespace {
+
+/// Positions, velocities and area after one step, from those in `z`.
+std::vector<double> stepped(const Chain& chain, std::vector<double> z, double dt) {
+  Leapfrog<double>(chain, false).step(z, dt);
+  return z;
+}
+
+}  // namespace
+
+TEST_CASE("the probe is the derivative of a step, on every site of every kind of chain",
+          "[unit][tangent]") {
+  for (Ends ends : {Ends::free, Ends::fixed, Ends::periodic})
+    for (std::size_t n : {1U, 2U, 3U, 6U})
+      for (bool heavy : {false, true}) {
+        if (ends == Ends::periodic && n < 3) continue;
+        Chain chain{.sites = n, .well = Quartic{0.7}, .ends = ends};
+        std::vector<double> mass(n), z;
+        for (std::size_t i = 0; i < n; ++i) mass[i] = 1 + 0.3 * double(i);
+        if (heavy) vary(chain, mass, {});
+        for (std::size_t i = 0; i < 2 * n; ++i) z.push_back(std::sin(3.0 * double(i) + 0.4));
+        z.push_back(0);
+        // The probe, and the step from two neighbours along it
+        std::vector<double> with = z, ahead = z, behind = z;
+        const double change = 1e-6, dt = 0.1;
+        for (std::size_t i = 0; i < 2 * n; ++i) {
+          const double u = std::cos(2.0 * double(i) + 0.1);
+          with.push_back(u), ahead[i] += change * u, behind[i] -= change * u;
+        }
+        Leapfrog<double>(chain, true).step(with, dt);
+        const auto more = stepped(chain, ahead, dt), less = stepped(chain, behind, dt);
+        CAPTURE(n, int(ends), heavy);
+        for (std::size_t i = 0; i < 2 * n; ++i)
+          check_close(with[2 * n + 1 + i], (more[i] - less[i]) / (2 * change), 1e-8);
+      }
+}

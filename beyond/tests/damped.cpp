@@ -3,6 +3,7 @@
 
 #include "lattice/integrators/driven_chain.hpp"
 
+#include <array>
 #include <numbers>
 
 #include "check.hpp"
@@ -168,4 +169,158 @@ TEST_CASE("the shift of a decaying breather grows and swings back", "[property][
   CAPTURE(most, last);
   check_close(largest_shift(members, dps_growth(Centre::site), nu) - 1, most - 1, 0, 0.15);
   CHECK(last < 0.97);
+}
+
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+
+using Numbers = std::vector<double>;
+
+/// A line through two points, or its continuation.
+double on_line(double x, double x0, double y0, double x1, double y1) {
+  return (y0 * (x1 - x) + y1 * (x - x0)) / (x1 - x0);
+}
+
+/// The square of the growth rate at ln area = a: between members, or between the limit and the first of them.
+double square_by_hand(const std::vector<Member>& members, double limit, double a) {
+  Numbers area, excess, scaled;
+  for (const Member& m : members) {
+    // cosh(sigma T) = 1 + 2 kappa
+    const double sigma = std::acosh(1 + 2 * std::abs(m.kappa)) * m.omega / turn;
+    area.push_back(std::log(m.area)), excess.push_back(std::log(m.omega - 1));
+    scaled.push_back(std::copysign(sigma * sigma, m.kappa) / (m.omega - 1) / (m.omega - 1));
+  }
+  if (a <= area[0]) {
+    const double first = std::exp(excess[0]), low = first * std::exp((a - area[0]) / 4);
+    return on_line(low, 0, limit * limit, first, scaled[0]) * low * low;
+  }
+  std::size_t i = 1;
+  while (i + 1 < area.size() && area[i] < a) ++i;
+  const auto along = [&](const Numbers& y) {
+    return on_line(a, area[i - 1], y[i - 1], area[i], y[i]);
+  };
+  return along(scaled) * std::pow(std::exp(along(excess)), 2);
+}
+
+/// The largest |X| in a thousand classical Runge-Kutta steps, for X'' + nu X' / 4 = sigma^2 X.
+double shift_by_hand(const std::vector<Member>& members, double limit, double nu) {
+  using Pair = std::array<double, 2>;
+  const double h = std::log(100) / 1000 / nu, start = std::log(members.back().area);
+  const auto f = [&](double t, const Pair& x) {
+    return Pair{x[1], square_by_hand(members, limit, start - nu * t) * x[0] - nu / 4 * x[1]};
+  };
+  const auto plus = [](const Pair& x, double w, const Pair& k) {
+    return Pair{x[0] + w * k[0], x[1] + w * k[1]};
+  };
+  Pair x{1, 0};
+  double most = 1;
+  for (int i = 0; i < 1000; ++i) {
+    const double t = i * h;
+    const Pair a = f(t, x), b = f(t + h / 2, plus(x, h / 2, a)),
+               c = f(t + h / 2, plus(x, h / 2, b)), d = f(t + h, plus(x, h, c));
+    for (int k : {0, 1}) x[k] += h * (a[k] / 6 + b[k] / 3 + c[k] / 3 + d[k] / 6);
+    most = std::max(most, std::abs(x[0]));
+  }
+  return most;
+}
+
+/// Members whose growth is that of kappa, with signs.
+std::vector<Member> branch(const Numbers& kappa) {
+  std::vector<Member> out;
+  for (std::size_t i = 0; i < kappa.size(); ++i) {
+    const double omega = 1.03 + 0.02 * double(i * i), area = std::pow(4.0, double(i)) + 0.3;
+    const double sigma = std::acosh(1 + 2 * std::max(0.0, kappa[i])) * omega / turn;
+    out.push_back({omega, area, kappa[i], sigma});
+  }
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("one centre of a pair of breathers grows, by the rate of its multiplier",
+          "[unit][decay]") {
+  // cosh(sigma T) = 1 + 2 kappa
+  const double omega = 1.05;
+  const Member up = member_at(Centre::site, omega, 0), down = member_at(Centre::bond, omega, 0);
+  CAPTURE(up.kappa, down.kappa);
+  CHECK(up.kappa * down.kappa < 0);
+  const Member& loud = up.kappa > 0 ? up : down;
+  check_close(loud.growth, std::acosh(1 + 2 * loud.kappa) * omega / turn, 0, 1e-6);
+  check_close(loud.multiplier(), std::exp(loud.growth * turn / omega), 0, 1e-12);
+  CHECK((up.kappa > 0 ? down : up).growth == 0);
+}
+
+TEST_CASE("the growth of a shift along a branch of both signs", "[unit][decay]") {
+  // Above the last member there is nothing, below the first one the limit
+  for (const Numbers& kappa : {Numbers{0.02, 0.05, 0.01},
+                               {0.03, -0.04, 0.02},
+                               {-0.02, 0.06, -0.03},
+                               {0.05, -0.06, -0.01},
+                               {0.001, 0.002, 0.003}})
+    for (double limit : {0.0, 0.7, 2.0})
+      for (double nu : {0.01, 0.03, 0.1}) {
+        CAPTURE(kappa, limit, nu);
+        const double value = largest_shift(branch(kappa), limit, nu);
+        check_close(value, shift_by_hand(branch(kappa), limit, nu), 0, 1e-9);
+      }
+}
+
+TEST_CASE("the slow clock and back", "[unit][journey]") {
+  for (double t : {0.5, 3.0, 40.0}) {
+    check_close(slow_clock(0.3, t), 4 / 0.3 * (1 - std::exp(-0.3 * t / 4)), 1e-13);
+    check_close(true_time(0.3, slow_clock(0.3, t)), t, 1e-11);
+    for (double nu : {0.0, -1.0}) CHECK((slow_clock(nu, t) == t && true_time(nu, t) == t));
+  }
+  CHECK(std::isinf(true_time(0.5, 8)));
+  CHECK(std::isfinite(true_time(0.5, 7.999)));
+}
+
+TEST_CASE("the way of a packet between contacts", "[unit][journey]") {
+  // Contact 3 is not reached; the first contact does not count
+  const Numbers at{9, 2, 3, 2.5, 5, 5.5, 8, 9, 9.5, 12},
+      period{1, 0.5, 3, 7, 2, 0.25, 4, 5, 6, 0.8};
+  Journey j;
+  for (std::size_t n = 0; n < at.size(); ++n)
+    j.contacts.push_back({at[n], 1, period[n], 1, n != 3});
+  std::vector<std::size_t> order{1, 2, 4, 5, 6, 7, 8, 9};
+  for (double t : {0.0, 1.0, 2.0, 2.2, 3.0, 4.4, 5.0, 5.2, 7.0, 8.0, 8.9, 9.5, 10.0, 12.0, 13.0}) {
+    double from = 0, site = 0, sites = 0, turns = 0, last = 0;
+    Numbers times{0}, places{0};
+    for (std::size_t n : order) {
+      if (t <= from) break;
+      const double share = std::min(1.0, (t - from) / (at[n] - from));
+      sites += share * (double(n) - site), turns += share * (at[n] - from) / period[n];
+      from = at[n], site = double(n), last = period[n], times.push_back(from),
+      places.push_back(site);
+    }
+    const std::size_t k = times.size(), back = k > 6 ? k - 6 : 0;
+    const bool stopped = t > 12;
+    if (stopped) turns += (t - 12) / 0.8;
+    const Progressed p = way_after(j, t);
+    CAPTURE(t);
+    check_close(p.sites, sites, 1e-12);
+    check_close(p.oscillations, turns, 1e-12);
+    check_close(p.period, last, 0);
+    check_close(p.speed, stopped || k == 1 ? 0 : (site - places[back]) / (from - times[back]),
+                1e-12);
+  }
+  const Progressed nowhere = way_after(Journey{{{1, 1, 1, 1, true}}, {}, 0}, 5);
+  CHECK(nowhere.sites + nowhere.oscillations + nowhere.speed + nowhere.period == 0);
+}
+
+TEST_CASE("the slow clock weighs a speed by a square and a push by a cube", "[unit][journey]") {
+  // Weighted, the pushes are symmetric about the second one
+  const double nu = 0.3;
+  const auto weight = [&](double s) { return 1 - nu * s / 4; };
+  Journey j;
+  j.contacts.resize(1);
+  for (const auto& [s, height] : {std::pair{1.0, 0.5}, {2.0, 0.9}, {3.0, 0.5}})
+    j.contacts[0].pushes.push_back({s, height / std::pow(weight(s), 3)});
+  j.contacts[0].speeds = {{2, 0.7}};
+  const Passing p = slowed(j, nu).contacts.at(0);
+  check_close(p.force, 0.9, 1e-13);
+  check_close(p.velocity, 0.7 * weight(2) * weight(2), 1e-13);
+  check_close(p.t, -4 / nu * std::log(weight(2)), 1e-12);
+  check_close(p.period, turn / (1 + (turn - 1) * weight(2)), 1e-12);
 }

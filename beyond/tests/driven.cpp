@@ -11,6 +11,7 @@
 #include "lattice/model/dps.hpp"
 #include "lattice/standing/stationary.hpp"
 #include "sec5/decay.hpp"
+#include "sec5/driven_array.hpp"
 #include "sec5/journey.hpp"
 #include "sec5/packet_members.hpp"
 #include "sec5/travelling.hpp"
@@ -376,4 +377,92 @@ TEST_CASE("units of the array", "[unit][driven]") {
   check_close(u.omega(7000), 2 * std::numbers::pi * 7000 * std::sqrt(u.m / u.k), 1e-12);
   check_close(u.rate(10) * u.time(10), 1, 1e-12);
   CHECK(u.rate(0) == 0);
+}
+
+namespace {
+
+using By = Drive::By;
+
+constexpr double turn = 2 * std::numbers::pi;
+
+/// The state one period later less that at the start, for state and amplitude `x`.
+Vector<double> miss_by_hand(DrivenChain d, const Vector<double>& x, std::size_t steps) {
+  const Eigen::Index n = x.size() / 2;
+  State<double> s{std::size_t(n)};
+  std::copy(x.data(), x.data() + n, s.y.begin());
+  std::copy(x.data() + n, x.data() + 2 * n, s.v.begin());
+  d.drive.amplitude = x[2 * n];
+  run_driven(d, s, TimeGrid{turn / d.drive.omega, steps, 1},
+             [](const State<double>&, const EnergyBudget&) { return true; });
+  Vector<double> out(2 * n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    out[i] = s.y[std::size_t(i)] - x[i], out[n + i] = s.v[std::size_t(i)] - x[n + i];
+  return out;
+}
+
+/// Its derivative.
+Matrix<double> slopes_by_hand(const DrivenChain& d, const Vector<double>& x, std::size_t steps,
+                              double change) {
+  Matrix<double> out(x.size() - 1, x.size());
+  for (Eigen::Index k = 0; k < x.size(); ++k) {
+    const Vector<double> e = change * Vector<double>::Unit(x.size(), k);
+    out.col(k) = (miss_by_hand(d, x + e, steps) - miss_by_hand(d, x - e, steps)) / (2 * change);
+  }
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("the law of the threshold, and the equations of a quiet orbit", "[unit][driven]") {
+  const double width = 2 * tau_0() * 0.07, piston = dps_threshold(By::piston).value;
+  check_close(law_estimate(By::piston, 1.07).value, 2 * width * width * piston, 0, 1e-12);
+  check_close(law_estimate(By::base, 1.07).value,
+              4 * 0.07 * width * width * dps_threshold(By::base).value, 0, 1e-12);
+  check_close(piston, 0.050414785, 1e-9);
+  check_close(dps_threshold(By::base).value, 0.028116632, 1e-9);
+  for (By by : {By::piston, By::base}) {
+    const Estimate law = law_estimate(by, 1.07), top = dps_threshold(by);
+    check_close(law.error / law.value, top.error / top.value, 0, 1e-12);
+    CHECK(law.value == threshold_law(by, 1.07));
+  }
+  // Two beads: state and amplitude
+  DrivenOrbit orbit{{Chain{2}, {0.1, 0.2}, {By::piston, 1.2, 7, 0, 0}}, 12};
+  CHECK((DrivenOrbit{}.steps == 64 && orbit.length == 0 && orbit.scale == 1));
+  orbit.scale = 0.3, orbit.length = 0.7;
+  Vector<double> x(5);
+  x << 0.2, -0.1, 0.3, 0.15, 0.5;
+  orbit.from = 0.5 * x, orbit.along = Vector<double>::LinSpaced(5, 0.1, 0.6);
+  const Vector<double> expected = miss_by_hand(orbit.driven, x, 12);
+  const Shot<double> shot = orbit.shoot(x, {}, true), bare = orbit.shoot(x, {}, false);
+  CHECK(bare.jacobian.size() == 0);
+  CHECK(bare.miss == shot.miss);
+  double plane = -0.7 * 0.3;
+  for (int i = 0; i < 5; ++i) plane += 0.5 * x[i] * orbit.along[i];
+  for (int i = 0; i < 4; ++i) check_close(shot.miss[i], expected[i], 1e-12);
+  check_close(shot.miss[4], plane, 1e-15);
+  const Matrix<double> slopes = slopes_by_hand(orbit.driven, x, 12, 1e-5);
+  for (int k = 0; k < 5; ++k) {
+    for (int i = 0; i < 4; ++i) check_close(shot.jacobian(i, k), slopes(i, k), 1e-7);
+    check_close(shot.jacobian(4, k), orbit.along[k], 0);
+    for (const Vector<double>& size :
+         {orbit.sizes(x, false).unknown, orbit.sizes(x, true).equation})
+      check_close(size[k], 0.3, 0);
+  }
+  CHECK(orbit.sizes(x, false).equation.size() == 5);
+}
+
+TEST_CASE("an array whose far end moves is too short for its drive", "[unit][driven]") {
+  for (const auto& [amplitude, lifetime] :
+       {std::pair{100.0, 10.0}, {200.0, 1000.0}, {60.0, 1000.0}}) {
+    DrivenArray array;
+    array.duration = 20, array.amplitude = amplitude, array.lifetime = lifetime;
+    const auto whole = array.quantities();
+    array.beads = 25;
+    CHECK(array.run(0.04).far > 1e-9);
+    const auto lengthened = array.quantities();
+    for (std::size_t i = 0; i < 4; ++i)
+      check_close(lengthened[i].value.value, whole[i].value.value, 1e-12, 1e-9);
+    array.amplitude = 0.001, array.beads = 25;
+    CHECK(array.run(0.04).far < 1e-9);
+  }
 }

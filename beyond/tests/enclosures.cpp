@@ -1,6 +1,7 @@
 // The proofs of section 5: they hold what is known otherwise, and they fail where something is wrong.
 
 #include <algorithm>
+#include <map>
 
 #include "check.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
@@ -227,4 +228,161 @@ TEST_CASE("a fineness whose spacings do not agree is refused in one line", "[uni
   few.samples = 4096, few.harmonics = 64;
   ChainGuess guess{Centre::bond, Interval<double>(2.5), {{0.01, 0}}};
   CHECK(refusal<std::invalid_argument>([&] { ChainProof(guess, few); }).starts_with("omega = 2.5"));
+}
+
+namespace {
+
+double phi(double x) {
+  return x * std::sqrt(std::abs(x));
+}
+
+/// Both ends of a range.
+struct Limits {
+  double low = 0, high = 0;
+  double size() const { return std::max(std::abs(low), std::abs(high)); }
+};
+
+/// A guess that is wrong by parts in a thousand, so that nothing cancels.
+DpsGuess<double> wrong_guess(Centre centre) {
+  auto guess = dps_guess<double>(centre);
+  for (std::size_t n = 0; n < guess.r.size(); ++n) guess.r[n] *= 1 + 1e-3 * std::cos(double(3 * n));
+  guess.r.back() = 2e-3;
+  return guess;
+}
+
+/// How far x - A F(x) moves the guess, zero behind the window.
+double eta(const DpsGuess<double>& g) {
+  const std::size_t size = g.r.size();
+  std::vector<double> f(size), moved(size);
+  for (std::size_t n = 0; n < size; ++n) {
+    const std::size_t left = n > 0 ? n - 1 : g.centre == Centre::bond ? 1 : 0;
+    f[n] = g.r[n] - phi(g.r[left]) - 2 * phi(g.r[n]) - (n + 1 < size ? phi(g.r[n + 1]) : 0);
+  }
+  double most = phi(g.r.back());
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t n = 0; n < size; ++n) moved[i] += g.inverse[i][n] * f[n];
+    most = std::max(most, std::abs(moved[i]));
+  }
+  return most;
+}
+
+/// The largest row sum of |1 - A DF| over a ball.
+double q(const DpsGuess<double>& g, double radius) {
+  const std::size_t size = g.r.size();
+  const auto slope = [&](double c) {
+    const double low = std::max(0.0, std::abs(c) - radius);
+    return Limits{1.5 * std::sqrt(low), 1.5 * std::sqrt(std::abs(c) + radius)};
+  };
+  // DF by entries: minus the slope of the neighbours, one minus twice the own slope
+  std::map<std::pair<std::size_t, std::size_t>, Limits> df;
+  const auto add = [&](std::size_t row, std::size_t column, double one, double factor) {
+    Limits& at = df[{row, column}];
+    at.low += one - factor * slope(g.r[column]).high,
+        at.high += one - factor * slope(g.r[column]).low;
+  };
+  for (std::size_t n = 0; n < size; ++n) {
+    add(n, n, 1, 2);
+    add(n, n > 0 ? n - 1 : g.centre == Centre::bond ? 1 : 0, 0, 1);
+    if (n + 1 < size) add(n, n + 1, 0, 1);
+  }
+  const double tail = slope(0).high;
+  double worst = std::max(slope(g.r.back()).high + 3 * tail, 4 * tail);
+  for (std::size_t i = 0; i < size; ++i) {
+    std::vector<Limits> row(size);
+    row[i] = {1, 1};
+    for (const auto& [place, d] : df) {
+      const double a = g.inverse[i][place.first];
+      row[place.second].low -= std::max(a * d.low, a * d.high);
+      row[place.second].high -= std::min(a * d.low, a * d.high);
+    }
+    double sum = std::abs(g.inverse[i].back()) * tail;
+    for (const Limits& x : row) sum += x.size();
+    worst = std::max(worst, sum);
+  }
+  return worst;
+}
+
+/// The contact at which the profile of this r_0 first breaks the rules, followed in plain numbers; 0 if it does not.
+std::size_t breaks_at(Centre centre, double r_0) {
+  double r = r_0, before = 0;
+  for (std::size_t n = 0; n < 30; ++n) {
+    const double force = phi(r);
+    double next = r - 2 * force - before;
+    if (n == 0) next = centre == Centre::bond ? next / 2 : next - force;
+    const double strain = next > 0 ? std::cbrt(next * next) : -1;
+    if (!(strain >= force && strain <= r)) return n + 1;
+    before = force, r = strain;
+  }
+  return 0;
+}
+
+}  // namespace
+
+TEST_CASE("both numbers of the lemma follow from their formulas", "[unit][dps]") {
+  for (Centre centre : both_centres) {
+    const auto guess = wrong_guess(centre);
+    CAPTURE(centre == Centre::bond);
+    check_close(dps_eta(guess), eta(guess), 0, 1e-10);
+    for (double radius : {1e-9, 1e-4, 0.01, 0.5})
+      check_close(dps_q(guess, radius), q(guess, radius), 0, 1e-10);
+    // Where the last strain alone is wrong, or pulls the first contact behind the window most
+    auto last = dps_guess<double>(centre);
+    last.r.back() = 0.04;
+    check_close(dps_eta(last), eta(last), 0, 1e-10);
+    for (auto& row : last.inverse) row.assign(row.size(), 0);
+    check_close(dps_eta(last), 0.008, 0, 1e-12);
+    for (double radius : {0.3, 0.5}) check_close(dps_q(last, radius), q(last, radius), 0, 1e-10);
+    CHECK(dps_guess<double>(centre).r.size() == 12);
+  }
+}
+
+TEST_CASE("norm, peak, exponents and barriers follow from the strains", "[unit][dps]") {
+  const auto bond = enclose_dps<double>(Centre::bond), site = enclose_dps<double>(Centre::site);
+  for (const auto* b : {&bond, &site}) {
+    const auto state = stationary<long double>(b->centre, 1.0L, b == &site ? 31 : 32);
+    double norm = 0, top = 0;
+    for (std::size_t n = 0; n < state.strain.size(); ++n) {
+      const double r = std::abs(double(state.strain[n]));  // of the half chain, outwards
+      norm += (n == 0 && b == &bond ? 1 : 2) * r * phi(r);
+    }
+    for (auto u : state.u) top = std::max(top, std::abs(double(u)));
+    check_close(b->norm().middle(), norm, 0, 1e-13);
+    check_close(b->largest().middle(), top, 0, 1e-13);
+    CHECK(b->norm().radius() < 1e-14);
+    // The tail, from what is before it; the ball of existence holds what is off
+    const double last = phi(b->r.back().upper);
+    CHECK(b->tail.lower == 0);
+    check_close(b->tail.upper, last / (1 - 3 * std::sqrt(last)), 0, 1e-2);
+    CHECK(b->exists.radius < 1e-9);
+    CHECK(b->unique.radius > 1e-3);
+  }
+  check_close(square_of_exponent(Interval<double>(0.3)).middle(), -0.7 * 0.55, 1e-15);
+  check_close(square_of_exponent(Interval<double>(0.9)).middle(), 0.1 * 0.35, 1e-15);
+  const double s = site.norm().middle(), b = bond.norm().middle();
+  const auto barrier = dps_barrier(site, bond);
+  check_close(barrier.equal_mu.middle(), 0.4 * (s - b), 1e-17);
+  check_close(barrier.equal_norm.middle(), 0.4 * b * (std::pow(b / s, 0.25) - 1), 1e-17);
+  CHECK(barrier.equal_norm.radius() < 1e-3 * std::abs(barrier.equal_norm.middle()));
+  // The tail adds to an eigenvalue four times its root at most
+  auto longer = bond;
+  longer.tail = {0, 1e-4};
+  check_close(contact_eigenvalue(longer, 2).upper - contact_eigenvalue(bond, 2).lower, 0.04, 1e-9);
+}
+
+TEST_CASE("what the search discards breaks the rules, and nothing is looked at in vain",
+          "[unit][dps]") {
+  for (Centre centre : both_centres) {
+    const auto b = enclose_dps<double>(centre);
+    const auto pieces = search_profiles(b);
+    for (const Piece<double>& p : pieces) {
+      const double middle = p.r_0.middle();
+      if (p.decision != Decision::discarded) continue;
+      const std::size_t breaks = breaks_at(centre, middle);
+      CAPTURE(centre == Centre::bond, middle, p.contact, breaks);
+      CHECK(breaks > 0);
+      if (p.contact > 0) CHECK(breaks <= p.contact);
+      // Without following it only about the constant profile, which turns by seventy degrees a contact
+      if (p.contact == 0) CHECK(std::abs(middle - 0.0625) < 5e-3);
+    }
+  }
 }

@@ -3,12 +3,14 @@
 #include "sec5/interval.hpp"
 
 #include <random>
+#include <tuple>
 
 #include <boost/numeric/interval.hpp>
 
 #include "check.hpp"
 #include "lattice/quadruple/extended.hpp"
 #include "sec5/circle.hpp"
+#include "sec5/contraction.hpp"
 #include "sec5/counted.hpp"
 
 using namespace lattice;
@@ -169,3 +171,122 @@ TEST_CASE("eigenvalues are counted or not at all", "[unit]") {
   CHECK(enclosed_eigenvalue(diagonal, beside, 1, 0.001, 3.0).upper ==
         std::numeric_limits<double>::infinity());
 }
+
+namespace by_hand {
+
+namespace {
+
+using Number = Interval<double>;
+
+using Long = long double;
+
+const double largest = std::numeric_limits<double>::max(), infinite = HUGE_VAL, ulp = 0x1p-52;
+
+const Long pi_l = std::acos(Long(-1));
+
+void check_ends(const Number& x, double lower, double upper) {
+  CAPTURE(x.lower, x.upper, lower, upper);
+  CHECK(x.lower == lower);
+  CHECK(x.upper == upper);
+}
+
+void check_all(const Number& x) {
+  check_ends(x, -infinite, infinite);
+}
+
+}  // namespace
+
+TEST_CASE("a root is verified, however it was guessed", "[unit]") {
+  const auto rounded = [](const Number& s) { return s * s; };
+  const auto exact = [](const Number& s) { return Number(s.lower * s.lower, s.upper * s.upper); };
+  // Bounds that are right as they are need no other ones
+  check_ends(verified_root(Number(4), above(2.0), below(2.0), exact), 2, 2);
+  // The distances from wrong guesses are 1, 3, 9, ... numbers
+  check_ends(verified_root(Number(4), 2 + 5 * 2 * ulp, 2 - 5 * ulp, rounded), 2 - 4 * 2 * ulp,
+             2 + 4 * ulp);
+  check_ends(verified_root(Number(0.25), 0.5 + 5 * ulp / 2, 0.5 - 5 * ulp / 4, rounded),
+             0.5 - 4 * ulp / 2, 0.5 + 4 * ulp / 4);
+  CHECK(verified_root(Number(0, largest), 0.0, below(largest), rounded).upper == infinite);
+  check_ends(root(Number(0)), 0, 0);
+  check_ends(root(Number(-2, -1)), 0, 0);
+  CHECK(root(Number(0, 4)).lower == 0);
+  for (const auto& [found, low, high] : {std::tuple{root(Number(4, 9)), 2.0, 3.0},
+                                         {root(Number(1)), 1.0, 1.0},
+                                         {cube_root(Number(8, 27)), 2.0, 3.0},
+                                         {cube_root(Number(1)), 1.0, 1.0},
+                                         {hertz(Number(4, 9)), 8.0, 27.0},
+                                         {hertz(Number(0.25)), 0.125, 0.125}}) {
+    CHECK((low * (1 - 4 * ulp) <= found.lower && found.lower < low));
+    CHECK((high < found.upper && found.upper <= high * (1 + 4 * ulp)));
+  }
+  CHECK(hertz(Number(-1, 1)).lower == 0);
+  check_all(root(Number(1, infinite)));
+  check_all(cube_root(Number(1, infinite)));
+}
+
+TEST_CASE("the lemma holds up to its bounds and no further", "[unit]") {
+  using C = Contraction<double>;
+  CHECK(C{}.radius == 0);
+  CHECK_FALSE(C{0, 0.5}.holds());
+  CHECK(C{0, 0, 0.5}.holds());
+  CHECK_FALSE(C{0, -0.5, 1}.contracts());
+  CHECK_FALSE(C{2, 0.5, 1}.holds());  // contracts, but leaves the ball
+  CHECK_FALSE(C{0, 0.5, 0}.stays_inside());
+  // eta + q r, rounded upwards three times, is the radius itself, and one number more
+  CHECK(C{0.5 - ulp, 0.5, 1}.stays_inside());
+  CHECK_FALSE(C{0.5 - ulp / 2, 0.5, 1}.stays_inside());
+  CHECK(C{0, 0.5, 0.25}.stays_inside());
+  // The ball may be halved sixty times
+  const auto small = [](double radius) {
+    return [=](double r) { return r <= radius ? 0.5 : 2.0; };
+  };
+  const auto balls = two_balls(0x1p-62, 1.0, small(0x1p-60));
+  CHECK(balls.first.radius == 0x1p-60);
+  CHECK_THROWS_AS(two_balls(0x1p-63, 1.0, small(0x1p-61)), NotProved);
+  // The small ball: three times eta / (1 - q), enlarged by 1/1024
+  const auto q = [](double r) { return 0.5 + r; };
+  const auto [unique, exists] = two_balls(0.01, 0.25, q);
+  CHECK(unique.radius == 0.25);
+  double radius = 0.25;
+  for (int i = 0; i < 3; ++i) radius = 0.01 * (1 + 1.0 / 1024) / (1 - q(radius));
+  check_close(exists.radius, radius, 0, 1e-14);
+  CHECK(exists.q == q(exists.radius));
+  // A ball that would have to be larger stays as it is, and is refused if the map leaves it
+  CHECK(two_balls(0.4999, 1.0, [](double) { return 0.5; }).second.radius == 1);
+  int calls = 0;
+  CHECK_THROWS_AS(two_balls(0.1, 1.0, [&](double) { return ++calls < 2 ? 0.5 : 0.999; }),
+                  NotProved);
+}
+
+TEST_CASE("discrete coefficients and their errors", "[unit]") {
+  const std::size_t m = 16;
+  const auto gamma = [](std::size_t n) { return Long(n) * 0x1p-53L / (1 - Long(n) * 0x1p-53L); };
+  const CosineTable table(m);
+  // Alternating samples have no part that is asked for, so that roundings of the result do not hide the error
+  for (const auto& [width, alternating] : {std::pair{0x1p-20, 0.0}, {0.0, 1000.0}}) {
+    std::vector<Number> half;
+    Long radius = 0, size = 0;
+    for (std::size_t j = 0; j <= m / 2; ++j) {
+      const double f = alternating > 0 ? (j % 2 ? -alternating : alternating)
+                                       : 1 + 0.375 * double(j) - 0.25 * double(j % 3) * double(j);
+      half.push_back(Number(f - width, f + width));
+      radius += half.back().radius(), size += std::abs(f);
+    }
+    const auto out = discrete_coefficients(half, 8, table);
+    REQUIRE(out.size() == 8);
+    const Long error = 4.0L / m * (radius + size * (table.error + gamma(half.size() + 2)));
+    for (std::size_t k = 0; k < 8; ++k) {
+      // The mean of all m samples times the cosine; twice that, but for the constant
+      Long sum = 0;
+      for (std::size_t j = 0; j < m; ++j)
+        sum += half[std::min(j, m - j)].middle() * std::cos(2 * pi_l * Long(j * k) / m) / m;
+      const Long share = k == 0 ? 1 : 2, bound = share / 2 * error;
+      CAPTURE(k, width);
+      CHECK((out[k].lower < share * sum && share * sum < out[k].upper));
+      check_close(out[k].upper - out[k].lower, double(2 * bound), 0, 1e-8);
+      check_close(out[k].middle(), double(share * sum), alternating > 0 ? 1e-12 : 1e-14);
+    }
+  }
+}
+
+}  // namespace by_hand

@@ -167,3 +167,76 @@ TEST_CASE("the DpS equation has its own orbit of type I, the limit of the chain'
   const DpsMember next = dps_member(problem, member.x);
   check_close(problem.misses(next.x)[0], next.V * std::sin(0.15), 0, 1e-8);
 }
+
+namespace {
+
+using Complex = std::complex<double>;
+
+}  // namespace
+
+TEST_CASE("equations of a travelling breather of the DpS equation", "[unit][travelling]") {
+  DpsTravelling problem;
+  CHECK(
+      (problem.reach == 8 && problem.phase == 0 && DpsTravelling::shift_time == 2 * pi<double>()));
+  CHECK(problem.tolerance == 1e-13);
+  problem.reach = 3, problem.phase = 0.7;
+  Vector<double> x(7);
+  x << 0.5, -0.2, 0.3, 0.1, 0.05, -0.03, 0.02;
+  const auto misses = [&](const Vector<double>& u) {
+    // Sites -3 to 4; those on the left are the mirror images
+    Field a{{-u[5], u[6]}, {-u[3], u[4]}, {-u[1], u[2]}, {0, u[0]},
+            {u[1], u[2]},  {u[3], u[4]},  {u[5], u[6]},  0};
+    evolve_dps(Dps{8}, a, pi<double>(), 1, 1e-13, [](double, const Field&) {});
+    Vector<double> out(8);
+    for (int n = 1; n <= 4; ++n) {
+      const Complex w = std::polar(1.0, -0.35) * a[std::size_t(3 + n)],
+                    v = std::polar(1.0, -0.35) * a[std::size_t(4 - n)];
+      out[2 * n - 2] = (w + v).real(), out[2 * n - 1] = (w - v).imag();
+    }
+    return out;
+  };
+  const Vector<double> expected = misses(x), all = problem.misses(x);
+  const Shot<double> shot = problem.shoot(x, {}), bare = problem.shoot(x, {}, false);
+  for (int i = 0; i < 8; ++i) check_close(all[i], expected[i], 1e-11);
+  CHECK((shot.miss == all.tail(7) && bare.miss == shot.miss && bare.jacobian.size() == 0));
+  for (int k = 0; k < 7; ++k) {
+    const Vector<double> e = 1e-5 * Vector<double>::Unit(7, k),
+                         slope = (misses(x + e) - misses(x - e)) / 2e-5;
+    for (int i = 0; i < 7; ++i) check_close(shot.jacobian(i, k), slope[i + 1], 2e-7);
+    check_close(problem.sizes(x, false).unknown[k], 0.5, 0);
+    check_close(problem.sizes(x, true).equation[k], 0.5, 0);
+  }
+}
+
+TEST_CASE("the flow over a shift and its multipliers", "[unit][travelling]") {
+  Chain chain{4};
+  State<double> start(4);
+  start.y = {0.3, -0.1, 0.2, -0.25}, start.v = {0.1, -0.2, 0.3, 0.05};
+  const Matrix<double> map = shifted_map(chain, start, 1.7);
+  const auto after = [&](std::size_t k, double change) {
+    State<double> z = start;
+    (k < 4 ? z.y[k] : z.v[k - 4]) += change;
+    flow(chain, z, 1.7);
+    return z;
+  };
+  for (std::size_t k = 0; k < 8; ++k) {
+    const State<double> more = after(k, 1e-5), less = after(k, -1e-5);
+    for (std::size_t n = 0; n < 4; ++n) {
+      const bool last = n == 3;
+      check_close(map(Eigen::Index(n), Eigen::Index(k)),
+                  last ? 0 : (more.y[n + 1] - less.y[n + 1]) / 2e-5, 1e-7);
+      check_close(map(Eigen::Index(4 + n), Eigen::Index(k)),
+                  last ? 0 : (more.v[n + 1] - less.v[n + 1]) / 2e-5, 1e-7);
+    }
+  }
+  Matrix<double> diagonal = Matrix<double>::Zero(3, 3);
+  diagonal.diagonal() << 0.5, -2, 1.5;
+  const auto all = multipliers_of(diagonal);
+  for (std::size_t i = 0; i < 3; ++i)
+    check_close(all[i].real(), std::array{-2.0, 1.5, 0.5}[i], 1e-14);
+  // The four next to +1: 1 +- i/2, 1.25 and 0.75; (z - 1)^2 / z = -1/4 / z and so on
+  const double kappa = (-0.25 * 2 / 1.25 + 0.0625 / 1.25 + 0.0625 / 0.75) / 8;
+  check_close(
+      phase_kappa<double>({{3, 0}, {1, 0.5}, {0.4, 0}, {1.25, 0}, {1, -0.5}, {0.75, 0}, {-1, 0}}),
+      kappa, 1e-15);
+}

@@ -165,10 +165,10 @@ Exchange exchange(Centre centre, const Cut& cut, double low, double high, Orbit<
 
 /**
 A breather may lose and regain its stability several times. Wells are looked at in steps of a fortieth, or so short that
-the amplitude changes by less than three per cent, from the linear one to $s = \pm1$ or to where the family ends or the article's
-31 or 32 sites do not hold its tail. Two exchanges
-may lie between two neighbours of one sign. Then $|\kappa|$ is least at one of these, and the parabola through it and its
-neighbours tells where it comes nearest to zero in between; two parabolas more, each a tenth as wide, make sure. */
+the amplitude changes by less than three per cent, from the linear one to $s = \pm1$, to where the family ends, or to where
+the article's 31 or 32 sites do not hold its tail. Two exchanges may lie between two neighbours of one sign. Then
+$|\kappa|$ is least at one of these, and the parabola through it and its neighbours tells where it comes nearest to zero in
+between; two parabolas more, each a tenth as wide, follow. */
 /// The wells between which was looked, and all exchanges there, in extended precision.
 struct InWells {
   double from, to;
