@@ -11,7 +11,7 @@ from pathlib import Path
 from . import ecsv
 from .refresh import read_figures
 
-WIDTH, COLOURS, PATCH, CHANGE, BUDGET = 340, 160, 12, 255 // 10, 8_000
+WIDTH, COLOURS, PATCH, CHANGE, BUDGET = 340, 160, 12, 255 // 10, 9_000
 
 
 def small(svg):

@@ -320,7 +320,7 @@ void report_printed_range(Report& report) {
 The article sees reversals for $s \ge 0.005$ and none for $s = 0$, and prints neither an impact nor a time. In so soft a
 well packets turn soon after very strong impacts only: with $s = 0.005$ and $v_0 = 132$ the turning point is at site
 [26.804](num:boomeron.any_s), and the packet is back at $t =$ [310.03](num:sec34_boomeron.return_time_softest). After the same impact
-on linear wells the packet is at site [434.294](num:sec34_boomeron.centre_without_hardness) at $t = 450$ and has moved outward all
+on linear wells the packet is at site [441.554](num:sec34_boomeron.centre_without_hardness) at $t = 450$ and has moved outward all
 the time. After the weaker impacts of figure 22 a packet in such a well may turn much farther out. */
 void report_softest(Report& report) {
   const double step = report.quick ? 0.02 : 0.01;

@@ -21,6 +21,23 @@ using namespace lattice;
 
 namespace {
 
+/// What must agree, the relative difference of a number that is read from each result.
+template <class Of>
+struct Reading {
+  std::string name;
+  Of of;
+
+  template <class Result>
+  double operator()(const Result& coarse, const Result& fine) const {
+    const double a = of(coarse), b = of(fine);
+    return a == b ? 0 : std::abs(a - b) / std::max(std::abs(a), std::abs(b));
+  }
+};
+template <class Of>
+Reading<Of> reading(std::string name, Of of) {
+  return {std::move(name), std::move(of)};
+}
+
 const Chain hard{40, Quartic{1}};
 
 /// A result for `refine`: the struck chain after ten units of time, seen every `sample`.

@@ -360,8 +360,8 @@ The chart (drive_chart.hpp) goes over frequencies and amplitudes in units of the
 of packets, how regular they are and what power the drive gives. A run is *quiet* if nothing passes the detector, its
 emission is *periodic*, a train of packets, if the intervals between them differ by less than a tenth, and *irregular*
 otherwise. Each point has a second run, half as long and with twice the step: where irregular emission becomes periodic
-after a while, or where a step decides, the two are of different kinds, at [9](num:sec5_driving.chart_undecided) of the
-70 points. At [14](num:sec5_driving.chart_reached) of them the last bead moves, by more than a millionth of the
+after a while, or where a step decides, the two are of different kinds, at [2](num:sec5_driving.chart_undecided) of the
+70 points. At [13](num:sec5_driving.chart_reached) of them the last bead moves, by more than a millionth of the
 amplitude, so that something may come back. */
 void report_chart(Report& report, const ArraySetup& setup) {
   Sweep sweep = drive_chart(report.output.folder(), report.quick);
@@ -532,7 +532,7 @@ struct Chart : MapPart {
 
 The fold has three routes: slow runs, Newton's method on the driven orbit, and a map of two lines in the DpS limit,
 which shares no code with the others. The bookkeeping of `drive`, energy and losses less work over the most energy
-that was there or came in, closes to [3e-12](num:sec5_driving.budget) at its steps in a quiet motion, a periodic one
+that was there or came in, closes to [1e-12](num:sec5_driving.budget) at its steps in a quiet motion, a periodic one
 and a driven base. The article has no number for such a drive. The piston is a bead that cannot be pushed back; a real
 shaker can. That a quiet motion vanishes in a fold does not tell what comes after it: runs do, with one lifetime. */
 void reproduce(Report& report) {

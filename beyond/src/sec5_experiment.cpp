@@ -102,8 +102,8 @@ Estimate distance(const TwoJourneys& law, const TwoJourneys& found, Of of) {
 The clock never shows more than $4\tau$, and one might think that a packet never comes farther than one without losses
 does in that time. By its strongest pushes it does: with $\tau = 1$ ms, [10.8466](num:sec5_experiment.sites_1ms) sites
 in 10 ms, against [8.35081](num:sec5_experiment.sites_4_free) in 4 ms without losses. The centre of the energy, which
-knows no weight, obeys: it has come to [6.48046](num:sec5_experiment.centre_1ms) and is at
-[6.869](num:sec5_experiment.centre_4_free) without losses. What goes on ahead of it is an ever weaker front. Far ahead
+knows no weight, obeys: it has come to [6.48646](num:sec5_experiment.centre_1ms) and is at
+[6.86939](num:sec5_experiment.centre_4_free) without losses. What goes on ahead of it is an ever weaker front. Far ahead
 $B_n\propto s^{p_n}$, and since $\partial_sB_{n+1}\propto B_n^{3/2}$ the power rises, $p_{n+1} = \frac32p_n+1$. The
 product $s^{p_n}(1-\nu s/4)^2$ is largest where $1-\nu s/4 = e^{-\nu t/4} = 2/(p_n+2)$, and $p_n+2$ grows by the factor
 $\frac32$ from site to site: each maximum comes $4\ln\frac32 =$ [1.62186](num:sec5_experiment.front_dwell_dps) lifetimes

@@ -80,7 +80,7 @@ inline TimeGrid dense_time_grid(const ContactAware& stepper, double duration, do
 }
 
 /**
-What must agree is a function of two results. The first is the distance of their end states. */
+What must agree is a function of two results, such as the distance of their end states. */
 struct EndState {
   std::string name = "end states";
 
@@ -89,26 +89,6 @@ struct EndState {
     return distance(coarse.end, fine.end);
   }
 };
-
-/**
-The second is the relative difference of a number that is read from each result. */
-template <class Of>
-struct Reading {
-  std::string name;
-  Of of;
-
-  template <class Result>
-  double operator()(const Result& coarse, const Result& fine) const {
-    const double a = of(coarse), b = of(fine);
-    return a == b ? 0 : std::abs(a - b) / std::max(std::abs(a), std::abs(b));
-  }
-};
-
-/// For example `reading("speeds", [](const ImpactRun& run) { return ...; })`.
-template <class Of>
-Reading<Of> reading(std::string name, Of of) {
-  return {std::move(name), std::move(of)};
-}
 
 /**
 A refinement returns the last two of its runs with the difference of what must agree, the finer step, and
