@@ -209,7 +209,7 @@ run-tests: configure
 	@$(MAKE) test-lineage
 	@ctest -j $(JOBS) $(CTEST_ARGS) --label-exclude beyond
 run-tests-beyond: configure
-	@sh tools/build.sh $(B) $(JOBS) tests_beyond python_beyond
+	@sh tools/build.sh $(B) $(JOBS) programs programs_beyond tests_beyond python_beyond
 	@$(MAKE) volume=beyond QUICK=1 built=yes $(two_by_two) all-data
 	@$(weaver) -m lineage.tests beyond
 	@ctest -j $(JOBS) $(CTEST_ARGS) --label-regex beyond

@@ -28,7 +28,7 @@ TEST_CASE("help and version", "[cli]") {
   CHECK(call("sec34_impact --version").output.find("sec34_impact ") == 0);
   CHECK(run.find("--contact {hertz|power} ") != std::string::npos);
   CHECK(matches(run, "such as -1/6").size() == 1);
-  CHECK(matches(offers().at("sec32_dps_profiles profile"), "such as -1/6").empty());
+  CHECK(matches(offers().at("sec36_cantilever_defect map"), "such as -1/6").empty());
   CHECK(help.find("(default: build/data/sec34_impact,") != std::string::npos);
   for (const char* shown : {"(default: 1.87)", "(default: quartic)", "(default: as long as needed)",
                             "(default: standard output)", "is nan, and its reason says why"})

@@ -27,9 +27,12 @@ TEST_CASE("what the prose tells a reader to type is there", "[cli]") {
     for (std::sregex_iterator at(text.begin(), text.end(), typed), end; at != end; ++at, ++found) {
       const std::string command = (*at)[1].str() + " " + (*at)[2].str(), rest = (*at)[3];
       INFO(entry.path().string() + ": " + at->str());
-      REQUIRE(offers().count(command));
+      // A chapter of volume two may call a program of the article, and never the other way round
+      CHECK((offers().count(command) || std::string(VOLUME_DIR) != SOURCE_DIR));
+      const std::string help = call(command + " --help").output;
+      REQUIRE(!help.empty());
       for (std::sregex_iterator word(rest.begin(), rest.end(), option); word != end; ++word)
-        CHECK(offers().at(command).find("--" + (*word)[1].str() + " ") != std::string::npos);
+        CHECK(help.find("--" + (*word)[1].str() + " ") != std::string::npos);
     }
   }
   CHECK(found > 10);

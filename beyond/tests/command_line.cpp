@@ -55,45 +55,45 @@ TEST_CASE("a computation beyond the article that fails says why", "[cli]") {
 
 TEST_CASE("every command of volume two reports its quantities", "[cli]") {
   const auto any = std::nan("");
-  check_answers({
-      {"sec5_driving packet --strength 0", {}},
-      {"sec5_driving drive --amplitude 20 --time 20",
-       {{"outcome", 1}, {"budget", 0, 1e-10}, {"power", any}}},
-      {"sec5_enclosures dps", {}},
-      {"sec5_enclosures breather", {}},
-      {"sec5_experiment damped", {{"sites_10ms", any}, {"periods_10ms", any}, {"speed", any}}},
-      {"sec5_growth growth --modulation 0.8410686705679303",
-       {{"growth", 0.3736744433810828, 0, 1e-12},
-        {"fastest_growth", 0.3736744433810828, 0, 1e-12},
-        {"edge", 1.230959417340775, 0, 1e-12},
-        {"frequency", -1.8306234324043515, 0, 1e-12}}},
-      {"sec5_kernel_equation wave --k 1 --sign plus",
-       {{"energy", 0.180833513579908, 0, 1e-11},
-        {"contacts", 18},
-        {"action", 0.486064036495, 0, 1e-11},
-        {"quotient", 1.155210964204, 0, 1e-11},
-        {"peak", 0.44625, 1e-5},
-        {"residual", 0, 1e-14}}},
-      {"sec5_travelling_packets orbit",
-       {{"amplitude", any},
-        {"norm", 0.0210299640625, 0, 1e-10},
-        {"energy", 0.00902511501095, 0, 1e-10},
-        {"sum", any},
-        {"tail", 0, 1e-10},
-        {"residual", 0, 1e-11}}},
-      {"sec5_travelling_breathers orbit --k 1 --sign minus --s 0",
-       {{"shift_time", 6.283185307179586, 0, 1e-14},
-        {"speed", 0.159154943091895, 0, 1e-12},
-        {"peak", any},
-        {"tail", 0, 1e-11},
-        {"residual", 0, 1e-13},
-        {"multiplier_modulus", 1.000018856, 1e-8}}}},
+  check_answers(
+      {{"sec5_driving packet --strength 0", {}},
+       {"sec5_driving drive --amplitude 20 --time 20",
+        {{"outcome", 1}, {"budget", 0, 1e-10}, {"power", any}}},
+       {"sec5_enclosures dps", {}},
+       {"sec5_enclosures breather", {}},
+       {"sec5_experiment damped", {{"sites_10ms", any}, {"periods_10ms", any}, {"speed", any}}},
+       {"sec5_growth growth --modulation 0.8410686705679303",
+        {{"growth", 0.3736744433810828, 0, 1e-12},
+         {"fastest_growth", 0.3736744433810828, 0, 1e-12},
+         {"edge", 1.230959417340775, 0, 1e-12},
+         {"frequency", -1.8306234324043515, 0, 1e-12}}},
+       {"sec5_kernel_equation wave --k 1 --sign plus",
+        {{"energy", 0.180833513579908, 0, 1e-11},
+         {"contacts", 18},
+         {"action", 0.486064036495, 0, 1e-11},
+         {"quotient", 1.155210964204, 0, 1e-11},
+         {"peak", 0.44625, 1e-5},
+         {"residual", 0, 1e-14}}},
+       {"sec5_travelling_packets orbit",
+        {{"amplitude", any},
+         {"norm", 0.0210299640625, 0, 1e-10},
+         {"energy", 0.00902511501095, 0, 1e-10},
+         {"sum", any},
+         {"tail", 0, 1e-10},
+         {"residual", 0, 1e-11}}},
+       {"sec5_travelling_breathers orbit --k 1 --sign minus --s 0",
+        {{"shift_time", 6.283185307179586, 0, 1e-14},
+         {"speed", 0.159154943091895, 0, 1e-12},
+         {"peak", any},
+         {"tail", 0, 1e-11},
+         {"residual", 0, 1e-13},
+         {"multiplier_modulus", 1.000018856, 1e-8}}}},
       {"sec34_boomeron_map map", "sec5_driving chart", "sec5_enclosures wave"});
-      check_rows("sec5_travelling_breathers orbit --profile", "\nn,y,v\n-8,", 18);
+  check_rows("sec5_travelling_breathers orbit --profile", "\nn,y,v\n-8,", 18);
 }
 
 TEST_CASE("orbits by another name, and a stable wave", "[cli]") {
-    const Result near = call("sec5_travelling_breathers orbit --near 5.6");
-    check_close(quantity(near, "shift_time"), 5.63857165159, 0, 1e-10);
-    CHECK(quantity(call("sec5_growth growth --q 1.5"), "growth") == 0);
+  const Result near = call("sec5_travelling_breathers orbit --near 5.6");
+  check_close(quantity(near, "shift_time"), 5.63857165159, 0, 1e-10);
+  CHECK(quantity(call("sec5_growth growth --q 1.5"), "growth") == 0);
 }
