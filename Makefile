@@ -285,9 +285,9 @@ show:
 gallery: $(foreach r,$(rows),$(if $(wildcard $(home)figures/gallery/$(notdir $(basename $(call field,$(r),3))).png),,$(call command,$(call field,$(r),1))))
 	@$(lineage) --root ./$(home) gallery --figures $(D)/figures
 
-## second: headline numbers again by other methods in plain Python, into paper/second.ecsv (minutes)
+## second: headline numbers again by other methods in plain Python, into paper/second.ecsv of each volume (minutes)
 second: install-deps
-	@PYTHONPATH=tests $(call with,numpy; import mpmath) -m second --out paper/second.ecsv
+	@PYTHONPATH=tests $(call with,numpy; import mpmath) -m second --write
 
 ## mutants: errors put into the sources one at a time; the tests must notice (long)
 mutants: configure

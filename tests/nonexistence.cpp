@@ -57,17 +57,3 @@ TEST_CASE("every condition of the theorem's claim has its margin", "[published][
   // What must not be mistaken for a periodic motion of the free chain misses the limit on the spread.
   CHECK(fact("mean_force_spread_not_periodic") > 1e4 * fact("mean_force_spread_uneven_ring"));
 }
-
-TEST_CASE("in ever softer wells width and mean force of a breather follow from equal areas",
-          "[published][mean_force]") {
-  const auto soft = [](const char* name, const char* column) {
-    return number_of(data / "sec2_soft_wells/facts.ecsv", name, column);
-  };
-  check_close(soft("width_exponent", "value"), -0.5, 0.005);
-  const double off = soft("central_limit", "value") - soft("central_theory", "value");
-  const double error = soft("central_limit", "error") + soft("central_theory", "error");
-  CAPTURE(off, error);
-  CHECK(error < 2e-6);
-  CHECK(std::abs(off) <= error);
-  CHECK(soft("substitution_difference", "value") < 1e-10);
-}

@@ -1,7 +1,9 @@
-"""python3 -m second [--out FILE] [GROUP ...]: compute all or some groups of numbers; write them as an ECSV table."""
+"""python3 -m second [--write] [GROUP ...]: compute all or some groups of numbers; write them as the tables of their volumes."""
 import argparse
 import csv
 import time
+from pathlib import Path
+
 from . import impact, standing, waves
 
 # a group is a function of the accuracy, 0 or 1, that gives rows (quantity, value, rounding error, method)
@@ -17,7 +19,7 @@ UNITS = {"sec5_driving.recipe_7000": "um", "sec34_boomeron.apex_site_190": "site
 
 parser = argparse.ArgumentParser(prog="second", description=__doc__)
 parser.add_argument("groups", nargs="*", metavar="GROUP", help="of " + ", ".join(GROUPS))
-parser.add_argument("--out", metavar="FILE")
+parser.add_argument("--write", action="store_true", help="into paper/second.ecsv of each volume")
 options, rows = parser.parse_args(), []
 for group in options.groups or GROUPS:
     start = time.process_time()
@@ -26,8 +28,11 @@ for group in options.groups or GROUPS:
         rows.append((name, repr(float(value)), error, UNITS.get(name, ""), method))
         print(*rows[-1])
     print(f"{group}: {time.process_time() - start:.1f} s", flush=True)
-if options.out:
+# A claim, or a fact of a program of the article, is of the first volume
+SECOND = {path.stem for path in Path("beyond/src").glob("sec*.cpp")}
+for volume in (Path("."), Path("beyond")) if options.write else ():
+    mine = [row for row in rows if (row[0].split(".")[0] in SECOND) == (volume.name == "beyond")]
     types = "".join(f"# - {{name: '{name}', unit: '', datatype: {text}}}\n" for name, text in COLUMNS.items())
-    with open(options.out, "w", encoding="ascii") as file:
+    with open(volume / "paper/second.ecsv", "w", encoding="ascii") as file:
         file.write("# %ECSV 1.0\n# ---\n# delimiter: ','\n# datatype:\n" + types + "# schema: astropy-2.0\n")
-        csv.writer(file, lineterminator="\n").writerows([COLUMNS, *rows])
+        csv.writer(file, lineterminator="\n").writerows([COLUMNS, *mine])
