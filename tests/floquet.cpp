@@ -255,8 +255,7 @@ TEST_CASE("exchanges near the end of a family are found one by one", "[property]
 }
 
 TEST_CASE("two exchanges between neighbouring wells are found", "[property][exchange]") {
-  for (const auto& [centre, omega_b] :
-       {std::pair{Centre::site, 1.3265}, {Centre::bond, 1.3265}, {Centre::site, 1.3263}}) {
+  for (const auto& [centre, omega_b] : {std::pair{Centre::site, 1.3265}, {Centre::bond, 1.3265}}) {
     const auto kappa = [&, centre = centre, omega_b = omega_b](double s) {
       Orbit<double> orbit = find_breather(problem_at(centre, {omega_b, 0}));
       return quick_kappa(centre, {omega_b, s}, orbit);

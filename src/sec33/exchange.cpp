@@ -1,9 +1,10 @@
 #include "sec33/exchange.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "lattice/numerics/parabola.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "lattice/numerics/progress.hpp"
 
 namespace lattice {
@@ -211,9 +212,10 @@ static std::vector<Look> looks_along(Centre centre, const Cut& cut, int side) {
 
 InWells exchanges_in_wells(Centre centre, double omega_b) {
   const Cut cut{true, omega_b, 10};
-  std::vector<Look> all = looks_along(centre, cut, -1);
+  std::array<std::vector<Look>, 2> sides;
+  parallel_for(2, [&](std::size_t k) { sides[k] = looks_along(centre, cut, k ? 1 : -1); });
+  std::vector<Look>&all = sides[0], &harder = sides[1];
   std::reverse(all.begin(), all.end());
-  const std::vector<Look> harder = looks_along(centre, cut, 1);
   all.insert(all.end(), harder.begin() + 1, harder.end());
   // Does kappa dip through zero and back beside the least of three?
   const auto look = [&](double s, Orbit<double> near) {
@@ -231,30 +233,30 @@ InWells exchanges_in_wells(Centre centre, double omega_b) {
     }
     if (middle.kappa * here < 0) all.insert(all.begin() + long(k) + (middle.s > all[k].s), middle);
   }
-  InWells out{all.front().s, all.back().s, {}};
-  Progress progress("intervals of s", all.size() - 1);
-  for (std::size_t k = 1; k < all.size(); ++k, progress.tick())
+  std::vector<std::array<const Look*, 2>> pairs;  // the one nearer to the linear well first
+  for (std::size_t k = 1; k < all.size(); ++k)
     if (all[k - 1].kappa * all[k].kappa < 0) {
-      // From the end that is nearer to the linear well, where the family changes less
-      const Look &near = all[all[k].s > 0 ? k - 1 : k], &far = all[all[k].s > 0 ? k : k - 1];
-      const Exchange found =
-          polish_zero<Wide>(centre, cut,
-                            exchange_between(centre, cut, {near.s, near.kappa}, {far.s, far.kappa},
-                                             near.orbit, 1e-5));
-      // A zero lies where it was looked for, and has opposite signs on its sides
-      const auto sign_at = [&](double s) {
-        const auto problem = problem_at(centre, cut.at(s));
-        return spectrum<Wide>(problem, follow(problem, found.orbit)).kappa().value > 0;
-      };
-      const double aside = std::max(4 * found.place.error, 1e-6);
-      const bool inside = std::min(near.s, far.s) < found.place.value &&
-                          found.place.value < std::max(near.s, far.s);
-      if (!inside || sign_at(found.place.value - aside) == sign_at(found.place.value + aside))
-        throw NewtonFailed("kappa changes its sign between s = " + std::to_string(all[k - 1].s) +
-                               " and " + std::to_string(all[k].s) + ", and no zero is found there",
-                           {});
-      out.places.push_back(found.place);
+      pairs.push_back({&all[k - 1], &all[k]});
+      if (all[k].s <= 0) std::swap(pairs.back()[0], pairs.back()[1]);
     }
+  InWells out{all.front().s, all.back().s, std::vector<Estimate>(pairs.size())};
+  parallel_for("intervals of s", pairs.size(), [&](std::size_t k) {
+    // From the nearer end, where the family changes less
+    const auto& [near, far] = pairs[k];
+    const Exchange found =
+        polish_zero<Wide>(centre, cut,
+                          exchange_between(centre, cut, {near->s, near->kappa},
+                                           {far->s, far->kappa}, near->orbit, 1e-5));
+    // A zero lies where it was looked for, and has opposite signs on its sides
+    out.places[k] = found.place;
+    const double s = found.place.value, aside = std::max(4 * found.place.error, 1e-4);
+    const auto sign_at = [&](double at) { return look(at, found.orbit).kappa > 0; };
+    const bool inside = (s - near->s) * (s - far->s) < 0;
+    if (!inside || sign_at(s - aside) == sign_at(s + aside))
+      throw NewtonFailed("kappa changes its sign between s = " + std::to_string(near->s) + " and " +
+                             std::to_string(far->s) + ", and no zero is found there",
+                         {});
+  });
   return out;
 }
 
