@@ -20,6 +20,10 @@ ROOT = Path(__file__).resolve().parents[2]
 VOLUME = ROOT / os.environ.get("LINEAGE_VOLUME", "")
 
 
+# Volume two may be left out of a checkout.
+WHOLE = (ROOT / "beyond").is_dir()
+
+
 def of_volume(test):
     """Marks a test, or a class of tests, of this repository that each volume has to pass."""
     test.of_volume = True

@@ -4,7 +4,7 @@ import unittest
 
 from lineage import literature
 
-from . import ROOT, Scratch, of_volume, table
+from . import ROOT, WHOLE, Scratch, of_volume, table
 
 COLUMNS = list(literature.COLUMNS)
 GOOD = ["fact", "what it is", "2.0", "", "converged", "abs 0.5", "sec1_demo", "text", "reproduced", "An author (1999)", "page 1", ""]
@@ -33,7 +33,7 @@ class Literature(Scratch):
             self.refuses("refresh", "paper/literature.ecsv: row 1", words)
 
     @of_volume
-    @unittest.skipUnless((ROOT / "beyond").is_dir(), "volume two is not there")
+    @unittest.skipUnless(WHOLE, "volume two is not there")
     def test_here_six_numbers_of_three_sources_were_read(self):
         read = [row for row in literature.read_literature(ROOT / "beyond").values() if row["status"]]
         self.assertGreaterEqual(len(read), 6)

@@ -10,7 +10,7 @@ from dataclasses import replace
 from lineage import chapters, ecsv, lock, metadata, refresh, tex
 from lineage.volumes import joined, volumes
 
-from . import FIGURES, ROOT, VOLUME, Scratch, finding, of_volume, table
+from . import FIGURES, ROOT, VOLUME, WHOLE, Scratch, finding, of_volume, table
 
 
 class Links(unittest.TestCase):
@@ -296,6 +296,7 @@ class ThisRepository(unittest.TestCase):
             tex.write(ROOT, folder)  # a Fault else
         self.assertEqual(set(joined(tex.captions, volumes(ROOT))) - set(joined(refresh.read_figures, volumes(ROOT))), set())
 
+    @unittest.skipUnless(WHOLE, "volume two is not there")
     def test_the_proof_is_whole(self):
         """All of its steps, with their formulas, and no mark of Markdown is left."""
         proof = tex.proof(ROOT).replace(tex.HEAD, "")
@@ -323,6 +324,7 @@ class ThisRepository(unittest.TestCase):
         self.assertEqual({command.split()[0].split("/")[-1] for command, _ in chapters.read_commands(ROOT).values()} - programs, set())
 
     @of_volume
+    @unittest.skipUnless(WHOLE, "volume two is not there")
     def test_the_lock_holds_what_is_claimed_quoted_or_a_headline(self):
         claims, locked, names = lock.read_claims(VOLUME), lock.read_lock(VOLUME), lock.quoted(VOLUME)
         self.assertGreater(len(locked), 100)
