@@ -133,7 +133,7 @@ def check(root, data, run, against=None):
     if meta.get("processor") == platform.machine():
         print("             moved by a change that is meant: make hashes; values within their errors: make lock")
         return 1
-    print("             another kind of processor need not give the same bytes (ARTIFACT.md)")
+    print("             another kind of processor need not give the same bytes (CONTRIBUTING.md)")
     return OTHER_PROCESSOR
 
 

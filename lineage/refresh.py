@@ -21,7 +21,7 @@ from .volumes import article, below, joined
 LINK = re.compile(r"(\[[^\]]*\])?\(num:([^)\n]*)(\)?)")
 MARK = re.compile(r"<!--num:([\w.]+)-->[^<\n]*<!--/-->")
 GALLERY = 5  # pictures in a row
-PAGES = ("README.md", "ARTIFACT.md", "CONTRIBUTING.md", "DATA.md")
+PAGES = ("README.md", "CONTRIBUTING.md", "DATA.md")
 
 
 def with_numbers(text, numbers):
@@ -135,12 +135,6 @@ def gallery_rows(figures):
                                                               for i in range(0, len(cells), GALLERY)]
 
 
-def cost_rows(costs):
-    together = shown_cost(sum(c for c in costs.values() if not math.isnan(c)))
-    return ["| program | seconds |", "|---|---|", *(f"| `{program}` | {shown_cost(seconds)} |" for program, seconds in costs.items()),
-            f"| together | {together} |"]
-
-
 def minute_rows(root):
     """How long the commands take; None where nobody has measured it."""
     if not (path := Path(root) / "bench/minutes.ecsv").exists():
@@ -154,7 +148,7 @@ def generated_tables(claims, lock, figures, costs, alone, findings, literature):
     """Every table that a page may show, by the name in its marks."""
     return {"gallery": gallery_rows(figures), "summary": summary_rows(claims, figures, findings, literature),
             "found": found_rows(findings, quotable(lock, claims)), "discrepant": list(discrepancy_rows(claims, lock, costs, alone)),
-            "published": list(published_rows(claims, lock)), "costs": cost_rows(costs)}
+            "published": list(published_rows(claims, lock))}
 
 
 def fresh_page(text, tables):

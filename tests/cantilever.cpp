@@ -189,42 +189,6 @@ TEST_CASE("parts of a map merge to the same bytes", "[unit][cantilever]") {
   CHECK(parts.empty());
 }
 
-TEST_CASE("an interrupted map goes on where it stopped", "[unit][cantilever]") {
-  Scratch folder;
-  Sweep first = squares(folder.path);
-  CHECK(work(first, {1, 2}) == 5);
-  const auto file = fs::directory_iterator(folder.path)->path();
-  fs::resize_file(file, fs::file_size(file) - 4);  // cut in the middle of the last row
-  Sweep second = squares(folder.path);
-  CHECK(second.known() == 4);
-  CHECK(work(second, {}) == 6);
-  Sweep other = squares(folder.path, "cubes");
-  CHECK(other.known() == 0);
-}
-
-TEST_CASE("a row that was changed by hand is computed again", "[unit][cantilever]") {
-  Scratch folder;
-  Sweep first = squares(folder.path);
-  const std::size_t all = work(first, {});
-  const auto file = fs::directory_iterator(folder.path)->path();
-  std::ifstream in(file);
-  std::string text((std::istreambuf_iterator<char>(in)), {});
-  const auto at = text.find("\n3,3,3,");
-  REQUIRE(at != std::string::npos);
-  text[at + 5] = '4';
-  write_whole(file, text);
-  CHECK(squares(folder.path).known() == all - 1);
-}
-
-TEST_CASE("without a folder a map keeps nothing", "[unit][cantilever]") {
-  Sweep sweep = squares("");
-  const std::size_t all = work(sweep, {});
-  CHECK(sweep.known() == all);
-  CHECK(sweep.table().rows.size() == all);
-  sweep.forget();
-  CHECK(squares("").known() == 0);
-}
-
 TEST_CASE("a row that failed is not kept", "[unit][cantilever]") {
   Scratch folder;
   Sweep sweep = squares(folder.path);

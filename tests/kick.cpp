@@ -45,28 +45,10 @@ Creep path_of(std::vector<double> X) {
 }  // namespace
 
 TEST_CASE("a kick brings the energy c^2/2", "[unit][kick]") {
-  const std::vector<double> y{0, 1e-3, -4e-3, 2e-3, 5e-4};
-  const std::vector<double> g = kick_direction(y);
-  double squares = 0;
-  for (const double x : g) squares += x * x;
-  check_close(squares, 1, 1e-15);
-  check_close(g[2] / g[1], (2e-3 - 1e-3) / (-4e-3), 1e-15);  // beads at rest beyond the ends
-  check_close(g[4] / g[1], (-2e-3) / (-4e-3), 1e-15);
-
   const Resting at = breather(Centre::bond, 1.1);
   const double c = 1e-3;
   check_close(energy(at.chain, kicked(at.state, c)) - energy(at.chain, at.state), c * c / 2, 1e-18);
   CHECK_THROWS_AS(kick_direction(std::vector<double>(5, 0.0)), std::invalid_argument);
-}
-
-TEST_CASE("a breather in the middle is at the place zero", "[unit][kick]") {
-  for (const std::size_t sites : {20U, 21U}) {
-    std::vector<double> e(sites, 0);
-    e[(sites - 1) / 2] = e[sites / 2] = 1;
-    check_close(breather_place(e), 0, 1e-14);
-    std::rotate(e.begin(), e.end() - 3, e.end());
-    check_close(breather_place(e), 3, 1e-14);
-  }
 }
 
 TEST_CASE("the samples of a mean are spread over eleven periods", "[unit][kick]") {
@@ -84,12 +66,6 @@ TEST_CASE("the samples of a mean are spread over eleven periods", "[unit][kick]"
   REQUIRE(mean.path.X.size() == 1);
   check_close(mean.path.X[0], 0, 1e-4);
   check_close(mean.path.t[0], 45 * sample, 0, 1e-14);
-}
-
-TEST_CASE("a run is trusted by the energy of the kick over its drift", "[unit][kick]") {
-  Creep path;
-  path.run.energy_drift = 1e-8;
-  check_close(path.drift_margin(1e-3, 2), 25, 1e-13);
 }
 
 TEST_CASE("free and pinned are told from the path", "[unit][kick]") {

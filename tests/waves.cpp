@@ -148,70 +148,12 @@ TEST_CASE("exact waves are unstable where phi is positive, at the rate of NLS", 
     }
 }
 
-TEST_CASE("the unstable wavenumbers end where phi changes its sign", "[unit]") {
-  CHECK_THROWS_AS(sign_change_of_phi(d, 1.0, 0.2, 0.9), std::invalid_argument);
-  // The unstable wavenumbers of the three wells, of wells in which both factors change sign, and of none
-  const double q_c = inflection(contact_series(d).v1);
-  for (double s : {-1.0 / 6, 0.0}) {
-    const auto left = unstable_wavenumbers(d, s);
-    REQUIRE(left.size() == 1);
-    CHECK(left[0].from == 0);
-    check_close(left[0].to, q_c, 1e-14);
-  }
-  const auto hard = unstable_wavenumbers(d, 1.0);
-  REQUIRE(hard.size() == 1);
-  check_close(hard[0].from, q_c, 1e-14);
-  check_close(hard[0].to, 2.0068, 5e-5);
-  check_close(nls_beta(hard[0].to, contact_series(d), 1.0), 0, 1e-14);
-  CHECK(unstable_wavenumbers(d, 4.0).back().to == std::numbers::pi);
-  const auto weak = unstable_wavenumbers(d, 0.05);
-  REQUIRE(weak.size() == 1);
-  CHECK(weak[0].from > 0);
-  check_close(weak[0].to, q_c, 1e-14);
-  CHECK(largest_phi(d, 0, 200) < 0.1 * largest_phi(d, 1, 200));
-}
-
 TEST_CASE("growth gives phi without the formula for beta", "[property]") {
   const PhaseOfWave phase{pi / 4, d, -1.0 / 6};
   const Estimate phi = phase.phi_from_growth(0.04);
   check_close(phi.value, phase.nls().phi, 0, 1e-3);
   CHECK(phi.error < 1e-3 * phi.value);
   CHECK(std::abs(phase.growth(0.04, 0.1) / (0.04 * 0.04 / 4) - phi.value) > 1e-3 * phi.value);
-}
-
-TEST_CASE("a wave of wavenumber pi/2 is scattered back", "[property]") {
-  const double q = pi / 2, a = 0.08;
-  const Chain ring{16, Quartic{1}, contact, Ends::periodic};
-  const PlaneWave wave = plane_wave(ring.well, contact, q, a);
-  const double rate = growth_rate(wave, ring.well, contact, pi);
-  CHECK(rate > 2 * coefficients(q, d, 1.0).h() * a * a / 4);
-  State<double> state = on_ring(wave, 16);
-  for (std::size_t n = 0; n < 16; ++n) state.y[n] += 1e-8 * std::cos(q * double(n + 1) + 0.3);
-  std::vector<double> t, log;
-  evolve(Splitting{blanes_moan_6_14(), 0.4}, ring, state, 14 / rate, 0.1 / rate,
-         [&](const State<double>& now) {
-           if (now.t < 7 / rate) return;
-           t.push_back(now.t);
-           log.push_back(std::log(std::abs(fourier(now, -q, wave.omega))));
-         });
-  check_close(fit_line(t, log).slope, rate, 0, 0.02);
-}
-
-TEST_CASE("a sech is found, and other pulses are told from it", "[unit]") {
-  std::vector<double> a(100), hat(100), ramp(100);
-  for (std::size_t n = 0; n < 100; ++n) {
-    a[n] = 0.3 / std::cosh((double(n + 1) - 50.3) / 4.2);
-    hat[n] = n > 43 && n < 55 ? 1 : 0;
-    ramp[n] = double(n);
-  }
-  const Sech f = fit_sech(a, around(50, 10, 100), 8);
-  check_close(f.height, 0.3, 1e-10);
-  check_close(f.centre, 50.3, 1e-8);
-  check_close(f.width, 4.2, 1e-8);
-  CHECK(f.residual < 1e-10);
-  CHECK(fit_sech(hat, around(49, 10, 100), 8).residual > 0.15);
-  const Sech r = fit_sech(ramp, around(49, 10, 100), 8);
-  CHECK((std::abs(r.centre - 50) > 10 || r.width > 10));
 }
 
 TEST_CASE("the envelope of a wave is its amplitude, and the richest sites are found", "[unit]") {

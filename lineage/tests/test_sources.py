@@ -188,7 +188,7 @@ class Here(unittest.TestCase):
         self.none(path for path, text in self.texts.items() if ".claim(" in text and path != "src/report/program.cpp")
 
     def test_the_pages_link_to_files_that_exist(self):
-        for page in (path for name in ("README", "ARTIFACT", "CONTRIBUTING") for path in VOLUME.glob(f"{name}.md")):
+        for page in (path for name in ("README", "CONTRIBUTING") for path in VOLUME.glob(f"{name}.md")):
             for link in re.findall(r'(?:\]\(|src=")([^)"]+)[)"]', ecsv.text_of(page)):
                 left_out = link.startswith("beyond/") and not WHOLE
                 self.assertTrue(":" in link or link.startswith("#") or left_out or (VOLUME / link.partition("#")[0]).exists(), f"{page}: {link}")
