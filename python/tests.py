@@ -119,7 +119,7 @@ class SameBits(unittest.TestCase):
         breather = "sec32_newton_breathers breather"
         self.check(lattice.breather, breather, "ny", omega=1.2, contact="power", alpha=1.8)
         self.check(lattice.breather, breather, "y", omega=1.3, precompression=1e-3, centre="bond")
-        self.check(lattice.barrier, "sec32_barrier barrier", omega=1.2, contact="power", alpha=1.75)
+        self.check(lattice.barrier, "sec32_barrier barrier", omega=1.2, contact="power", alpha=2)
         found = lattice.breather(omega=1.3, mass_ratio=0.8)
         self.assertEqual(bits(found.y), bits(program(breather, "--omega=1.3", "--mass-ratio=0.8", "--profile")["y"]))
         period = 2 * np.pi / 1.3
@@ -132,9 +132,9 @@ class SameBits(unittest.TestCase):
         self.assertAlmostEqual(given.energy, found.energy, delta=1e-14)
         self.assertAlmostEqual(lattice.multipliers(chain, omega=1.3).kappa, lattice.multipliers(omega=1.3, mass_ratio=0.8).kappa,
                                delta=1e-14)
-        chain = lattice.Chain(contact="power", alpha=1.75, well="pendulum")
+        chain = lattice.Chain(contact="power", alpha=2, well="pendulum")
         self.assertEqual(bits(lattice.barrier(chain, omega=1.2).equal_area),
-                         bits(lattice.barrier(omega=1.2, contact="power", alpha=1.75, well="pendulum").equal_area))
+                         bits(lattice.barrier(omega=1.2, contact="power", alpha=2, well="pendulum").equal_area))
 
     def test_dps(self):
         found = self.check(lattice.dps, "sec31_dps_limit impact", tau=60)

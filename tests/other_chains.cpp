@@ -270,7 +270,7 @@ TEST_CASE("multipliers of a chain of two masses come in pairs", "[property][chai
 }
 
 TEST_CASE("a barrier is the difference of two energies", "[cli][chains]") {
-  for (const std::string& chain : {std::string("--contact power --alpha 1.75 --omega 1.2"),
+  for (const std::string& chain : {std::string("--contact power --alpha 2 --omega 1.2"),
                                    std::string("--precompression 1e-3 --omega 1.35")}) {
     CAPTURE(chain);
     const Result site = call(breather + chain + " --centre site");
