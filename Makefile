@@ -43,15 +43,18 @@ threads = $(if $(THREADS),--threads $(THREADS),$(if $(findstring srun,$(LAUNCH))
 two_by_two = $(if $(filter -j%,$(MAKEFLAGS))$(LAUNCH)$(filter 1,$(CORES)),,-j2)
 side_by_side = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 
-# No `cd` goes elsewhere than it says.
+# No `cd` goes elsewhere than it says, and Python finds our modules also where it does not look here by itself.
 unexport CDPATH
+ifeq ($(MAKELEVEL),0)
+export PYTHONPATH := .$(if $(PYTHONPATH),:$(PYTHONPATH))
+endif
 # Equal inputs give equal bytes: no dates in figures, one locale everywhere.
 export SOURCE_DATE_EPOCH := 1370000000
 export LC_ALL := C.UTF-8
 export MATPLOTLIBRC := figures
 export MPLBACKEND := Agg
 export PYTHONDONTWRITEBYTECODE := 1
-export LATTICE_REVISION := $(shell git describe --always --dirty --abbrev=12 2>/dev/null)
+export LATTICE_REVISION := $(shell sh tools/revision.sh)
 
 # The article is one volume, the folder beyond/ is the second one. The list figures.ecsv of each says which program and
 # which script make each figure; ours have an x before their number. `volume=beyond` is for calls from below.
@@ -231,7 +234,7 @@ test-python: export ASAN_OPTIONS := detect_leaks=0:verify_asan_link_order=0
 test-python: programs
 	@cmake --preset asan > /dev/null
 	@sh tools/build.sh $(B)/asan $(JOBS) python_module
-	@LATTICE_SLACK=12 PYTHONPATH=$(B)/asan/python \
+	@LATTICE_SLACK=12 PYTHONPATH=$(B)/asan/python:python \
 	  LD_PRELOAD="$$(c++ -print-file-name=libasan.so) $$(c++ -print-file-name=libstdc++.so)" \
 	  $(call with,numpy) python/tests.py $(B)/bin
 
@@ -287,7 +290,7 @@ gallery: $(foreach r,$(rows),$(if $(wildcard $(home)figures/gallery/$(notdir $(b
 
 ## second: headline numbers again by other methods in plain Python, into paper/second.ecsv of each volume (minutes)
 second: install-deps
-	@PYTHONPATH=tests $(call with,numpy; import mpmath) -m second --write
+	@PYTHONPATH=tests:$(PYTHONPATH) $(call with,numpy; import mpmath) -m second --write
 
 ## mutants: errors put into the sources one at a time; the tests must notice (long)
 mutants: configure

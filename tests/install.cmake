@@ -1,4 +1,5 @@
 # Installs the library to a fresh folder, builds examples/ against it and runs what was built.
+include(${CMAKE_CURRENT_LIST_DIR}/../tools/files_in.cmake)
 set(place ${BUILD}/install-test)
 file(REMOVE_RECURSE ${place})
 function(run)
@@ -34,6 +35,25 @@ while(says)
     message(FATAL_ERROR "${name} says: ${text}")
   endif()
 endwhile()
+# Part of the library brings along what it needs, and one that does not exist is refused
+foreach(component core dps standing colour)
+  file(WRITE ${place}/part/CMakeLists.txt "cmake_minimum_required(VERSION 3.18)\nproject(part LANGUAGES CXX)\n"
+       "find_package(lattice REQUIRED COMPONENTS ${component})\nadd_executable(part part.cpp)\n"
+       "target_link_libraries(part lattice::${component})\n")
+  file(WRITE ${place}/part/part.cpp "int main() {}\n")
+  execute_process(COMMAND ${CMAKE_COMMAND} -S ${place}/part -B ${place}/part/${component}
+                          -D CMAKE_PREFIX_PATH=${place}/prefix -D CMAKE_CXX_COMPILER=${COMPILER}
+                  RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE text)
+  string(REGEX REPLACE "[ \n]+" " " text "${text}")
+  if(component STREQUAL "colour" AND NOT text MATCHES "no component 'colour' .allowed: flags, core, lattice, [a-z_, ]+.")
+    message(FATAL_ERROR "asked for a component that does not exist CMake says: ${text}")
+  elseif(NOT component STREQUAL "colour")
+    if(code)
+      message(FATAL_ERROR "asked for ${component} CMake says: ${text}")
+    endif()
+    run(${CMAKE_COMMAND} --build ${place}/part/${component})
+  endif()
+endforeach()
 # A machine that lacks two libraries is told of both at once
 execute_process(COMMAND ${CMAKE_COMMAND} -S ${EXAMPLES}/.. -B ${place}/lacking -D CMAKE_DISABLE_FIND_PACKAGE_GSL=ON -D
                         CMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON -D CMAKE_CXX_COMPILER=${COMPILER}
@@ -63,7 +83,7 @@ function(python_says folder code expected)
   endif()
 endfunction()
 if(PYTHON)
-  file(GLOB packages ${place}/prefix/lib/python*/site-packages)
+  files_in(packages ${place}/prefix/lib python*/site-packages)
   python_says("${packages}" "print(__import__('lattice').Chain(3))" "^Chain of 3 beads: wells harmonic")
   python_says("${packages}" "import sys\nsys.modules['numpy'] = None\nimport lattice"
               "\nImportError: lattice needs numpy, [^\n]*python3-numpy[^\n]*\n$")
@@ -72,7 +92,7 @@ if(PYTHON)
   file(WRITE ${place}/bare/install.cmake "${script}")
   file(COPY ${BUILD}/python/lattice/__init__.py DESTINATION ${place}/bare/lattice)
   run(${CMAKE_COMMAND} -D CMAKE_INSTALL_PREFIX=${place}/bare/prefix -P ${place}/bare/install.cmake)
-  file(GLOB_RECURSE installed ${place}/bare/prefix/*)
+  files_in(installed ${place}/bare/prefix *)
   if(installed OR NOT text MATCHES "The Python module is not installed: it is not built")
     message(FATAL_ERROR "without the compiled half of the module the installation says: ${text}")
   endif()
@@ -80,7 +100,7 @@ if(PYTHON)
 endif()
 
 # None is left out
-file(GLOB programs ${EXAMPLES}/*.cpp)
+files_in(programs ${EXAMPLES} *.cpp)
 list(LENGTH programs count)
 math(EXPR expected_count "${expected_count} / 2")
 if(NOT count EQUAL expected_count)

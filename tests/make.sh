@@ -7,7 +7,7 @@ root=$(cd "$1" && pwd -P)
 scratch=$(mktemp -d)
 mounted=
 trap '[ -z "$mounted" ] || umount "$scratch/small"; rm -rf "$scratch"' EXIT
-here="$scratch/a b/it's here"
+here="$scratch/a b/[Re] it's here"
 mkdir -p "$here/src" "$here/paper" "$here/figures" "$here/beyond/src" "$here/beyond/paper" "$here/beyond/figures" "$scratch/bin"
 cd "$here"
 cp -r "$root/Makefile" "$root/tools" "$root/lineage" "$root/apt-packages.txt" .
@@ -28,7 +28,7 @@ ROWS
 printf 'program,seconds\nsec5_far,2\n' > beyond/paper/costs.ecsv
 touch beyond/src/sec5_far.cpp
 for script in fig01_short fig02_long; do printf 'print "<svg></svg>"\n' > figures/$script.gp; done
-echo 'import sys; open(sys.argv[2], "w").write("drawn</svg>")' | tee figures/x01_own.py > beyond/figures/x02_far.py
+echo 'import draw, sys; open(sys.argv[2], "w").write("drawn</svg>")' | tee figures/x01_own.py > beyond/figures/x02_far.py
 export STUB_LOG="$scratch/log" STUB_PROGRAM="$scratch/bin/program"
 
 stub() { cat > "$scratch/bin/$1"; chmod +x "$scratch/bin/$1"; }
@@ -149,8 +149,10 @@ grep -q yesterday "$scratch/out" && fail "an old log is shown as the cause"
 chmod 755 closed
 
 # A path that CMake or make cannot use is refused in one line, as is a name that is mistyped.
-cp -r . "$scratch/a;b"
-(cd "$scratch/a;b" && refused all-data && said "has a character in its name" "the path is not named")
+for name in 'a;b has a character' 'a[b has a bracket'; do
+  cp -r . "$scratch/${name%% *}"
+  (cd "$scratch/${name%% *}" && refused all-data && said "${name#* }" "the path is not named")
+done
 for wrong in fgi04 build/data/sec99/facts.ecsv; do
   refused $wrong
   said "'$wrong'.*make help" "make $wrong is not answered"
@@ -167,11 +169,19 @@ STUB
 for tool in clang-format shellcheck; do printf '#!/bin/sh\n' | stub $tool; done
 export CDPATH="$scratch/elsewhere"
 run examples
-called "--test-dir build --no-tests=error.* in $here$" "CDPATH leads to other tests, or none are enough"
+called "--test-dir build --no-tests=error.* it's here$" "CDPATH leads to other tests, or none are enough"
 sh tools/platforms.sh none > "$scratch/out" 2>&1 && fail "a platform of no name"
 said "'none' is none of" "CDPATH leads a script away"
 unset CDPATH
 GIT_DIR=/none refused style
+mkdir -p "$scratch/foreign/inner"
+cp -r tools "$scratch/foreign/inner"
+(cd "$scratch/foreign" && git init -q . && git -c user.name=x -c user.email=x@y commit -q --allow-empty -m x)
+for place in inner .; do
+  [ -z "$(cd "$scratch/foreign/$place" && sh "$here/tools/revision.sh")" ] || fail "another repository's revision is taken for ours"
+done
+(cd "$scratch/foreign/inner" && ! sh tools/dist.sh build 2> "$scratch/out") || fail "another repository's history is packed"
+said 'no checkout of the repository' "why nothing is packed is not said"
 
 # On a terminal one sees what is compiled, elsewhere one line says that something is, and none if nothing is.
 mkdir "$scratch/slow"
@@ -241,7 +251,7 @@ mv "$scratch/beyond" beyond
 mv "$scratch/kept.py" lineage/__main__.py
 rm build/figures/x01*
 with=
-PYTHON=python3 run x01
+PYTHON=python3 PYTHONSAFEPATH=1 run x01
 [ "$(cat build/figures/x01_own.svg)" = "drawn</svg>" ] || fail "no figure"
 [ "$(tail -n 1 "$scratch/out")" = "  figure   build/figures/x01_own.png" ] || fail "the figure's place is not said"
 printf '#!/bin/sh\nexec "%s" "$@"\n' "$python" > "$scratch/a b/python3" && chmod +x "$scratch/a b/python3"

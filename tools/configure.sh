@@ -8,6 +8,8 @@ refuse() { echo "$1" >&2; exit 1; }
 case $here in
 *[\"\;\#\$\\]*) refuse "the folder '$here' has a character in its name that CMake or make cannot use (allowed: all but \" ; # \$ \\)" ;;
 esac
+[ -z "$(printf '%s' "$here" | sed 's/[^][]//g; :pair; s/\[\]//; t pair')" ] ||
+  refuse "the folder '$here' has a bracket without its other half in its name, which CMake cannot use (allowed: pairs [ ])"
 (mkdir -p "$build" && : > "$build/.writable.$$" && rm "$build/.writable.$$") 2>/dev/null ||
   refuse "cannot write to $here/$build (allowed: a checkout in which you may write)"
 # shellcheck source=tools/shared.sh

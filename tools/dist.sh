@@ -8,7 +8,8 @@ set -eu
 unset CDPATH
 build=$1 products=
 refuse() { echo "dist: $1" >&2; exit 1; }
-git rev-parse HEAD >/dev/null 2>&1 || refuse "this is no checkout of the repository (allowed: a clone with its history)"
+unset GIT_DIR GIT_WORK_TREE
+[ -n "$(sh "${0%/*}/revision.sh")" ] || refuse "this is no checkout of the repository (allowed: a clone with its history)"
 version=$(sed -n 's/^ *"version": *"\([0-9.]*\)".*/\1/p' codemeta.json)
 [ -n "$version" ] || refuse "codemeta.json names no version"
 { [ -d "$build/data" ] && [ -d "$build/figures" ]; } || refuse "$build/data and $build/figures are missing: compute them first (make figures)"

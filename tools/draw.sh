@@ -30,7 +30,7 @@ refuse() {
 
 if [ $# = 3 ]; then
   # shellcheck disable=SC2086
-  [ -z "${FROM:-}" ] || PYTHONPATH="${0%/*}/.." "${PYTHON:-python3}" -m lineage tables $FROM || exit 1
+  [ -z "${FROM:-}" ] || PYTHONPATH="${0%/*}/..${PYTHONPATH:+:$PYTHONPATH}" "${PYTHON:-python3}" -m lineage tables $FROM || exit 1
   case $3 in
   *.gp)
     # The status of gnuplot goes past the pipe, that of the pipe is the last command's.
@@ -41,7 +41,7 @@ if [ $# = 3 ]; then
     *disk*) refuse "the drawing cannot be written (is the disk full?)" ;;
     *) refuse "gnuplot failed" ;;
     esac ;;
-  *) PYTHONPATH="${0%/*}/../figures" "$PYTHON" "$3" "$2" "$part" || refuse "the drawing failed" ;;
+  *) PYTHONPATH="${0%/*}/../figures${PYTHONPATH:+:$PYTHONPATH}" "$PYTHON" "$3" "$2" "$part" || refuse "the drawing failed" ;;
   esac
 else
   case $out in

@@ -1,0 +1,11 @@
+# The files in a folder that fit patterns, also where the folder's own name has brackets or a star in it.
+function(files_in out folder)
+  string(REGEX REPLACE "([][*?])" "[\\1]" folder ${folder})
+  list(TRANSFORM ARGN PREPEND ${folder}/)
+  if(CMAKE_SCRIPT_MODE_FILE)
+    file(GLOB found ${ARGN})
+  else()
+    file(GLOB found CONFIGURE_DEPENDS ${ARGN})
+  endif()
+  set(${out} ${found} PARENT_SCOPE)
+endfunction()
