@@ -55,7 +55,8 @@ class Archive(Scratch):
 
     def setUp(self):
         super().setUp()
-        self.write("tools/dist.sh", ecsv.text_of(ROOT / "tools/dist.sh"))
+        for script in ("dist", "revision"):
+            self.write(f"tools/{script}.sh", ecsv.text_of(ROOT / f"tools/{script}.sh"))
         self.write(".gitignore", "/build/\n")
         self.write("build/figures/fig01.svg", "<svg/>\n")
         self.run_in("git", "init", "-q")
