@@ -9,11 +9,14 @@ documentation. */
 
 #include "binding.hpp"
 
+#include <pybind11/complex.h>
+
 #include <array>
 #include <functional>
 #include <memory>
 #include <sstream>
 
+#include "commands/any_orbit.hpp"
 #include "commands/dps_strike.hpp"
 #include "commands/multipliers.hpp"
 #include "commands/one_barrier.hpp"
@@ -283,6 +286,26 @@ py::tuple drive_chain(const Chain& chain, const Numbers& y, const Numbers& v, do
                         array_of(energies));
 }
 
+/**
+A chain of one's own has periodic orbits of its own. */
+py::tuple orbit_of(const Chain& chain, const Numbers& y, double period) {
+  const State<double> guess = state_of(chain, y.data(), std::vector<double>(chain.sites).data());
+  const auto [table, positions] = at_work([&] {
+    const Fitted found = orbit_from_rest(chain, guess, period);
+    return std::pair{OneBreather{}.quantities(found), positions_of(found)};
+  });
+  std::vector<double> places, errors;
+  for (const Estimate& one : positions) places.push_back(one.value), errors.push_back(one.error);
+  return py::make_tuple(to_python(table), array_of(places), array_of(errors));
+}
+
+py::tuple multipliers_of_orbit(const Chain& chain, const Numbers& y, const Numbers& v,
+                               double period) {
+  const State<double> start = state_of(chain, y.data(), v.data());
+  const auto found = at_work([&] { return multipliers_through(chain, start, period); });
+  return py::make_tuple(found.largest_modulus.value, found.largest_modulus.error, found.all);
+}
+
 /// What `compute(state)` says, one number a site, of every row of `y` and `v`.
 template <class Compute>
 Numbers by_rows(const Chain& chain, const Numbers& y, const Numbers& v, Compute compute) {
@@ -362,6 +385,8 @@ void add_model(py::module_& m) {
       .def("_vary", &vary)
       .def("evolve", &evolve_chain)
       .def("_drive", &drive_chain)
+      .def("orbit", &orbit_of)
+      .def("multipliers", &multipliers_of_orbit)
       .def("energy_density", &density_of)
       .def("accelerations", &accelerations_of);
 }

@@ -408,6 +408,41 @@ class Chain(_lattice.Chain):
                  "imbalance": Estimate(open_, 0, "relative", meaning="largest deviation of energy + dissipated - injected")}
         return Result(known, t=t, y=y, v=v, **dict(zip(("injected_t", "dissipated_t", "energy_t"), courses)))
 
+    def _orbit(self, period, **arrays):
+        """What begins an orbit: one number a site, and a period."""
+        rows = self._rows(**arrays)
+        if rows[0].ndim != 1 or self.sites > 1000:
+            raise ValueError(f"y and v: shape {rows[0].shape} (allowed: ({self.sites},), one number a site, at most 1000)")
+        return *rows, _within("period", period, 1e-3, 1e5)
+
+    def orbit(self, y, period):
+        """A periodic orbit near a guess of your own: at rest at the positions `y` (an array of `sites` numbers) at t = 0, even
+        in time, of the given period. Any wells, contacts, masses and ends; found by Newton's method as in `breather`.
+
+        Returns a Result with the quantities amplitude, energy (Eq. (6)), area, residual and iterations of `breather`, and the
+        arrays y and y_error, the positions at t = 0. Errors are differences from a wider number type. Near a bifurcation, or
+        from a guess that is far away, it can be another orbit than the one you think of: compare y with the guess.
+
+        RuntimeError: Newton's method fails, with its history; it shrinks to rest, or leaps off."""
+        found, y, y_error = super().orbit(*self._orbit(period, y=y))
+        return Result(_estimates(found), y=y, y_error=y_error)
+
+    def multipliers(self, y, v, period):
+        """All Floquet multipliers of the periodic orbit that begins at the positions `y` and velocities `v` (arrays of `sites`
+        numbers) and returns after `period`. Where it is at rest at t = 0 half a period is computed, with more digits.
+
+        Returns a Result with the quantity largest_modulus (the orbit is unstable if it exceeds one by more than its error)
+        and the arrays multiplier (complex) and multiplier_error, two entries per bead, as `lattice.multipliers` does: the
+        first two are the pair of a shift in time, exactly +1, then come those next to +1. Errors are differences of two
+        tolerances or precisions.
+
+        ValueError: no periodic orbit passes within a thousandth of the amplitude. RuntimeError: Newton's method fails."""
+        modulus, error, found = super().multipliers(*self._orbit(period, y=y, v=v))
+        numbers, errors = zip(*found)
+        known = {"largest_modulus": Estimate(modulus, error, meaning="of all multipliers; the orbit is unstable if it exceeds 1 "
+                                                                     "by more than its error")}
+        return Result(known, multiplier=np.array(numbers), multiplier_error=np.array(errors))
+
     def energy_density(self, y, v):
         """e_n of Eq. (23), an array of `sites` numbers that adds up to the energy of Eq. (6); `y` and `v` may be those of a
         whole run (samples x sites)."""
