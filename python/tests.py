@@ -296,6 +296,44 @@ class OwnChains(unittest.TestCase):
         heavy = lattice.strike(chain, velocity=1, time=20)
         self.assertLess(heavy.centre, light.centre)
 
+    def test_any_orbit_of_any_chain(self):
+        """Values of a program of its own: extrapolated midpoint rule with 64 bits and step control, no landing on contacts."""
+        uneven = lattice.Chain(6, [1, 2.5], 1 + 0.25 * np.arange(7), well="quartic", s=-0.3, ends="fixed")
+        ring = lattice.Chain(5, contact="power", alpha=2.2, well="pendulum", ends="periodic")
+        smooth = lattice.Chain(2, [1, 1.5], ends="fixed",
+                               well=lattice.Well(lambda y: 2 * np.sinh(y / 2) ** 2, lambda y: -np.sinh(y), np.cosh),
+                               contact=lattice.Contact(lambda r: (np.expm1(-2 * r) + 2 * r) / 2, lambda r: np.expm1(-2 * r),
+                                                       lambda r: 2 * np.exp(-2 * r), opening=50))
+        cases = [(uneven, [0, 0.05, -0.1, 0.02, 0, 0], 1.15, [-0.00223955351575268, -0.000216858915964582, -0.0512510239993128,
+                                                               0.00422081885777325, 0.0272110633167490, 8.22835549323168e-06], 1),
+                 (ring, [0.3, -0.2, 0.05, 0.1, -0.25], 1.02, [-0.058111980459978, -0.126285459711585, 0, 0.126285459711585,
+                                                             0.058111980459978], 1.036530678258063),
+                 (smooth, [0.5, -0.3], 2.55, [0.440402677840540, -0.168730841153150], 1)]
+        for chain, guess, omega, y, modulus in cases:
+            period = 2 * np.pi / omega
+            found = chain.orbit(guess, period)
+            np.testing.assert_allclose(found.y, y, atol=5e-14)
+            self.assertTrue((found.y_error < 1e-12).all())
+            run = chain.evolve(found.y, 0 * found.y, period, sample=period / 5, tolerance=1e-9)
+            np.testing.assert_allclose(run.y[-1], found.y, atol=1e-8)
+            at_rest = chain.multipliers(found.y, 0 * found.y, period)
+            moving = chain.multipliers(run.y[1], run.v[1], period)
+            for all_of_them in (at_rest, moving):
+                self.assertLess(abs(all_of_them.largest_modulus - modulus), all_of_them.largest_modulus.error + 5e-14)
+                size = np.sort(np.abs(all_of_them.multiplier))
+                np.testing.assert_allclose(size * size[::-1], 1, atol=1e-9)
+            np.testing.assert_allclose(np.sort(at_rest.multiplier.real), np.sort(moving.multiplier.real), atol=1e-9)
+
+    def test_what_is_no_orbit_is_refused(self):
+        chain = lattice.Chain(5, well="quartic", s=1)
+        for said, call in [("shrinks to rest", lambda: chain.orbit(np.zeros(5), 5)), ("period: -5", lambda: chain.orbit(np.ones(5), -5)),
+                           ("misses its start", lambda: chain.multipliers(np.eye(5)[2], np.zeros(5), 5)),
+                           ("misses its start", lambda: chain.multipliers(np.eye(5)[2], np.eye(5)[1], 5)),
+                           (r"\(5,\), one number a site", lambda: chain.multipliers(np.zeros((2, 5)), np.zeros((2, 5)), 5)),
+                           ("no number of sites", lambda: lattice.Chain().orbit([1], 5))]:
+            with self.assertRaisesRegex((ValueError, RuntimeError), said):
+                call()
+
     def test_damping_and_a_force(self):
         """A bead alone, which every textbook has, and the budget of a chain."""
         two = lattice.Chain(2, mass=[1, 1], eta=0)

@@ -1,6 +1,7 @@
 // Breathers of chains that are none of the article's: other exponents, compressed contacts, beads of different masses.
 
 #include <numbers>
+#include <tuple>
 
 #include "commands/multipliers.hpp"
 #include "commands/one_breather.hpp"
@@ -283,6 +284,26 @@ TEST_CASE("a barrier is the difference of two energies", "[cli][chains]") {
     CHECK(error < 1e-2 * std::abs(gap));
     CHECK(quantity(both, "equal_frequency", "error") < 1e-6 * std::abs(gap));
   }
+}
+
+// Values of a program of its own that follows the breather of harmonic wells in s without a break
+TEST_CASE("between steep contacts a hard well has the breather of the harmonic one",
+          "[cli][chains]") {
+  const std::vector<std::tuple<std::string, double, double>> all{
+      {"--centre bond --omega 1.001 --s 5 --alpha 2.9", 0.0150951177668, 0.000229875300978},
+      {"--centre site --omega 1.001 --s 5 --alpha 2.9", 0.0190915021178, 0.000192056354810},
+      {"--centre site --omega 1.01 --s 3 --alpha 3", 0.0760185322418, 0.00312077634279},
+      {"--centre bond --omega 1.0301 --s 8.117 --alpha 2.543", 0.0613860022410, 0.00405195871356}};
+  for (const auto& [chain, amplitude, energy] : all) {
+    CAPTURE(chain);
+    const Result r = call(breather + "--contact power " + chain);
+    check_close(quantity(r, "amplitude"), amplitude, 0, 1e-11);
+    check_close(quantity(r, "energy"), energy, 0, 1e-11);
+  }
+  // Near omega_b = 1 the phase of an orbit is rounded by more than its energy
+  const Result weak = call(barriers + "--omega 1.00024 --well harmonic");
+  check_close(quantity(weak, "equal_frequency"), 4.20579818087e-21,
+              quantity(weak, "equal_frequency", "error"));
 }
 
 TEST_CASE("what has no breather is refused in one line", "[cli][chains]") {

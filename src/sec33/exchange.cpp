@@ -137,16 +137,26 @@ Exchange exchange_between(Centre centre, const Cut& cut, TrialKappa low, TrialKa
   return {{last.p - last.kappa / slope, step}, slope, orbit};
 }
 
-// A step in double precision, then one in extended precision, where rounding no longer matters
+// A step in double precision, then two in extended precision, where rounding no longer matters; the second one has the
+// slope between its two points, and is the error
 template <class T>
 Exchange polish_zero(Centre centre, const Cut& cut, Exchange found) {
-  found.place.value -= quick_kappa(centre, cut.at(found.place.value), found.orbit) / found.slope;
-  const auto problem = problem_at(centre, cut.at(found.place.value));
-  found.orbit = follow(problem, found.orbit);
-  const Estimate kappa = spectrum<T>(problem, found.orbit).kappa();
-  const double step = kappa.value / found.slope;
-  found.place = {found.place.value - step,
-                 kappa.error / std::abs(found.slope) + std::abs(step) * 1e-2 + 1e-15};
+  double& place = found.place.value;
+  place -= quick_kappa(centre, cut.at(place), found.orbit) / found.slope;
+  const auto kappa_here = [&] {
+    const auto problem = problem_at(centre, cut.at(place));
+    found.orbit = follow(problem, found.orbit);
+    return spectrum<T>(problem, found.orbit).kappa();
+  };
+  const Estimate first = kappa_here();
+  const double step = first.value / found.slope, from = place;
+  place -= step;
+  const Estimate last = kappa_here();
+  if (std::abs(first.value - last.value) > 10 * (first.error + last.error))
+    found.slope = (last.value - first.value) / (place - from);
+  const double correction = last.value / found.slope;
+  place -= correction;
+  found.place.error = last.error / std::abs(found.slope) + std::abs(correction) + 1e-15;
   return found;
 }
 
@@ -180,6 +190,32 @@ double flat_between(const Look& a, const Look& b, const Look& c) {
 
 }  // namespace
 
+// Where the cubic through the looks around an interval does not tell what is in its middle, it is halved
+template <class Find>
+static void look_closer(std::vector<Look>& all, Find look) {
+  for (std::size_t k = 0; k + 1 < all.size();) {
+    const double low = all[k].s, high = all[k + 1].s, s = (low + high) / 2;
+    if (std::abs(high - low) < 2e-4) {
+      ++k;
+      continue;
+    }
+    double told = 0;
+    const std::size_t end = std::min(k + 3, all.size()),
+                      begin = std::min(k ? k - 1 : 0, end - std::min<std::size_t>(4, end));
+    for (std::size_t i = begin; i < end; ++i) {
+      double weight = 1;
+      for (std::size_t j = begin; j < end; ++j)
+        if (j != i) weight *= (s - all[j].s) / (all[i].s - all[j].s);
+      told += weight * all[i].kappa;
+    }
+    const Look middle = look(s, all[k].orbit);
+    const double size = std::max(std::abs(all[k].kappa), std::abs(all[k + 1].kappa));
+    const bool known = std::abs(middle.kappa - told) < 0.1 * size;
+    all.insert(all.begin() + long(k) + 1, middle);
+    k += known ? 2 : 0;
+  }
+}
+
 // From the linear well to either end of the family, on the article's chain as long as it holds the tail. No step goes so
 // far that the breather grows by more than three per cent at once, or Newton's method may leap to another family
 static std::vector<Look> looks_along(Centre centre, const Cut& cut, int side) {
@@ -207,6 +243,7 @@ static std::vector<Look> looks_along(Centre centre, const Cut& cut, int side) {
     }
     h /= 2;
   }
+  look_closer(all, look);
   return all;
 }
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace lattice {
 
@@ -72,11 +74,27 @@ DpsOrbit::Found DpsOrbit::find() const {
   throw std::runtime_error(text.str());
 }
 
+/**
+Two windows may agree by chance, and both are rounded alike: the power of the scale, the sum of many entries, and what is
+left where Newton's method stops, which is no property of the member. */
 Table DpsOrbit::quantities(const Found& f) const {
+  const double digit = std::numeric_limits<double>::epsilon();
   const auto both = [&](double power, auto of) {
     const double factor = std::pow(scale(), power);
-    return compare(factor * of(f.coarse), factor * of(f.fine));
+    Estimate out = compare(factor * of(f.coarse), factor * of(f.fine));
+    out.error += 4 * digit * (1 + power / (alpha - 1)) * std::abs(out.value);
+    return out;
   };
+  const auto small = [&](auto of) {
+    Estimate out = both(0, of);
+    out.error = std::max(out.error, out.value < 1e-12 ? out.value : 16 * digit);
+    return out;
+  };
+  const Estimate residual = small(missed);
+  Estimate sum = both(0, [](const Member& m) { return m.second.V / amplitude(m.second.field); });
+  for (const auto& a : f.fine.second.field)
+    sum.error += 8 * digit * std::abs(a) / amplitude(f.fine.second.field);
+  if (residual.value < 1e-12) sum.error += residual.value;
   Answers q;
   q.add("amplitude", both(1, [](const Member& m) { return amplitude(m.second.field); }), "",
         "largest |A_n| at tau = 0");
@@ -84,12 +102,11 @@ Table DpsOrbit::quantities(const Found& f) const {
         "sum of |A_n|^2, conserved");
   q.add("energy", both(alpha + 1, [](const Member& m) { return m.second.energy; }), "",
         "sum of |A_{n+1} - A_n|^(alpha+1) over alpha + 1, conserved");
-  q.add_small("sum",
-              both(0, [](const Member& m) { return m.second.V / amplitude(m.second.field); }),
-              "relative to amplitude", "V: the sum of all A_n over i, conserved");
-  q.add_small("tail", both(0, left_behind), "relative to amplitude",
-              "largest |A_n| that is left behind on the way through the window");
-  q.add_small("residual", both(0, missed), "relative to amplitude",
+  q.add_small("sum", sum, "relative to amplitude", "V: the sum of all A_n over i, conserved");
+  q.add_small("tail", small(left_behind), "relative to amplitude",
+              "largest |A_n| that is left behind on the way through the window of " +
+                  std::to_string(f.fine.second.field.size()) + " sites");
+  q.add_small("residual", residual, "relative to amplitude",
               "by how much the field misses itself after a shift time, one site further");
   return q.table;
 }

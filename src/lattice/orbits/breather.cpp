@@ -8,6 +8,7 @@
 #include "lattice/model/dps.hpp"
 #include "lattice/model/quasi_continuum.hpp"
 #include "lattice/numerics/progress.hpp"
+#include "lattice/orbits/other_chains.hpp"
 
 namespace lattice {
 
@@ -40,6 +41,36 @@ State<double> ansatz(Centre centre, double omega, std::size_t sites, Phase phase
   return state;
 }
 
+/**
+The guess knows the contacts and not the well. Between spheres that is enough: the push grows with the power 3/2 of a
+small amplitude, what the well adds with its cube. If the exponent comes near three both count alike, and the breather is
+that of harmonic wells, followed to the anharmonicity that is wanted. */
+static Orbit<double> from_ansatz(const Shooting<double>& problem, const Vector<double>& from,
+                                 const NewtonRule<double>& rule) {
+  const auto* quartic = std::get_if<Quartic>(&problem.chain.well);
+  const double size = sup<double>(from);
+  if (!quartic || std::abs(quartic->s) * size * size < 0.1 * (problem.omega - 1))
+    return newton(problem, from, rule);
+  Shooting<double> harmonic = problem;
+  harmonic.chain.well = Quartic{0};
+  return newton(problem, continue_to(harmonic, newton(harmonic, from, rule), problem.chain).x,
+                rule);
+}
+
+/// In a breather of this family beads that move by more than a twentieth of the most oppose their neighbours. Throws
+/// NewtonFailed.
+static void refuse_neighbours_in_phase(const Shooting<double>& problem,
+                                       const Orbit<double>& orbit) {
+  const std::vector<double>& y = orbit.start.y;
+  const double small = 0.05 * orbit.amplitude;
+  for (std::size_t n = 1; n < y.size(); ++n)
+    if (std::abs(y[n]) > small && std::abs(y[n - 1]) > small && y[n] * y[n - 1] > 0)
+      throw NewtonFailed(problem.name() +
+                             ": instead of the breather a motion is found in which "
+                             "neighbours are in phase",
+                         orbit.history);
+}
+
 // Begin where the quasi-continuum profile is a good guess, and climb the branch from there
 Orbit<double> find_breather(const Shooting<double>& problem, Phase phase,
                             const NewtonRule<double>& rule) {
@@ -49,7 +80,8 @@ Orbit<double> find_breather(const Shooting<double>& problem, Phase phase,
   const State<double> guess =
       ansatz(centre, nearby.omega, problem.chain.sites, phase, problem.chain.contact);
   const Vector<double> from = nearby.reduce(guess);
-  Orbit<double> start = newton(nearby, from, rule);
+  Orbit<double> start = from_ansatz(nearby, from, rule);
+  refuse_neighbours_in_phase(nearby, start);
   // In wells that do not fit the guess the method may end in another family, of large extended motions
   const double expected = sup<double>(from);
   if (start.amplitude > 3 * expected)

@@ -1,5 +1,6 @@
 #include "lattice/orbits/breather_pairs.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -23,15 +24,20 @@ Measured<T>::Measured(const BreatherPair& pair, int coarser) {
 // Two resolutions side by side: the finer one gives the value, their difference the error
 template <class T>
 void assess(BreatherPair& pair, const Measured<T>& coarse, const Measured<T>& fine) {
-  const T size = fine.orbit[1].energy;
+  // Near omega_b = 1 the energy changes so fast with the frequency that the rounding of the phase shows in it
+  const auto size_of = [&](const Orbit<T>& b) {
+    return std::max(b.energy, T(pair.omega) * magnitude(b.energy_omega) / T(64));
+  };
+  const T size = size_of(fine.orbit[1]);
   for (int k : {0, 1}) {
     const Orbit<T>&a = coarse.orbit[k], &b = fine.orbit[k];
-    pair.energy[k] = agree(a.energy, b.energy, b.energy);
+    pair.energy[k] = agree(a.energy, b.energy, size_of(b));
     pair.amplitude[k] = agree(a.amplitude, b.amplitude, b.amplitude);
   }
   // The barriers are tiny, but their rounding is that of the energies they are differences of
   pair.equal_frequency = agree(coarse.gap.equal_frequency, fine.gap.equal_frequency, size);
-  pair.equal_area = agree<T>(coarse.gap.equal_area, fine.gap.equal_area, size / T(4));
+  pair.equal_area =
+      agree<T>(coarse.gap.equal_area, fine.gap.equal_area, fine.orbit[1].energy / T(4));
   const auto slope = [](const Measured<T>& m) {
     return m.orbit[0].energy_omega - m.orbit[1].energy_omega;
   };

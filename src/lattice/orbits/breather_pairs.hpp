@@ -80,7 +80,7 @@ struct Measured {
 /**
 The difference of the two is the error, but it may be small by chance. Comparison with quadruple precision
 shows errors of the energy of up to ten tolerances, so we never take the error to be below sixteen: 2048
-roundings of `size`. At equal area a quarter of the energy serves as size: an orbit makes
+roundings of `size`, which is the energy or, where it is more, what 1/64 of the frequency changes of it. At equal area a quarter of the energy serves as size: an orbit makes
 $E - \mathcal A/T_b$ stationary, and this barrier suffers less from an error of the orbit. */
 /// `fine` with that error.
 template <class T>

@@ -21,7 +21,10 @@ Chain between(const Chain& a, const Chain& b, double part) {
   for (std::size_t i = 0; i < b.sites; ++i) mass[i] = mixed(a.mass_of(i), b.mass_of(i));
   for (std::size_t i = 0; i <= b.sites; ++i) eta[i] = mixed(a.eta_of(i), b.eta_of(i));
   if (!(a.mass.empty() && b.mass.empty())) vary(out, mass, eta);
-  // What all contacts have
+  // What all wells and contacts have
+  if (const auto* from = std::get_if<Quartic>(&a.well), *to = std::get_if<Quartic>(&b.well);
+      from && to && from->s != to->s)
+    out.well = Quartic{mixed(from->s, to->s)};
   if (std::holds_alternative<OwnContact>(b.contact)) return out;
   const double root = mixed(std::sqrt(a.contact.opening()), std::sqrt(b.contact.opening()));
   out.contact = bare(PowerContact{mixed(a.contact.exponent(), b.contact.exponent()), root * root});

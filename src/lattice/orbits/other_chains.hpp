@@ -14,12 +14,13 @@ namespace lattice {
 /**
 ## A path between two chains
 
-Masses, stiffnesses, the exponent and the root of the compression change linearly along the path: the stiffness of a
+Masses, stiffnesses, the anharmonicity of quartic wells, the exponent and the root of the compression change linearly along the path: the stiffness of a
 contact is $\frac32\sqrt d$. A contact of the caller's own is that of the target from the start. */
 /// The same law by its simplest type and without a floor, lest it cut off the tail.
 Contact bare(const Contact& contact);
 
-/// The chain at `part` of the way from `a` to `b`, from 0 to 1, of the same length; well and ends are those of `b`.
+/// The chain at `part` of the way from `a` to `b`, from 0 to 1, of the same length; ends, and wells but quartic ones, are
+/// those of `b`.
 Chain between(const Chain& a, const Chain& b, double part);
 
 /**
