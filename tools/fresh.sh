@@ -1,11 +1,11 @@
 #!/bin/sh
 # The README's commands on a machine that has nothing else: a bare root made by debootstrap, with the compiler,
-# cmake, make and git that the README asks for, a clone of HEAD in a folder with a space in its name, and an
-# empty environment.
+# cmake, make and git that the README asks for, and a clone of HEAD where others have stumbled: in a folder with brackets
+# and a space in its name, inside another repository, with CDPATH and PYTHONSAFEPATH exported and nothing else.
 #   fresh.sh [SUITE]            both commands, then make book and make paper; SUITE is the machine's own release
 #   fresh.sh --two [SUITE]      both commands, and those of the second volume
 #   fresh.sh --container [SUITE]  the steps of the Dockerfile instead, in a root without even those four
-# FRESH_ENV='CXXFLAGS=-Werror' adds to the empty environment; KEEP=1 leaves the root where it is. Ends with 77
+# FRESH_ENV='CXXFLAGS=-Werror' adds to the environment; KEEP=1 leaves the root where it is. Ends with 77
 # where such a root cannot be made.
 set -eu
 unset CDPATH
@@ -48,7 +48,7 @@ cp /etc/resolv.conf /etc/hosts "$root/etc/" 2>/dev/null || true
 apt-config dump 2>/dev/null | grep '^Acquire::.*Proxy ' > "$root/etc/apt/apt.conf.d/proxy" || true
 [ -z "$(git status --porcelain --untracked-files=no)" ] || echo "  fresh    what is not committed is not in it"
 
-# A step in the root: step FOLDER USER COMMAND. Nothing is in the environment but what FRESH_ENV adds.
+# A step in the root: step FOLDER USER COMMAND. Nothing is in the environment but `home` and what FRESH_ENV adds.
 home='' bad=0
 inside() {
   # shellcheck disable=SC2016
@@ -94,7 +94,10 @@ container() {
 [ "$what" != --container ] || { container; exit; }
 
 # What the reader is told to type, as the README tells it.
-git clone -q --no-hardlinks . "$root/home/a checkout" || exit 1
+around="$root/home" folder='[Re] a checkout'
+git init -q "$around" && git -C "$around" -c user.name=x -c user.email=x@y commit -q --allow-empty -m "another repository"
+git clone -q --no-hardlinks . "$around/$folder" || exit 1
+home="CDPATH=/home PYTHONSAFEPATH=1"
 # shellcheck disable=SC2016
 commands=$(sed -n '/^```sh$/,/^```$/s/^\(make [a-z]*\).*/\1/p; /^```$/q' README.md)
 [ "$(echo "$commands" | wc -l)" = 2 ] || { echo "README.md does not begin with two commands" >&2; exit 1; }
@@ -106,5 +109,5 @@ make book
 make paper"
 echo "$commands" > "$logs/commands"
 while read -r command; do
-  step "/home/a checkout" root "$command" || exit
+  step "/home/$folder" root "$command" || exit
 done < "$logs/commands"
