@@ -54,6 +54,12 @@ foreach(component core dps standing colour)
     run(${CMAKE_COMMAND} --build ${place}/part/${component})
   endif()
 endforeach()
+# A project may also have this one in a subfolder, and links the same names
+file(WRITE ${place}/outer/CMakeLists.txt "cmake_minimum_required(VERSION 3.20)\nproject(outer LANGUAGES CXX)\n"
+     "add_subdirectory(\"${EXAMPLES}/..\" lattice)\nadd_executable(strike \"${EXAMPLES}/strike.cpp\")\n"
+     "target_link_libraries(strike PRIVATE lattice::core)\n"
+     "if(TARGET programs OR TARGET tests)\n  message(FATAL_ERROR \"more than the library is added\")\nendif()\n")
+run(${CMAKE_COMMAND} -S ${place}/outer -B ${place}/outer/build -D CMAKE_CXX_COMPILER=${COMPILER})
 # A machine that lacks two libraries is told of both at once
 execute_process(COMMAND ${CMAKE_COMMAND} -S ${EXAMPLES}/.. -B ${place}/lacking -D CMAKE_DISABLE_FIND_PACKAGE_GSL=ON -D
                         CMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON -D CMAKE_CXX_COMPILER=${COMPILER}
@@ -92,7 +98,7 @@ if(PYTHON)
   file(WRITE ${place}/bare/install.cmake "${script}")
   file(COPY ${BUILD}/python/lattice/__init__.py DESTINATION ${place}/bare/lattice)
   run(${CMAKE_COMMAND} -D CMAKE_INSTALL_PREFIX=${place}/bare/prefix -P ${place}/bare/install.cmake)
-  files_in(installed ${place}/bare/prefix *)
+  files_in(installed ${place}/bare/prefix lib/python*/site-packages/lattice/*)
   if(installed OR NOT text MATCHES "The Python module is not installed: it is not built")
     message(FATAL_ERROR "without the compiled half of the module the installation says: ${text}")
   endif()
