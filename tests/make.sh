@@ -149,7 +149,7 @@ grep -q yesterday "$scratch/out" && fail "an old log is shown as the cause"
 chmod 755 closed
 
 # A path that CMake or make cannot use is refused in one line, as is a name that is mistyped.
-for name in 'a;b has a character' 'a[b has a bracket'; do
+for name in 'a;b has a character' 'a:b has a character' 'a[b has a bracket'; do
   cp -r . "$scratch/${name%% *}"
   (cd "$scratch/${name%% *}" && refused all-data && said "${name#* }" "the path is not named")
 done
