@@ -6,7 +6,7 @@ build=$1
 here=$(pwd -P)
 refuse() { echo "$1" >&2; exit 1; }
 case $here in
-*[\"\;\:\#\$\\]*) refuse "the folder '$here' has a character in its name that CMake or make cannot use (allowed: all but \" ; : # \$ \\)" ;;
+*[\"\;:\#\$\\]*) refuse "the folder '$here' has a character in its name that CMake or make cannot use (allowed: all but \" ; : # \$ \\)" ;;
 esac
 [ -z "$(printf '%s' "$here" | sed 's/[^][]//g; :pair; s/\[\]//; t pair')" ] ||
   refuse "the folder '$here' has a bracket without its other half in its name, which CMake cannot use (allowed: pairs [ ])"
