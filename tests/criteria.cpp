@@ -201,6 +201,9 @@ TEST_CASE("a struck soft well blows up, a pendulum does not", "[property][criter
     return no_blowup(confinement(impact, stepper_for(1e-4, 0.1), stepper_for(1e-4, 0.1, 1)));
   };
   CHECK(holds(bounded(Pendulum{}, 6, 200)));  // beads leave at both ends
+  const Impact leaving{6, {20, Pendulum{}}, 200, 0.2, may_move, false};
+  CHECK(confinement(leaving, stepper_for(1e-4, 0.1), stepper_for(1e-4, 0.1, 1)).furthest.value >
+        100);
   CHECK(holds(bounded(Quartic{-1.0 / 6}, 1.5, 200)));
   CHECK_FALSE(holds(bounded(Quartic{-1.0 / 6}, 2.5, 200)));
   Confinement cut{{1, 0}, {0.5, 0}, {1e-9, 0}, 0.9, {1, 0}};

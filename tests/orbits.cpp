@@ -259,20 +259,37 @@ struct Naive {
   double stiffness(double y) const { return std::cosh(y); }
 };
 
+/// The quartic well, but by another name, so that nothing is known of its anharmonicity.
+struct Nameless {
+  double s;
+  double energy(double y) const { return y * y / 2 + s * y * y * y * y / 4; }
+  double force(double y) const { return -y - s * y * y * y; }
+  double stiffness(double y) const { return 1 + 3 * s * y * y; }
+};
+
 }  // namespace
 
 TEST_CASE("a large extended motion is not taken for a breather", "[unit][orbits]") {
   // Newton's method converges to a motion of energy 65.8, with an error of 1e-13
-  Problem problem = breather_problem(Centre::site, 1.1, 5, 61);
+  Problem problem = breather_problem(Centre::site, 1.1, Nameless{5}, 61);
   problem.chain.contact = PowerContact{2.8};
   check_line(refusal<NewtonFailed>([&] { find_breather(problem); }),
              "instead of the breather a motion of size");
+  // Nor is one whose middle beads move together
+  problem = breather_problem(Centre::site, 1.01, Nameless{3}, 61);
+  problem.chain.contact = PowerContact{3};
+  const std::string why = refusal<NewtonFailed>([&] { find_breather(problem); });
+  CHECK(why.find("in which neighbours are in phase") != std::string::npos);
+  // Where the well is known the breather is followed from the harmonic one; by a program of its own
+  problem = breather_problem(Centre::site, 1.1, 5, 61);
+  problem.chain.contact = PowerContact{2.8};
+  check_close(find_breather(problem).energy, 0.0240396465322176, 0, 1e-12);
 }
 
 TEST_CASE("an iteration that leaps to violent motions ends", "[unit][orbits]") {
   // Its next flow took minutes, and the one after that for ever
   for (const auto& [alpha, s] : {std::pair(2.5, 3.0), {2.5, 3.1}, {2.5, 2.9}}) {
-    Problem problem = breather_problem(Centre::site, 1.1, s, 61);
+    Problem problem = breather_problem(Centre::site, 1.1, Nameless{s}, 61);
     problem.chain.contact = PowerContact{alpha};
     CAPTURE(alpha, s);
     const std::string why = refusal<NewtonFailed>([&] { find_breather(problem); });

@@ -1,5 +1,10 @@
 # find_package(lattice), or find_package(lattice COMPONENTS ...) with modules such as `model` or `quadruple`, `core`, which
 # needs Eigen and threads only, and `lattice`, the whole. GSL and Boost are looked for where what is asked for needs them.
+if(CMAKE_CURRENT_LIST_DIR MATCHES "[][*?]")
+  set(lattice_NOT_FOUND_MESSAGE "CMake takes brackets in '${CMAKE_CURRENT_LIST_DIR}' for patterns (allowed: a prefix without)")
+  set(lattice_FOUND FALSE)
+  return()
+endif()
 include(CMakeFindDependencyMacro)
 find_dependency(Eigen3)
 find_dependency(Threads)

@@ -81,7 +81,6 @@ Orbit<double> find_breather(const Shooting<double>& problem, Phase phase,
       ansatz(centre, nearby.omega, problem.chain.sites, phase, problem.chain.contact);
   const Vector<double> from = nearby.reduce(guess);
   Orbit<double> start = from_ansatz(nearby, from, rule);
-  refuse_neighbours_in_phase(nearby, start);
   // In wells that do not fit the guess the method may end in another family, of large extended motions
   const double expected = sup<double>(from);
   if (start.amplitude > 3 * expected)
@@ -89,6 +88,7 @@ Orbit<double> find_breather(const Shooting<double>& problem, Phase phase,
                                     start.amplitude) +
                            number_label(" is found, from a guess of size", expected),
                        start.history);
+  refuse_neighbours_in_phase(nearby, start);
   if (nearby.omega == problem.omega) return start;
   Branch branch(nearby, along_omega<double>(problem.chain.contact.exponent()), start, 1, rule);
   return branch.reach(problem.omega);
