@@ -16,7 +16,7 @@ language = "en"
 highlight_language = "none"
 pygments_style, pygments_dark_style = "friendly", "github-dark"
 
-myst_enable_extensions = ["dollarmath"]
+myst_enable_extensions = ["colon_fence", "dollarmath"]
 myst_dmath_double_inline = True  # a displayed formula within a paragraph
 myst_url_schemes = ["http", "https", "mailto", "num", "finding"]
 

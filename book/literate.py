@@ -11,14 +11,13 @@ Nothing is judged here: verdicts are those of build/report/published.ecsv. What 
 the end of the build."""
 
 import base64
-import gzip
 import json
 import math
 import re
 import shutil
 import subprocess
 from collections import Counter
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from html import escape, unescape
 from pathlib import Path
 from urllib.parse import unquote
@@ -37,129 +36,24 @@ from lineage.findings import KINDS, agrees, in_plain, margins, read_findings, re
 from lineage.literature import OBTAINED, read_literature, verdicts
 from lineage.lock import read_fresh, read_lock
 from lineage.refresh import command_of, printed, read_figures
+from lineage.sources import blocks_of, definitions, local_names, made_at, sources_of
 from lineage.values import Finding, distance, with_digits, without_zeros
 from lineage.volumes import joined, volumes
+from live import live
 
 HERE = Path(__file__).resolve().parent
 KATEX = [Path("/usr/share/javascript/katex"), Path("/usr/share/nodejs/katex/dist")]
-LIVE = ("strike", "breather", "defect", "drive")
 say = logging.getLogger(__name__)
 
 # Sources
 
-BLOCK = re.compile(r"^([ \t]*)/\*\*(?![*/<])(.*?)\*/[ \t]*$", re.M | re.S)
 HEAD = re.compile(r"(?:(?:#\w+.*|using namespace.*|namespace \w+ \{|[ \t]*)\n){4,}")
 FILLS = re.compile(r"^(?://.*\n)*(?!return\b)\w[\w:<>,&* ]*[ &*](report_\w+)\([^;{]*\{\n.*?^\}\n?", re.M | re.S)
-DEFINED = [re.compile(pattern) for pattern in (
-    r"(?:struct|class|enum class|enum|concept)\s+(\w+)\s*(?:final\s*)?(?::[^:]|\{|;|=|$)", r"(?:using|concept)\s+(\w+)\s*=",
-    r"(?:inline\s+)?(?:static\s+)?const(?:expr|init)?\s+[\w:<>, ]+?\s\*?(\w+)(?:\[\w*\])?\s*(?:=|\{)",
-    r"(?!return\b|using\b|else\b|namespace\b|static_assert\b)[\w:<>,&*\s\[\]]*?[\s&*>](\w+)\(")]
 NUMBER = re.compile(r"\[[^\]]*\]\(num:([^)\s]+)\)")
 EQUATIONS = re.compile(r"\bEqs?\.\s*\(\d+\)(?:(?:,|\s+and|\s+to|,\s+and)\s+\(\d+\))*")
 FIGURE = re.compile(r"!\[([^\]]*)\]\(fig:([^)]*)\)")
 FIGURES = re.compile(r"\b(?:[Ff]igures?|Figs?\.)\s+x?\d\d?\b(?:(?:,| and| to)\s+x?\d\d?\b)*")
 FILE = re.compile(r"\b(?:[\w-]+/)*\w+\.(?:hpp|cpp)\b")
-
-
-def blocks_of(text, path="<text>"):
-    """The blocks of a source in turn: (whether it is prose, number of its first line, text)."""
-    out, at = [], 0
-
-    def code(until):
-        piece = text[at:until]
-        start = at + len(piece) - len(piece.lstrip("\n"))
-        if found := re.search(r"^[ \t]*/\*\*(?![*/<])", piece, re.M):
-            raise ecsv.Fault(f"{path}:{text.count(chr(10), 0, at + found.start()) + 1}: a block of prose without an end of its own")
-        if piece.strip():
-            out.append((False, text.count("\n", 0, start) + 1, text[start:until].rstrip()))
-
-    for found in BLOCK.finditer(text):
-        code(found.start())
-        indent = len(found[1])
-        lines = [line[min(indent, len(line) - len(line.lstrip())):].rstrip() for line in found[2].split("\n")]
-        out.append((True, text.count("\n", 0, found.start()) + 1, "\n".join([lines[0].strip(), *lines[1:]])))
-        at = found.end()
-    code(len(text))
-    return out
-
-
-def definitions(text):
-    """Names that a header defines for others, with their lines: those that begin a line."""
-    out = {}
-    for prose, first, code in blocks_of(text):
-        for offset, line in enumerate(() if prose else code.split("\n")):
-            line = re.sub(r"^template\s*<[^<>]*(?:<[^<>]*>[^<>]*)*>\s*", "", line)
-            if line[:1].isalpha() and (found := next(filter(None, (one.match(line) for one in DEFINED)), None)):
-                out.setdefault(found[1], first + offset)
-    return out
-
-
-@dataclass(eq=False)
-class Source:
-    """A file of src/, which is a page."""
-    path: str  # from the root of the repository
-    text: str
-    named: str = ""  # its title where it has none of its own
-
-    def __post_init__(self):
-        self.blocks = blocks_of(self.text, self.path)
-        self.included = self.path.removeprefix("beyond/").removeprefix("src/")  # what others call it
-        self.module = Path(self.path).parent.name if "/" in self.included else ""
-        self.name, self.stem = Path(self.path).name, Path(self.path).stem
-        self.is_header = self.name.endswith(".hpp")
-        self.page = (f"{self.module}-" if self.module else "") + (self.stem if self.is_header or not self.module else f"{self.stem}-cpp")
-        self.includes = re.findall(r'^\s*#include "([^"]+)"', self.text, re.M)
-        own = re.search(r"^# (.+)$", "\n".join(text for prose, _, text in self.blocks if prose), re.M)
-        self.title, self.titled = own[1] if own else self.named or self.name, bool(own)
-
-
-def sources_of(root, folders, order):
-    """The chapters of these volumes in the order of the book, and all other sources by folder, each header before what
-    is compiled for it. A chapter that is not named in the order follows its section."""
-    def read(path, named=""):
-        return Source(str(path.relative_to(root)), ecsv.text_of(path), named)
-
-    texts = [Path(folder) / "src" for folder in folders]
-    chapters = {path.stem: read(path) for src in texts for path in sorted(src.glob("sec*.cpp"))}
-    known = [name for name in order if name in chapters]
-    for name in sorted(set(chapters) - set(known)):
-        before = [i for i, other in enumerate(known) if other.split("_")[0] <= name.split("_")[0]]
-        known.insert((before or [-1])[-1] + 1, name)
-    rest = {}
-    for path in sorted(path for src in texts for path in src.rglob("*.[ch]pp") if path.parent != src):
-        if path.suffix == ".hpp" or not path.with_suffix(".hpp").exists():
-            header = read(path)
-            rest.setdefault(path.parent.name, []).append(header)
-            if path.suffix == ".hpp" and (half := path.with_suffix(".cpp")).exists():
-                rest[path.parent.name].append(read(half, f"{header.title}: how"))
-    return [chapters[name] for name in known], rest
-
-
-def functions(text, name):
-    """The definitions of a function: (line of its name, its lines)."""
-    lines = text.split("\n")
-    for i, line in enumerate(lines):
-        if re.match(rf"\s*(?!return\b|else\b|//)[\w:<>,&*\[\]\s]*?[\s&*]{re.escape(name)}\(", line):
-            indent = len(line) - len(line.lstrip())
-            end = next((k for k in range(i, len(lines)) if lines[k].startswith(" " * indent + "}") or lines[k].endswith("}")), i)
-            if not any(one.endswith(";") and "{" not in "".join(lines[i:k + 1]) for k, one in enumerate(lines[i:i + 6], i) if k <= end):
-                yield i + 1, lines[i:end + 1]
-
-
-def covered(name, line):
-    """How many letters of a number's name the literal texts of a line account for."""
-    words = {word.split(".")[-1].strip("_") for word in re.findall(r'"((?:[^"\\]|\\.)*)"', line)}
-    if name in words:
-        return 999
-    return sum(len(word) for word in words if len(word) > 1 and re.search(rf"(?<![A-Za-z]){re.escape(word)}(?![A-Za-z])", name))
-
-
-def made_at(found, sources):
-    """The line that recorded a number, as (source, line): within the function that its table names, the one that says most of its name."""
-    for source in sources if found.made_by else ():
-        for first, lines in functions(source.text, found.made_by):
-            return source, first + max(range(len(lines)), key=lambda k: (covered(found.id.split(".")[-1], lines[k]), -k))
-    return None
 
 
 # Words and numbers in Markdown
@@ -225,15 +119,6 @@ def verdict(name):
     return f'<span class="verdict {name}">{SAID.get(name, name)}</span>'
 
 
-def from_tex(caption):
-    """A caption of paper/captions.tex as Markdown: words, formulas, dashes and spaces that do not break."""
-    pieces = caption.split("$")
-    if (odd := re.search(r"[\\{}&#_^*`<>|\[\]]", "".join(pieces[::2]))) or len(pieces) % 2 == 0:
-        raise ecsv.Fault(f"paper/captions.tex: {repr(odd[0]) if odd else 'an open formula'} in '{caption[:60]}...'")
-    pieces[::2] = [words.replace("~", "\u00a0").replace("--", "–") for words in pieces[::2]]
-    return "$".join(pieces)
-
-
 # What the pages know
 
 
@@ -242,7 +127,7 @@ class Book:
 
     def __init__(self, root, build, pages):
         self.root, self.build, self.pages = Path(root), Path(build), Path(pages)
-        self.data, self.drawn, self.live_folder = self.build / "data", self.build / "figures", self.root / "build/live"
+        self.data, self.drawn, self.compiled = self.build / "data", self.build / "figures", self.root / "build/live"
         first, *more = volumes(root)
         self.volumes = [first] + [one for one in more if any((self.data / program).is_dir() for program in programs_of(one))]
         self.parts = self.contents()
@@ -256,10 +141,8 @@ class Book:
         self.equations = {int(row["number"]): row for row in ecsv.read(self.root / "book/equations.ecsv", ("number", "label", "name", "tex")).rows}
         self.labels = {row["label"]: f"Eq. ({row['number']})" for row in self.equations.values()}
         self.labels |= {row["label"]: f"Fig. {int(id)}" for id, row in self.figures.items() if row["label"]}
-        self.lives = [(v / "book/live", name) for name in LIVE for v in self.volumes if (v / f"book/live/{name}.cpp").exists()]
-        if not all((self.live_folder / f"{name}.wasm").exists() for _, name in self.lives):
-            self.lives = []
-        self.buttons = joined(read_buttons, [v / "book/live/figures.txt" for v in self.volumes]) if self.lives else {}
+        self.lives = live.found(self.volumes, self.compiled)
+        self.buttons = joined(live.read_buttons, [v / "book/live/figures.txt" for v in self.volumes]) if self.lives else {}
         self.formulas, self.set = {}, {}
         self.places = {}  # what -> pages that speak of it
         self.told = {s.page: "\n".join(self.woven(text) for prose, _, text in s.blocks if prose) for s in self.sources}
@@ -469,7 +352,7 @@ class Book:
         for id, row in self.findings.items():
             figure = f', <a href="fig-{row["figure"]}.html">figure {row["figure"]}</a>' if row["figure"] in self.figures else ""
             out += [f'\n{at(id)}\n\n## {id}\n\n<span class="evidence">{row["kind"]}</span> {row["sentence"]}\n',
-                    f"Shown over\n: {spelled(row['range'])}\n" if False else f"- **Shown over** {spelled(row['range'])}",
+                    f"- **Shown over** {spelled(row['range'])}",
                     f"- **Tried against it** {spelled(row['tried'])}", "- **Carried by**", *(f"  - {limit(m)}" for m in margins(row, self.numbers)),
                     f"- **Second route** {spelled(row['second'])}", f'- **Stands in** {self.speaks("finding:" + id) or "the report"}{figure}; `make show ID={id}`']
         return "\n".join(out)
@@ -520,7 +403,7 @@ class Book:
         return f'<a href="{program}.html">{program}</a>'
 
     def caption(self, id):
-        more = from_tex(self.captions[id]) if id in self.captions else ""
+        more = tex.in_markdown(self.captions[id]) if id in self.captions else ""
         return plain(self.figures[id]["caption"]).replace(r"\$", "$") + (" " + more if more else "")
 
     def gallery(self, ids, words):
@@ -597,7 +480,7 @@ class Book:
 
     def script(self, text):
         """What a page with buttons loads."""
-        return '\n\n<script src="live.js" defer></script>\n' if self.lives and "fig" in text else ""
+        return live.SCRIPT if self.lives and "fig" in text else ""
 
     def start_page(self, lists):
         found = [(row["figure"], in_plain(row["sentence"], {n: f.shown for n, f in self.numbers.items()})) for row in self.findings.values() if row["figure"] in self.figures]
@@ -622,7 +505,7 @@ class Book:
         pages |= {f"fig-{id}": self.figure_page(id) for id in self.figures}
         pages |= {f"numbers-{s.stem}": self.numbers_page(s.stem) for s in self.chapters}
         lists = {name: getattr(self, f"{name}_page")() for name in ("published", "findings", "figures", "equations", "commands", "data", "packages", "library")}
-        lists |= {name: ecsv.text_of(folder / f"{name}.md") + '\n\n<script src="live.js" defer></script>\n' for folder, name in self.lives}
+        lists |= {name: ecsv.text_of(folder / f"{name}.md") + live.SCRIPT for folder, name in self.lives}
         lists |= {f"notebook-{path.stem.replace('_', '-')}": self.notebook_page(path) for path in sorted((self.root / "python").glob("*.ipynb"))}
         pages |= lists | {"index": self.start_page(list(lists))}
         for name, text in pages.items():
@@ -650,43 +533,11 @@ class Book:
             for path in sorted((self.data / program).glob("[!.]*.ecsv")):
                 (out / "data" / program).mkdir(parents=True, exist_ok=True)
                 shutil.copyfile(path, out / "data" / program / path.name)
-        for _, name in self.lives:  # a page from a folder may not fetch a file, but load a script
-            packed = base64.b64encode(gzip.compress((self.live_folder / f"{name}.wasm").read_bytes(), mtime=0)).decode()
-            (out / f"{name}.module.js").write_text(f'(window.LIVE_MODULES ??= {{}}).{name} = "{packed}";\n', encoding="utf-8")
-        if self.lives:
-            shared, *kinds = (ecsv.text_of(path) for path in [HERE / "live/live.js", *(folder / f"{name}.js" for folder, name in self.lives)])
-            (out / "live.js").write_text(f"{shared}Live.wells = {json.dumps(wells_of(self.root))};\n{''.join(kinds)}", encoding="utf-8")
+        live.copy(self.lives, self.compiled, self.root, out)
 
 
 def spoken(id):
     return f"Figure {id if id.startswith('x') else int(id)}"
-
-
-def local_names(source):
-    """Names that a source declares itself."""
-    return set(re.findall(r"\b(?:auto|double|int|bool|size_t|string)&? (\w+)\b", source.text)) | set(definitions(source.text))
-
-
-def read_buttons(path):
-    """Figures that can be computed in the page: [(words, address)] by id."""
-    out = {}
-    for line in ecsv.text_of(path).splitlines():
-        if line.strip() and not line.startswith("#"):
-            id, _, rest = line.strip().partition(" ")
-            words, page, parameters = rest.split("|")
-            out.setdefault(id, []).append((words, f"{page}.html?{parameters}"))
-    return out
-
-
-def wells_of(root):
-    """The wells that the library knows by name, in the order of its list, each with the names of its parameters."""
-    text = ecsv.text_of(Path(root) / "src/lattice/model/well.hpp")
-    structs = dict(re.findall(r"^struct (\w+).*?\{\n(.*?)^\};", text, re.M | re.S))
-    listed = re.search(r"^struct Well : OneOf<OwnWell, ([\w,\s]+)>", text, re.M)
-    if not listed:
-        raise ecsv.Fault("src/lattice/model/well.hpp: no list of wells")
-    bodies = [structs[name] for name in re.split(r",\s*", listed[1])]
-    return {re.search(r'name = "(\w+)"', body)[1]: re.findall(r'Parameter<\w+>\{"(\w+)"', body) for body in bodies}
 
 
 # While Sphinx reads
@@ -718,10 +569,10 @@ class Figure(SphinxDirective):
         caption += [nodes.strong("", spoken(id) + "."), nodes.Text(" "), *(holder[0].children if len(holder) else [])]
         tables = ", ".join(file_link(f"{row['program']}/{name}.ecsv") for name in row["data"].split())
         script = f"<a href=\"fig-{id}.html#script\">figures/{row['script']}</a>"
-        live = "".join(f' <a class="live" href="{address}">{words}</a>' for words, address in book.buttons.get(id, ()))
+        buttons = "".join(f' <a class="live" href="{address}">{words}</a>' for words, address in book.buttons.get(id, ()))
         drawing = f' As <a href="figures/{stem}.svg">SVG</a>, <a href="figures/{stem}.pdf">PDF</a>.' if whole and (book.drawn / f"{stem}.pdf").exists() else ""
         made = (f"<p class=\"made\"><code>{command_of(id)}</code>: {script} draws {tables} of {book.program_link(row['program'])}"
-                f" (<code>{run_of(row['program'])}</code>{book.cost(row['program'])}).{drawing}{live}</p>")
+                f" (<code>{run_of(row['program'])}</code>{book.cost(row['program'])}).{drawing}{buttons}</p>")
         shown = nodes.figure("", image if whole else nodes.reference("", "", image, internal=True, refuri=f"fig-{id}.html"), caption,
                              nodes.legend("", nodes.raw("", made, format="html")))
         if id not in (seen := self.env.temp_data.setdefault("figures", set())):
@@ -744,7 +595,7 @@ class Bind(SphinxTransform):
                 found.replace_self(link(found.astext(), f"findings.html#{id}", kind="evidence"))
         for found in list(self.document.findall(nodes.Text)):
             above = found.parent
-            while above is not None and not isinstance(above, (nodes.reference, nodes.title, nodes.FixedTextElement, Number, nodes.math, nodes.math_block, nodes.raw)):
+            while above is not None and not isinstance(above, (nodes.reference, nodes.strong, nodes.title, nodes.FixedTextElement, Number, nodes.math, nodes.math_block, nodes.raw)):
                 above = above.parent
             if above is not None:
                 continue
