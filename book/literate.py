@@ -66,11 +66,12 @@ def plain(text):
 
 def spelled(text):
     """What a list writes for every reader, `E_PN for omega_b = 1.1`, with formulas; code, formulas and links stay."""
-    pieces = re.split(r"(\$[^$]*\$|`[^`]*`|\[[^\]]*\]\([^)]*\))", text)
+    pieces = re.split(r"(\$[^$]*\$|`[^`]*`|\[[^\]]*\]\([^)]*\)|\b(?!(?:omega|lambda|epsilon)_)[A-Za-z]\w{2,}_\w+)", text)
     for i in range(0, len(pieces), 2):
         said = re.sub(r"\\ensuremath\{((?:[^{}]|\{[^{}]*\})*)\}", r"$\1$", tex.worded(pieces[i]))
         said = said.replace("$$", "").replace(r"\^{}", "^").replace(r"\~{}", r"\~")
         pieces[i] = re.sub(r"([|<>*\[\]])", r"\\\1", said)
+    pieces[1::2] = [piece if piece[0] in "$`[" else plain(piece) for piece in pieces[1::2]]
     return "".join(pieces).replace("$$", "$ $")
 
 
@@ -109,6 +110,11 @@ def fenced(code, language, first=0):
 
 def at(id):
     return f'<a id="{escape(id)}"></a>'
+
+
+def broken(name):
+    """A long name that may be broken behind a point or an underscore."""
+    return re.sub(r"([._])(?=\w)", r"\1<wbr>", name)
 
 
 def file_link(path):
@@ -238,7 +244,8 @@ class Book:
 
     def woven(self, text):
         """A block of prose as MyST: sentences of findings in their places, figures as directives."""
-        text = with_sentences(text, self.findings, with_kind)
+        text = re.sub(r"(```.*?```|`[^`]*`)|(\$\$?)(.+?)\2", lambda m: m[1] or m[0].replace("\n", " "),
+                      with_sentences(text, self.findings, with_kind), flags=re.S)  # no line of a formula begins a list
         return FIGURE.sub(lambda m: f"\n\n```{{fig}} {m[2]}\n{m[1]}\n```\n\n", text)
 
     def listing(self, code, first):
@@ -301,14 +308,14 @@ class Book:
         id, claim = row["id"], self.claims[row["id"]]
         found = Finding(row["program"], id, row["reproduced"], row["error"], row["unit"], kind=self.numbers[id].kind if id in self.numbers else "value")
         here = "" if math.isnan(found.value) or found.shown == row["verdict"] else set_number(with_error(found))
-        name = f'<a href="published.html#{id}"><code>{id}</code></a>' if short else f"{at(id)}<code>{id}</code>"
+        name = f'<a href="published.html#{id}"><code>{broken(id)}</code></a>' if short else f"{at(id)}<code>{broken(id)}</code>"
         cells = [f"{name} {spelled(row['quantity'])}" + ("" if short else f" ({plain(self.where(row['where']))})"), spelled(printed(claim)), here, verdict(row["verdict"])]
         if not short:
             cells[2] += self.second_mark(id)
             told = [f"Read: {spelled(row['reading'])}"] * bool(row["reading"]) + [spelled(row["reason"])] * bool(row["reason"])
             links = [self.line_link(id), f'<a href="{row["program"]}.html">chapter</a>' if row["program"] else "", self.speaks(id, row["program"])]
             cells[3] += " ".join(["", *told]) + (f" See {self.see(id)}" if row["reason"] else "")
-            cells.append(", ".join(filter(None, links)) + (f"; alone: <code>{escape(self.alone[id][0])}</code>" if id in self.alone else ""))
+            cells.append(", ".join(filter(None, links)) + (f"; alone: `{self.alone[id][0]}`" if id in self.alone else ""))
         return cells
 
     def see(self, id):
@@ -360,8 +367,8 @@ class Book:
     def numbers_page(self, program):
         """All numbers of a program but the answers, and its tables with their columns."""
         title = self.by_page[program].title
-        rows = [[f"{at(name)}<code>{f.id}</code>", self.meaning(f), set_number(with_error(f)) + self.second_mark(name),
-                 ", ".join(filter(None, [self.line_link(name), self.speaks(name, program)])) + (f"; alone: <code>{escape(self.alone[name][0])}</code>" if name in self.alone else "")]
+        rows = [[f"{at(name)}<code>{broken(f.id)}</code>", self.meaning(f), set_number(with_error(f)) + self.second_mark(name),
+                 ", ".join(filter(None, [self.line_link(name), self.speaks(name, program)])) + (f"; alone: `{self.alone[name][0]}`" if name in self.alone else "")]
                 for name, f in sorted(self.numbers.items()) if f.program == program and name not in self.claims]
         out = [f"---\norphan: true\n---\n# Numbers and tables of {program}\n\n*{title}*: `{program}`, computed by `{run_of(program)}`{self.cost(program)}. "
                "Answers to statements of the article are in [published against reproduced](published.md); how to read a table is told in "
@@ -371,7 +378,7 @@ class Book:
         return "\n".join(out)
 
     def columns(self, path):
-        return table(["column", "unit", "meaning"], [[f"<code>{c.name}</code>", plain(unit(c.unit).strip()), spelled(c.description)]
+        return table(["column", "unit", "meaning"], [[f"<code>{broken(c.name)}</code>", plain(unit(c.unit).strip()), spelled(c.description)]
                                                      for c in ecsv.header_of(ecsv.text_of(path))[0]], "columns")
 
     def meaning(self, found):
@@ -429,12 +436,12 @@ class Book:
         first = {row["option"]: row["description"].split(" (default")[0] for row in reversed(rows)}
         out = ["# All commands\n\nWhat the programs say in their own `--help`. Without a command a program computes everything that its section shows; "
                "a command computes one thing with the reader's parameters and prints a table. These options are the same everywhere:\n",
-               table(["option", "meaning"], [[f"<code>{name}</code>", plain(first[name])] for name in common if name in first])]
+               table(["option", "meaning"], [[f"`{name}`", plain(first[name])] for name in common if name in first])]
         for row in rows:
             if row["option"]:
                 continue
             name = f"{row['program']} {row['command']}".strip()
-            own = [[f"<code>{o['option']}</code>", plain(o["allowed"]), plain(o["description"])] for o in rows
+            own = [[f"`{o['option']}`", plain(o["allowed"]), plain(o["description"])] for o in rows
                    if (o["program"], o["command"]) == (row["program"], row["command"]) and o["option"] and o["option"] not in common]
             out.append(f"\n{at(name.replace(' ', '-'))}\n\n##{'#' * bool(row['command'])} `{name}`\n\n{plain(row['description'])}\n" + table(["option", "allowed", "meaning"], own))
         return "\n".join(out)
@@ -600,6 +607,8 @@ class Bind(SphinxTransform):
             if above is not None:
                 continue
             if not isinstance(found.parent, nodes.literal):
+                if "$" in found:
+                    say.warning(f"a formula was left as text: {found[:60]}", location=found.parent)
                 found.parent.replace(found, self.bound(str(found)))
             elif target := self.book.code(str(found), self.page):
                 found.parent.replace_self(nodes.reference("", "", found.parent.deepcopy(), internal=True, refuri=target))
@@ -734,10 +743,19 @@ def complaints(folder):
             yield f"{name}: {found[0]} was not bound"
 
 
+def mend_theme(static):
+    """Debian's furo takes a style sheet from a web server and a script as a module; a folder can be read with both inside."""
+    for name, pattern, place in [("styles/furo.css", r"@import url\(/javascript/([^)]*)\);", Path("/usr/share/javascript")),
+                                 ("scripts/furo.js", r'^import \w+ from "\./([\w-]+\.js)";', static / "scripts")]:
+        text = ecsv.text_of(static / name)
+        (static / name).write_text(re.sub(pattern, lambda m: ecsv.text_of(place / m[1]), text), encoding="utf-8")
+
+
 def finish(app, error):
     if error or app.builder.format != "html":
         return
     app.book.copy(Path(app.outdir))
+    mend_theme(Path(app.outdir) / "_static")
     if found := sorted(complaints(Path(app.outdir))):
         raise ExtensionError("\n  ".join([f"the book is not whole: {len(found)} complaints", *found[:40]]))
 
