@@ -115,6 +115,6 @@ def made_at(found, sources):
     return None
 
 
-def local_names(source):
+def local_names(text):
     """Names that a source declares itself."""
-    return set(re.findall(r"\b(?:auto|double|int|bool|size_t|string)&? (\w+)\b", source.text)) | set(definitions(source.text))
+    return set(re.findall(r"\b(?:auto|double|int|bool|size_t|string)&? (\w+)\b", text)) | set(definitions(text))
