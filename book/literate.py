@@ -31,7 +31,7 @@ from sphinx.util.docutils import SphinxDirective
 
 from lineage import ecsv, inventory, markdown as md, tex
 from lineage.chapters import explained_by, read_commands, read_costs, run_of, shown_cost
-from lineage.claims import SAID, VERDICTS, name_of, programs_of, read_claims
+from lineage.claims import MEANINGS, SAID, VERDICTS, name_of, programs_of, read_claims
 from lineage.findings import KINDS, agrees, in_plain, margins, read_findings, read_second, with_kind, with_sentences
 from lineage.literature import OBTAINED, read_literature, verdicts
 from lineage.lock import read_fresh, read_lock
@@ -100,8 +100,8 @@ class Book:
     def read_numbers(self):
         """Statements with their verdicts, findings, and all numbers by name: locked, or as a program wrote them."""
         every = self.volumes
-        self.claims, self.findings, self.second = read_claims(self.root), joined(read_findings, every), joined(read_second, every)
-        self.alone, self.seconds = joined(read_commands, every), joined(read_costs, every)
+        self.claims, self.findings = read_claims(self.root), joined(read_findings, every)
+        self.second, self.alone, self.seconds = (joined(read, every) for read in (read_second, read_commands, read_costs))
         programs = [program for v in every for program in programs_of(v)]
         locked, fresh = joined(read_lock, every), read_fresh(self.data, programs, self.claims)
         known = locked | {key: replace(locked.get(key, f), made_by=f.made_by, row=f.row) for key, f in fresh.items()}
@@ -159,6 +159,9 @@ class Book:
     def page_link(self, page):
         return md.link(page + ".html", page)
 
+    def figure_link(self, id):
+        return md.link(f"fig-{id}.html", spoken(id))
+
     def speaks(self, what, but=""):
         """Links to the chapters and files that speak of something."""
         return ", ".join(self.page_link(page) for page in self.places.get(what, ()) if page != but)
@@ -209,8 +212,8 @@ class Book:
         parts = [] if source.titled else [f"# {source.title}\n"]
         parts += [f"\n{self.woven(text)}\n" if prose else self.listing(text, first) for prose, first, text in source.blocks
                   if text.strip() != "#pragma once"]
-        card = '<p class="card">' + (self.card_of_part(source) if source.module else self.card(source.path, source.stem)) + "</p>"
-        page = re.sub(r"^# .+$", lambda m: f"{m[0]}\n\n{card}\n", "".join(parts), count=1, flags=re.M)
+        card = self.card_of_part(source) if source.module else self.card(source.path, source.stem)
+        page = re.sub(r"^# .+$", lambda m: f'{m[0]}\n\n<p class="card">{card}</p>\n', "".join(parts), count=1, flags=re.M)
         return ORPHAN + page if source.module else page + self.end_of(source.stem)
 
     def card(self, path, program):
@@ -223,7 +226,6 @@ class Book:
         """The same of a source that is no chapter."""
         halves = [s for s in self.rest[source.module] if s.stem == source.stem and s is not source]
         said = [("compiled in" if source.is_header else "declared in", halves),
-                ("needs", [self.by_include[i] for i in source.includes if i in self.by_include]),
                 ("needed by", [s for s in self.sources if source.included in s.includes and s not in halves])]
         lines = [f"{word} " + ", ".join(md.link(s.page + ".html", s.name) for s in found) for word, found in said if found]
         return "<br>".join([f'{md.link("library.html", "Library")}: <code>{source.path}</code>', *lines])
@@ -251,8 +253,8 @@ class Book:
         kind = self.numbers[id].kind if id in self.numbers else "value"
         found = Finding(row["program"], id, row["reproduced"], row["error"], row["unit"], kind)
         here = "" if math.isnan(found.value) or found.shown == row["verdict"] else md.number(md.with_error(found))
-        return [f"{md.link('published.html#' + id, md.name(id))} {md.spelled(row['quantity'])}", md.spelled(printed(claim)), here,
-                md.verdict(row["verdict"])]
+        return [f"{md.link('published.html#' + id, md.name(id))} {md.spelled(row['quantity'])}", md.spelled(printed(claim)),
+                here, md.verdict(row["verdict"])]
 
     def whole_row(self, row):
         """The same in the table of all: how it was read, why it fails, where it is told."""
@@ -278,17 +280,9 @@ class Book:
 
     def published_page(self):
         counts = Counter(row["verdict"] for row in self.published.values())
-        meanings = {"reproduced": "a printed number, met within its tolerance",
-                    "holds": "a yes-or-no statement that a criterion confirms",
-                    "within": "a printed number missed by no more than the accuracy that the article itself prints",
-                    "follows": "missed only because the article computes it from another number, which has its own row",
-                    "measured": "quantified, no verdict: the article has a word without a number",
-                    "discrepant": "a printed number missed, or a statement that fails, in every natural reading",
-                    "unresolved": "the error bar does not allow a verdict", "open": "not answered yet"}
         lost = [self.claim_row(row) for row in self.published.values() if row["verdict"] == "discrepant"]
-        out = ["# Published against reproduced\n\nEvery number and statement of the article that can be tested. Tolerances were "
-               "fixed before a result was computed. An error is what computations of different resolution leave.\n",
-               md.table(["verdict", "rows", "meaning"], [[md.verdict(v), str(counts[v]), meanings[v]] for v in VERDICTS if counts[v]]),
+        tally = [[md.verdict(v), str(counts[v]), text] for v, text in MEANINGS.items() if counts[v]]
+        out = [md.table(["verdict", "rows", "meaning"], tally),
                *["\n## What does not survive\n"] * bool(lost), md.table(["statement", "article", "here", "verdict"], lost)]
         for section in dict.fromkeys(self.claims[id]["section"] for id in self.published):
             rows = [self.whole_row(row) for id, row in self.published.items() if self.claims[id]["section"] == section]
@@ -296,11 +290,9 @@ class Book:
         return "\n".join(out)
 
     def findings_page(self):
-        out = ["# What we found\n\nWhat this edition adds to the article. Each sentence has a range over which it was shown, "
-               "conditions on computed numbers that could have failed, and what was tried to refute it. Outside of its range it "
-               "claims nothing.\n", md.table(["evidence", "meaning"], [[f'<span class="evidence">{k}</span>', text] for k, text in KINDS.items()])]
+        out = [md.table(["evidence", "meaning"], [[f'<span class="evidence">{k}</span>', text] for k, text in KINDS.items()])]
         for id, row in self.findings.items():
-            figure = f', {md.link("fig-" + row["figure"] + ".html", "figure " + row["figure"])}' if row["figure"] in self.figures else ""
+            figure = ", " + self.figure_link(row["figure"]) if row["figure"] in self.figures else ""
             out += [f'\n{md.place(id)}\n\n## {id}\n\n<span class="evidence">{row["kind"]}</span> {row["sentence"]}\n',
                     f"- **Shown over** {md.spelled(row['range'])}", f"- **Tried against it** {md.spelled(row['tried'])}",
                     "- **Carried by**", *(f"  - {condition(m)}" for m in margins(row, self.numbers)),
@@ -326,7 +318,7 @@ class Book:
     def figure_page(self, id):
         row = self.figures[id]
         script = next(path for v in self.volumes if (path := v / "figures" / row["script"]).exists())
-        own = "A figure of this book" if id.startswith("x") else f"A figure of the article, section {row['section']}"
+        own = "A figure of this book" if id[0] == "x" else f"A figure of the article, section {row['section']}"
         out = [f"{ORPHAN}# {spoken(id)}\n\n```{{fig}} {id}\n:whole:\n\n{row['caption']} "
                + tex.in_markdown(self.captions.get(id, "")) + f"\n```\n\n{own}; shown in "
                f"{self.speaks('fig} ' + id) or self.page_link(row['program'])}.\n\n## Tables\n"]
@@ -334,7 +326,8 @@ class Book:
             count = len(ecsv.rows_of(ecsv.text_of(path))) - 1
             out.append(f"\n### {path.stem}\n\n{md.data(row['program'] + '/' + path.name)}, {count} rows\n{columns(path)}")
         language = "python" if row["script"].endswith(".py") else "gnuplot"
-        return "\n".join(out) + "\n\n## Script\n" + md.listing(ecsv.text_of(script).rstrip(), language, 1) + (live.SCRIPT if self.lives else "")
+        out.append("\n## Script\n" + md.listing(ecsv.text_of(script).rstrip(), language, 1))
+        return "\n".join(out) + (live.SCRIPT if self.lives else "")
 
     def stem(self, id):
         return Path(self.figures[id]["script"]).stem
@@ -342,23 +335,18 @@ class Book:
     def figures_page(self):
         cells = [f'<a href="fig-{id}.html"><img src="figures/{self.stem(id)}.svg" alt="{escape(row["caption"])}" loading="lazy">'
                  f"<span><b>{spoken(id)}.</b> {escape(row['caption'])}</span></a>" for id, row in self.figures.items()]
-        return f'# All figures\n\n<div class="gallery">{"".join(cells)}</div>\n'
+        return f'\n<div class="gallery">{"".join(cells)}</div>\n'
 
     def equations_page(self):
-        return ("# Equations of the article\n\nThe article's numbers, the equations in the notation of the programs, and where the "
-                "book speaks of them.\n" + "".join(
-                    f"\n{md.place(f'eq-{n}')}\n\n## ({n}) {row['name']}\n\n$$\n{row['tex']} \\tag{{{n}}}\n$$\n\n{self.speaks(f'eq {n}')}\n"
-                    for n, row in self.equations.items()))
+        return "".join(f"\n{md.place(f'eq-{n}')}\n\n## ({n}) {row['name']}\n\n$$\n{row['tex']} \\tag{{{n}}}\n$$\n\n"
+                       f"{self.speaks(f'eq {n}')}\n" for n, row in self.equations.items())
 
     def commands_page(self):
         """What the programs say of themselves; options that all have stand once."""
         rows = list(inventory.commands(self.root, self.root / "build/bin"))
         common = ("--help", "--version", "--out", "--quick", "--threads", "--output")
         first = {row["option"]: row["description"].split(" (default")[0] for row in reversed(rows)}
-        out = ["# All commands\n\nWhat the programs say in their own `--help`. Without a command a program computes everything that "
-               "its section shows; a command computes one thing with the reader's parameters and prints a table. These options are "
-               "the same everywhere:\n",
-               md.table(["option", "meaning"], [[f"`{name}`", md.plain(first[name])] for name in common if name in first])]
+        out = [md.table(["option", "meaning"], [[f"`{name}`", md.plain(first[name])] for name in common if name in first])]
         for row in (row for row in rows if not row["option"]):
             name = f"{row['program']} {row['command']}".strip()
             own = [[f"`{o['option']}`", md.plain(o["allowed"]), md.plain(o["description"])] for o in rows
@@ -375,17 +363,15 @@ class Book:
         return "\n".join([re.sub(r"\[(`[^`]*`)\]\((?!http)[^)]*\)", r"\1", text), "\n## All numbers and tables\n", *lists, ""])
 
     def packages_page(self):
-        rows = [[f"<code>{p['package']}</code>", p["version"] or "not installed", p["section"]] for p in inventory.packages(self.root)]
-        return ("# Packages used\n\nThis book was built on a machine with these Debian packages. Every table says in its header with "
-                "which compiler and which libraries its program was built.\n" + md.table(["package", "version", "needed for"], rows))
+        rows = [[md.name(p["package"]), p["version"] or "not installed", p["section"]] for p in inventory.packages(self.root)]
+        return md.table(["package", "version", "needed for"], rows)
 
     def library_page(self):
         """The modules in the order of the README's table, with their files."""
         ideas = dict(re.findall(r"^\| \[`(\w+)`\]\(src/[^)]*\) \| (.*) \|$", ecsv.text_of(self.root / "README.md"), re.M))
-        out = ["# The library\n\nThe chapters share a library whose modules build on each other from top to bottom, and what several "
-               "chapters of one section need.\n"]
+        out = []
         for module in [m for m in ideas if m in self.rest] + [m for m in self.rest if m not in ideas]:
-            files = [md.link(s.page + ".html", s.name) + (f" {s.title}" if s.is_header and s.titled else "") for s in self.rest[module]]
+            files = [md.link(s.page + ".html", s.name) + f" {s.title}" * (s.is_header and s.titled) for s in self.rest[module]]
             out.append(f"\n## {module}\n\n{ideas.get(module, 'What one section needs')}.\n\n{'; '.join(files)}\n")
         return "".join(out)
 
@@ -408,13 +394,11 @@ class Book:
 
     def start_page(self, lists):
         """The words of start.md, what comes out, and the contents."""
-        numbers, counts = {n: f.shown for n, f in self.numbers.items()}, Counter(row["verdict"] for row in self.published.values())
-        found = [f"- {in_plain(row['sentence'], numbers)} ({md.link('fig-' + row['figure'] + '.html', 'figure ' + row['figure'])})"
+        numbers, counts = {n: f.shown for n, f in self.numbers.items()}, Counter(r["verdict"] for r in self.published.values())
+        found = [f"- {in_plain(row['sentence'], numbers)} ({self.figure_link(row['figure'])})"
                  for row in self.findings.values() if row["figure"] in self.figures]
-        out = [ecsv.text_of(self.root / "book/start.md"), f"\n## What comes out\n\n{len(self.published)} statements of the article: "
-               + ", ".join(f"{counts[v]} {md.verdict(v)}" for v in VERDICTS if counts[v]) + ". The [table](published.md) has every row, "
-               "and where a number does not survive a converged computation it says what does, and why. [What we found](findings.md) "
-               "besides, with what was tried to refute it:\n", *found]
+        tally = ", ".join(f"{counts[v]} {md.verdict(v)}" for v in VERDICTS if counts[v])
+        out = [ecsv.text_of(self.root / "book/start.md"), f"\nOf {len(self.published)} statements: {tally}.\n\nFound besides:\n", *found]
         parts, part = {}, "Chapters"
         for name in (s.stem for s in self.chapters):
             part = next((one for one, held in self.parts.items() if name in held), part)
@@ -429,13 +413,15 @@ class Book:
             old.unlink()
         pages = {s.page: self.source_page(s) for s in self.sources} | {f"fig-{id}": self.figure_page(id) for id in self.figures}
         pages |= {f"numbers-{s.stem}": self.numbers_page(s.stem) for s in self.chapters}
-        lists = {name: getattr(self, f"{name}_page")() for name in LISTS}
+        heads = dict(zip((name for name in LISTS if name != "data"), re.split(r"\n(?=# )", ecsv.text_of(HERE / "lists.md"))))
+        lists = {name: heads.get(name, "") + getattr(self, f"{name}_page")() for name in LISTS}
         lists |= {name: ecsv.text_of(folder / f"{name}.md") + live.SCRIPT for folder, name in self.lives}
         notebooks = sorted((self.root / "python").glob("*.ipynb"))
         lists |= {f"notebook-{path.stem.replace('_', '-')}": self.notebook_page(path) for path in notebooks}
         for name, text in (pages | lists | {"index": self.start_page(lists)}).items():
             (self.pages / f"{name}.md").write_text(text, encoding="utf-8")
         (self.pages / "figures").mkdir(exist_ok=True)
+        (self.pages / "static/fonts").mkdir(parents=True, exist_ok=True)
         for id in self.figures:
             if not (drawing := self.drawn / f"{self.stem(id)}.svg").exists():
                 raise ecsv.Fault(f"{drawing} is missing: draw it first (make figures)")
@@ -443,7 +429,8 @@ class Book:
         katex = next((folder for folder in KATEX if (folder / "katex.min.css").exists()), None)
         if not katex:
             raise ecsv.Fault("katex.min.css is not installed (Debian: libjs-katex, fonts-katex)")
-        css = re.sub(r"src:[^;}]*?url\(([^)]*?\.woff2)\)[^;}]*", r"src:url(\1) format('woff2')", ecsv.text_of(katex / "katex.min.css"))
+        css = ecsv.text_of(katex / "katex.min.css")
+        css = re.sub(r"src:[^;}]*?url\(([^)]*?\.woff2)\)[^;}]*", r"src:url(\1) format('woff2')", css)
         (self.pages / "static/katex.css").write_text(css, encoding="utf-8")
         for font in sorted(set(re.findall(r"fonts/(\w[\w-]*\.woff2)", css))):
             shutil.copyfile(katex / "fonts" / font, self.pages / "static/fonts" / font)
@@ -461,8 +448,9 @@ class Book:
 
 def columns(path):
     """The columns of a table."""
-    return md.table(["column", "unit", "meaning"], [[md.name(c.name), md.plain(md.unit(c.unit).strip()), md.spelled(c.description)]
-                                                    for c in ecsv.header_of(ecsv.text_of(path))[0]], "columns")
+    rows = [[md.name(c.name), md.plain(md.unit(c.unit).strip()), md.spelled(c.description)]
+            for c in ecsv.header_of(ecsv.text_of(path))[0]]
+    return md.table(["column", "unit", "meaning"], rows, "columns")
 
 
 def meaning(id, columns):
@@ -505,14 +493,15 @@ class Figure(SphinxDirective):
         row, whole, stem = book.figures[id], "whole" in self.options, book.stem(id)
         image, words = nodes.image(uri=f"figures/{stem}.svg", alt=row["caption"]), nodes.Element()
         self.state.nested_parse(StringList(list(self.content), self.get_source_info()[0]), 0, words)
-        caption = nodes.caption("", "", nodes.strong("", spoken(id) + "."), nodes.Text(" "), *(words[0].children if len(words) else []))
+        caption = nodes.caption("", "", nodes.strong("", spoken(id) + "."), nodes.Text(" "))
+        caption += words[0].children if len(words) else []
         tables = ", ".join(md.data(f"{row['program']}/{name}.ecsv") for name in row["data"].split())
         buttons = "".join(f' <a class="live" href="{escape(address)}">{said}</a>' for said, address in book.buttons.get(id, ()))
         drawing = f' Also as <a href="figures/{stem}.svg">SVG</a>' if whole else ""
         drawing += f' and <a href="figures/{stem}.pdf">PDF</a>' if whole and (book.drawn / f"{stem}.pdf").exists() else ""
-        made = (f'<p class="made"><code>{command_of(id)}</code>: {md.link(f"fig-{id}.html#script", "figures/" + row["script"])} draws '
-                f"{tables} of {book.page_link(row['program'])} (<code>{run_of(row['program'])}</code>{book.cost(row['program'])})."
-                f"{drawing}{buttons}</p>")
+        script, program = md.link(f"fig-{id}.html#script", "figures/" + row["script"]), row["program"]
+        made = (f'<p class="made"><code>{command_of(id)}</code>: {script} draws {tables} of {book.page_link(program)} '
+                f"(<code>{run_of(program)}</code>{book.cost(program)}).{drawing}{buttons}</p>")
         shown = image if whole else nodes.reference("", "", image, internal=True, refuri=f"fig-{id}.html")
         figure = nodes.figure("", shown, caption, nodes.legend("", nodes.raw("", made, format="html")))
         if id not in (seen := self.env.temp_data.setdefault("figures", set())):
@@ -605,8 +594,8 @@ class Bind(SphinxTransform):
 
 def visit_number(self, node):
     book, text = self.builder.app.book, node.astext()
-    tip = escape(book.tip(node["id"]))
-    self.body.append(f'<a class="num" href="{book.row(node["id"])}" data-tip="{tip}" aria-label="{escape(text)}: {tip}">{md.number(text)}</a>')
+    row, tip = book.row(node["id"]), escape(book.tip(node["id"]))
+    self.body.append(f'<a class="num" href="{row}" data-tip="{tip}" aria-label="{escape(text)}: {tip}">{md.number(text)}</a>')
     raise nodes.SkipNode
 
 
@@ -626,8 +615,7 @@ def typeset(app, env):
     """One run of KaTeX over all formulas; one that is refused is a warning."""
     todo = sorted(app.book.formulas)
     node = shutil.which("node") or shutil.which("nodejs") or "node"
-    run = subprocess.run([node, str(HERE / "typeset.js")], input=json.dumps(todo), capture_output=True, text=True, encoding="utf-8",
-                         check=False)
+    run = subprocess.run([node, str(HERE / "typeset.js")], input=json.dumps(todo), stdout=-1, stderr=-1, encoding="utf-8", check=False)
     if run.returncode:
         say.warning(f"KaTeX: {run.stderr.strip()}")
     else:
@@ -678,7 +666,7 @@ def complaints(folder):
             target = unquote(target.partition("?")[0]) or name
             if re.match(r"\w+:", target):
                 yield from [] if tag == "a" and target.startswith(("http", "mailto")) else [f"{name}: cannot follow {target[:60]}"]
-            elif target not in texts and not (folder / target).exists() or place and target in texts and unescape(place) not in ids[target]:
+            elif not (folder / target).exists() or place and target in texts and unescape(place) not in ids[target]:
                 yield f"{name}: {address} leads nowhere"
     for path in sorted(folder.rglob("*.css")):
         for target in re.findall(r"url\(['\"]?(?!data:)([^)'\"]+)", ecsv.text_of(path)):
@@ -689,20 +677,13 @@ def complaints(folder):
 
 
 def prepare(app, config):
-    """Reads what the pages know, and makes the folder that Sphinx asks for before it is filled."""
+    """Writes the pages, before Sphinx looks for them."""
     try:
         app.book = Book(config.literate_root or HERE.parent, config.literate_build or HERE.parent / "build", app.srcdir)
-    except ecsv.Fault as fault:
-        raise ExtensionError(str(fault)) from None
-    (app.book.pages / "static/fonts").mkdir(parents=True, exist_ok=True)
-    config.html_static_path = [str(HERE / "static"), str(app.book.pages / "static")]
-
-
-def begin(app):
-    try:
         app.book.write()
     except ecsv.Fault as fault:
         raise ExtensionError(str(fault)) from None
+    config.html_static_path = [str(HERE / "static"), str(app.book.pages / "static")]
 
 
 def finish(app, error):
@@ -720,7 +701,7 @@ def setup(app):
     app.add_directive("fig", Figure)
     app.add_transform(Bind)
     app.add_html_math_renderer("katex", (visit_math, None), (visit_math, None))
-    for event, handler in [("config-inited", prepare), ("builder-inited", begin), ("doctree-read", note_formulas),
+    for event, handler in [("config-inited", prepare), ("doctree-read", note_formulas),
                            ("env-updated", typeset), ("html-page-context", link_names), ("build-finished", finish)]:
         app.connect(event, handler)
     return {"parallel_read_safe": False, "parallel_write_safe": False}
