@@ -510,6 +510,13 @@ class Figure(SphinxDirective):
         return [figure]
 
 
+def in_anchor(text):
+    """Whether a link in HTML is open where a text begins."""
+    before = text.parent.children[:text.parent.index(text)]
+    tags = [one.astext() for one in before if isinstance(one, nodes.raw) and re.match("</?a\\b", one.astext())]
+    return bool(tags) and not tags[-1].startswith("</")
+
+
 class Bind(SphinxTransform):
     """Binds the links num: and finding:, and what prose names, in one page."""
     default_priority = 5
@@ -526,6 +533,8 @@ class Bind(SphinxTransform):
             above = found.parent
             while above is not None and not isinstance(above, (Number, *UNTOUCHED)):
                 above = above.parent
+            if in_anchor(found):
+                continue
             if above is None and isinstance(found.parent, nodes.literal):
                 if target := self.book.code(str(found), self.page):
                     found.parent.replace_self(nodes.reference("", "", found.parent.deepcopy(), internal=True, refuri=target))
