@@ -633,6 +633,9 @@ def typeset(app, env):
 
 def link_names(app, page, template, context, doctree):
     """Links from the code of a page to what the library defines, and from its includes to their pages."""
+    for script in context.get("script_files", ()):  # Debian 13's furo is a module, which a browser does not read from a folder
+        if getattr(script, "attributes", {}).get("type") == "module":
+            script.attributes.update(type="text/javascript", defer="defer")
     book, source = app.book, app.book.by_page.get(page)
     if not source or "body" not in context:
         return
@@ -659,7 +662,7 @@ def link_names(app, page, template, context, doctree):
 def mend_theme(static):
     """Debian's furo takes a style sheet from a web server and a script as a module; a folder can be read with both inside."""
     for name, pattern, place in [("styles/furo.css", r"@import url\(/javascript/([^)]*)\);", Path("/usr/share/javascript")),
-                                 ("scripts/furo.js", r'^import \w+ from "\./([\w-]+\.js)";', static / "scripts")]:
+                                 ("scripts/furo.js", r'^import (?:\* as )?\w+ from "\./([\w-]+\.js)";', static / "scripts")]:
         text = ecsv.text_of(static / name)
         (static / name).write_text(re.sub(pattern, lambda m: ecsv.text_of(place / m[1]), text), encoding="utf-8")
 
