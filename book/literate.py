@@ -241,7 +241,8 @@ class Book:
         return "".join([
             *["\n\n## Further figures of this program\n\n"] * bool(left),
             *(f"```{{fig}} {id}\n{self.figures[id]['caption']}\n```\n\n" for id in left),
-            *["\n\n## Statements answered here\n"] * bool(answers), md.table(["statement", "article", "here", "verdict"], answers),
+            *["\n\n## Statements answered here\n"] * bool(answers),
+            md.table(["statement", "article", "here", "verdict"], answers),
             *["\n\n## Numbers of other authors\n"] * bool(others),
             md.table(["number", "source", "printed", "here", "verdict", "read"], others), live.SCRIPT if self.lives else ""])
 
@@ -398,7 +399,8 @@ class Book:
         found = [f"- {in_plain(row['sentence'], numbers)} ({self.figure_link(row['figure'])})"
                  for row in self.findings.values() if row["figure"] in self.figures]
         tally = ", ".join(f"{counts[v]} {md.verdict(v)}" for v in VERDICTS if counts[v])
-        out = [ecsv.text_of(self.root / "book/start.md"), f"\nOf {len(self.published)} statements: {tally}.\n\nFound besides:\n", *found]
+        out = [ecsv.text_of(self.root / "book/start.md"), f"\nOf {len(self.published)} statements: {tally}."]
+        out += ["\nFound besides:\n"] * bool(found) + found
         parts, part = {}, "Chapters"
         for name in (s.stem for s in self.chapters):
             part = next((one for one, held in self.parts.items() if name in held), part)
@@ -624,7 +626,7 @@ def typeset(app, env):
     """One run of KaTeX over all formulas; one that is refused is a warning."""
     todo = sorted(app.book.formulas)
     node = shutil.which("node") or shutil.which("nodejs") or "node"
-    run = subprocess.run([node, str(HERE / "typeset.js")], input=json.dumps(todo), stdout=-1, stderr=-1, encoding="utf-8", check=False)
+    run = subprocess.run([node, HERE / "typeset.js"], input=json.dumps(todo), capture_output=True, encoding="utf-8", check=False)
     if run.returncode:
         say.warning(f"KaTeX: {run.stderr.strip()}")
     else:

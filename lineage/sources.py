@@ -22,7 +22,8 @@ def blocks_of(text, path="<text>"):
         piece = text[at:until]
         start = at + len(piece) - len(piece.lstrip("\n"))
         if found := re.search(r"^[ \t]*/\*\*(?![*/<])", piece, re.M):
-            raise ecsv.Fault(f"{path}:{text.count(chr(10), 0, at + found.start()) + 1}: a block of prose without an end of its own")
+            line = text.count("\n", 0, at + found.start()) + 1
+            raise ecsv.Fault(f"{path}:{line}: a block of prose without an end of its own")
         if piece.strip():
             out.append((False, text.count("\n", 0, start) + 1, text[start:until].rstrip()))
 
@@ -60,7 +61,7 @@ class Source:
         self.module = Path(self.path).parent.name if "/" in self.included else ""
         self.name, self.stem = Path(self.path).name, Path(self.path).stem
         self.is_header = self.name.endswith(".hpp")
-        self.page = (f"{self.module}-" if self.module else "") + (self.stem if self.is_header or not self.module else f"{self.stem}-cpp")
+        self.page = f"{self.module}-{self.stem}{'' if self.is_header else '-cpp'}" if self.module else self.stem
         self.includes = re.findall(r'^\s*#include "([^"]+)"', self.text, re.M)
         own = re.search(r"^# (.+)$", "\n".join(text for prose, _, text in self.blocks if prose), re.M)
         self.title, self.titled = own[1] if own else self.named or self.name, bool(own)
@@ -94,8 +95,9 @@ def functions(text, name):
     for i, line in enumerate(lines):
         if re.match(rf"\s*(?!return\b|else\b|//)[\w:<>,&*\[\]\s]*?[\s&*]{re.escape(name)}\(", line):
             indent = len(line) - len(line.lstrip())
-            end = next((k for k in range(i, len(lines)) if lines[k].startswith(" " * indent + "}") or lines[k].endswith("}")), i)
-            if not any(one.endswith(";") and "{" not in "".join(lines[i:k + 1]) for k, one in enumerate(lines[i:i + 6], i) if k <= end):
+            closed = [k for k in range(i + 1, len(lines)) if lines[k].startswith(" " * indent + "}")]
+            end = i if line.endswith("}") or not closed else closed[0]
+            if "{" in "".join(lines[i:end + 1]).partition(";")[0]:  # and not a declaration
                 yield i + 1, lines[i:end + 1]
 
 
@@ -108,7 +110,8 @@ def covered(name, line):
 
 
 def made_at(found, sources):
-    """The line that recorded a number, as (source, line): within the function that its table names, the one that says most of its name."""
+    """The line that recorded a number, as (source, line): the one that says most of its name, within the function that its
+    table names."""
     for source in sources if found.made_by else ():
         for first, lines in functions(source.text, found.made_by):
             return source, first + max(range(len(lines)), key=lambda k: (covered(found.id.split(".")[-1], lines[k]), -k))

@@ -4,13 +4,11 @@ import filecmp
 import importlib.util
 import json
 import os
-import re
 import shutil
 import subprocess
 import sys
 import tempfile
 import unittest
-from pathlib import Path
 
 from lineage import chapters, ecsv, markdown as md, sources, tex
 from lineage.claims import read_claims
