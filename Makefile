@@ -28,7 +28,7 @@ endif
 lineage = "$(or $(PYTHON),python3)" -m lineage
 with = "$(or $(shell for p in "$(PYTHON)" python3 /usr/bin/python3; do \
           "$$p" -c 'import $(1)' 2>/dev/null && { echo "$$p"; break; }; done),python3)"
-weaver = $(call with,jinja2; import pygments)
+sphinx = $(call with,sphinx; import myst_parser; import furo)
 
 # nproc counts the cores that this shell may use; Slurm may have granted the task fewer.
 CORES := $(shell n=$$(nproc 2>/dev/null || echo 2); s=$${SLURM_CPUS_PER_TASK:-$$n}; \
@@ -172,7 +172,7 @@ summary:
 	@cd $(D)/report/cost && cat $(chapters) | awk '{ s += $$1 } END { printf "computing  : %.0f s in %d programs\n", s, NR }'
 	@$(if $(home),,echo "report     : $(D)/report/published.ecsv")
 
-## book: weave the book from sources, data and figures into build/book
+## book: build the book from sources, data and figures into build/book
 book: install-book
 	@$(MAKE) all-figures
 	@$(MAKE) weave
@@ -180,20 +180,23 @@ book: install-book
 ## weave: the same from the data and figures that are there, in seconds
 weave:
 	@sh book/live/build.sh $(B)/live
-	@$(weaver) -m lineage weave --data $(D)/data --figures $(D)/figures --live $(B)/live --programs $(B)/bin \
-	  --out $(D)/book
+	@$(lineage) summary --data $(D)/data --out $(D)/report > /dev/null
+	@rm -rf $(D)/book.part $(D)/book.pages $(D)/book.read && mkdir -p $(D)/book.pages
+	@$(sphinx) -m sphinx -q -n -W --keep-going -D literate_build=$(D) -c book -d $(D)/book.read $(D)/book.pages $(D)/book.part
+	@rm -rf $(D)/book $(D)/book.read && mv $(D)/book.part $(D)/book
+	@set -- $(D)/book/*.html && echo "book       : $$# pages, $(D)/book/index.html"
 
 install-book: install-deps
 	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt book
 	@! apt-cache show libc++-dev-wasm32 >/dev/null 2>&1 || \
 	  DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt live || true
 
-## test-book: the tests of the weaver, and every page of the book in a headless Chromium
+## test-book: the tests of lineage and book, and every page of the book in a headless Chromium
 test-book: test-lineage
 	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt browse
-	@test ! -f $(D)/book/index.html || $(call with,selenium) -m lineage.book.browse $(D)/book
+	@test ! -f $(D)/book/index.html || $(call with,selenium) book/browse.py $(D)/book
 test-lineage:
-	@$(weaver) -m lineage.tests
+	@$(sphinx) -m lineage.tests
 
 # Folders that have the name of something that can be made.
 tests: test
@@ -214,7 +217,7 @@ run-tests: configure
 run-tests-beyond: configure
 	@sh tools/build.sh $(B) $(JOBS) programs programs_beyond tests_beyond python_beyond
 	@$(MAKE) volume=beyond QUICK=1 built=yes $(two_by_two) all-data
-	@$(weaver) -m lineage.tests beyond
+	@$(sphinx) -m lineage.tests beyond
 	@ctest -j $(JOBS) $(CTEST_ARGS) --label-regex beyond
 
 ## test-faults: runs that are killed, out of time or disk, or that nobody reads (minutes)

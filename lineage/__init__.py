@@ -15,9 +15,10 @@
     inventory every table with its columns, every command, the packages used
     cover     the first page of the archive of `make dist`
     gallery   the small pictures of the README
-    book      the weaver, a package of its own
+    sources   chapters as prose and code, and the line that recorded a number
+    markdown  values and words for the book, which book/literate.py makes of all this
 
-`python3 -m lineage --help` lists the verbs. All but `gallery` and `weave` need the standard library only.
+`python3 -m lineage --help` lists the verbs. All but `gallery` need the standard library only.
 """
 
 import sys

@@ -74,12 +74,6 @@ def cover(given):
     write(given.root)
 
 
-def weave(given):
-    from .book.weave import make
-    count = make(given.root, given.data, given.figures, given.out, given.live, given.programs)
-    print(f"book       : {count} pages, {given.out}/index.html")
-
-
 class Parser(argparse.ArgumentParser):
     def error(self, message):
         self.exit(2, f"{self.prog}: {message}\n")
@@ -93,8 +87,7 @@ def reader():
                "quick": ("build/quick/data", "the same of the run with --quick"),
                "figures": ("build/figures", "folder of the drawings"),
                "costs": ("build/report/cost", "folder with the seconds that each program took"),
-               "programs": ("build/bin", "folder of the compiled programs"),
-               "live": ("build/live", "folder of the compiled live pages")}
+               "programs": ("build/bin", "folder of the compiled programs")}
 
     def verb(run, help, *wanted, out=None):
         sub = verbs.add_parser(run.__name__, help=help, description=help)
@@ -123,7 +116,6 @@ def reader():
     verb(gallery, "draw the small pictures of the README", "figures")
     verb(inventory, "every table with its columns, every command, the packages used", "data", "programs", out="build/report")
     verb(cover, "index.html of the archive, with the article's figures and claims")
-    verb(weave, "weave the book", "data", "figures", "live", "programs", out="build/book")
     return parser
 
 

@@ -1,17 +1,6 @@
 """What the article states, what the programs answer, and the verdict.
 
 `paper/published.ecsv` lists the statements, each with the tolerance that was fixed before anything was computed.
-The verdicts are
-
-    reproduced   a printed number, met within its tolerance
-    holds        a yes-or-no statement that our criterion confirms
-    within       a printed number missed by no more than the accuracy that the article itself prints
-    measured     the article uses a word without a number; we give the number and pass no judgement
-    follows      missed because the article computes it from another printed number, which is judged in its own row
-    discrepant   a printed number missed, or a statement that fails, in every natural reading
-    unresolved   the error bar does not allow a verdict, which no test accepts
-    open         not answered yet
-
 `lineage summary` writes them down; the tests judge once more, in C++ (tests/judge.hpp), and ask that both agree."""
 
 import math
@@ -22,7 +11,16 @@ from . import ecsv
 from .values import Finding
 from .volumes import article
 
-VERDICTS = ["reproduced", "holds", "within", "measured", "follows", "discrepant", "unresolved", "open"]
+MEANINGS = {
+    "reproduced": "a printed number, met within its tolerance",
+    "holds": "a yes-or-no statement that our criterion confirms",
+    "within": "a printed number missed by no more than the accuracy that the article itself prints",
+    "measured": "the article uses a word without a number; we give the number and pass no judgement",
+    "follows": "missed because the article computes it from another printed number, which is judged in its own row",
+    "discrepant": "a printed number missed, or a statement that fails, in every natural reading",
+    "unresolved": "the error bar does not allow a verdict, which no test accepts",
+    "open": "not answered yet"}
+VERDICTS = list(MEANINGS)
 COLUMNS = ("id", "section", "where", "quantity", "printed", "unit", "class", "tolerance", "program", "status", "reading",
            "covered_by", "reason")
 SAID = {"within": "within its own accuracy", "follows": "follows from another"}  # where one word would not do

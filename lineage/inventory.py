@@ -1,7 +1,7 @@
 """What there is: every table with its columns, every command with its options, and the packages they were made with.
 
 Nothing of it is written by hand. A table describes itself in its header, a program in its `--help`, and dpkg knows
-the versions. The verb writes three tables, and the weaver makes three pages of them."""
+the versions. The verb writes three tables, and the book makes pages of them."""
 
 import re
 import shutil

@@ -223,6 +223,15 @@ def captions(root):
     return out
 
 
+def in_markdown(caption):
+    """A caption of paper/captions.tex as Markdown: words, formulas, dashes and spaces that do not break."""
+    pieces = caption.split("$")
+    if (odd := re.search(r"[\\{}&#_^*`<>|\[\]]", "".join(pieces[::2]))) or len(pieces) % 2 == 0:
+        raise ecsv.Fault(f"paper/captions.tex: {repr(odd[0]) if odd else 'an open formula'} in '{caption[:60]}...'")
+    pieces[::2] = [words.replace("~", "\u00a0").replace("--", "–") for words in pieces[::2]]
+    return "$".join(pieces)
+
+
 def chapter_needed(paper):
     """The program without which this file of the paper is left out; empty if it is always read."""
     return paper.split("\n")[0].removeprefix("% chapter: ") if paper.startswith("% chapter: ") else ""

@@ -340,5 +340,7 @@ window.Live = (() => {
     }
   };
   document.addEventListener("DOMContentLoaded", begin);
+  // furo says in this attribute which theme is shown.
+  new MutationObserver(() => document.dispatchEvent(new Event("theme"))).observe(document.body, { attributeFilter: ["data-theme"] });
   return { Panel, Plot, drawMap, make, rounded, withError, kinds };
 })();

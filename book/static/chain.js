@@ -60,6 +60,6 @@
   draw();
   say();
   if (running) requestAnimationFrame(frame);
-  document.addEventListener("theme", draw);
+  new MutationObserver(draw).observe(document.body, { attributeFilter: ["data-theme"] });
   new ResizeObserver(draw).observe(canvas);
 })();

@@ -1,0 +1,721 @@
+"""The book as Sphinx reads it. A C++ source becomes a page in MyST: its blocks of prose `/** ... */` as they are, the code
+between them with the line numbers of the file. The lists (statements, findings, numbers, figures, commands) are pages made
+from tables. While Sphinx reads them, what prose mentions is bound to what made it:
+
+    [1.62e-11](num:pn.omega11)    a number of ours: its error on hover and focus, a link to its row
+    ![Caption](fig:19)            a figure with its script, program, tables and command
+    [](finding:pull)              the sentence of a finding, with a link to its evidence
+    Eq. (24), figure 19, well.hpp, `sec33_floquet`, `pn.omega11`    links
+
+Nothing is judged here: verdicts are those of build/report/published.ecsv. What cannot be bound is a warning, and with -W
+the end of the build."""
+
+import base64
+import json
+import math
+import re
+import shutil
+import subprocess
+from collections import Counter
+from dataclasses import replace
+from html import escape, unescape
+from pathlib import Path
+from urllib.parse import unquote
+
+from docutils import nodes
+from docutils.statemachine import StringList
+from sphinx.errors import ExtensionError
+from sphinx.transforms import SphinxTransform
+from sphinx.util import logging
+from sphinx.util.docutils import SphinxDirective
+
+from lineage import ecsv, inventory, markdown as md, tex
+from lineage.chapters import explained_by, read_commands, read_costs, run_of, shown_cost
+from lineage.claims import MEANINGS, SAID, VERDICTS, name_of, programs_of, read_claims
+from lineage.findings import KINDS, agrees, in_plain, margins, read_findings, read_second, with_kind, with_sentences
+from lineage.literature import OBTAINED, read_literature, verdicts
+from lineage.lock import read_fresh, read_lock
+from lineage.refresh import command_of, printed, read_figures
+from lineage.sources import definitions, local_names, made_at, sources_of
+from lineage.values import Finding, distance, with_digits, without_zeros
+from lineage.volumes import joined, volumes
+from live import live
+
+HERE = Path(__file__).resolve().parent
+KATEX = [Path("/usr/share/javascript/katex"), Path("/usr/share/nodejs/katex/dist")]
+LISTS = ("published", "findings", "figures", "equations", "commands", "data", "packages", "library")
+ORPHAN = "---\norphan: true\n---\n"
+HEAD = re.compile(r"(?:(?:#\w+.*|using namespace.*|namespace \w+ \{|[ \t]*)\n){4,}")
+FILLS = re.compile(r"^(?://.*\n)*(?!return\b)\w[\w:<>,&* ]*[ &*](report_\w+)\([^;{]*\{\n.*?^\}\n?", re.M | re.S)
+EQUATIONS = re.compile(r"\bEqs?\.\s*\(\d+\)(?:(?:,|\s+and|\s+to|,\s+and)\s+\(\d+\))*")
+FIGURES = re.compile(r"\b(?:[Ff]igures?|Figs?\.)\s+x?\d\d?\b(?:(?:,| and| to)\s+x?\d\d?\b)*")
+FILE = re.compile(r"\b(?:[\w-]+/)*\w+\.(?:hpp|cpp)\b")
+NAMED = re.compile("|".join(f"(?:{one.pattern})" for one in (EQUATIONS, FIGURES, FILE)))
+UNTOUCHED = (nodes.reference, nodes.strong, nodes.title, nodes.FixedTextElement, nodes.math, nodes.math_block, nodes.raw)
+say = logging.getLogger(__name__)
+
+
+def spoken(id):
+    return f"Figure {id if id.startswith('x') else int(id)}"
+
+
+class Book:
+    """Everything that a page may mention, and the pages."""
+
+    def __init__(self, root, build, pages):
+        self.root, self.build, self.pages = Path(root), Path(build), Path(pages)
+        self.data, self.drawn, self.compiled = self.build / "data", self.build / "figures", self.root / "build/live"
+        first, *more = volumes(root)
+        self.volumes = [first] + [one for one in more if any((self.data / program).is_dir() for program in programs_of(one))]
+        self.read_sources()
+        self.read_numbers()
+        self.read_figures()
+        self.lives = live.found(self.volumes, self.compiled)
+        self.buttons = joined(live.read_buttons, [v / "book/live/figures.txt" for v in self.volumes]) if self.lives else {}
+        self.formulas, self.set = {}, {}
+        self.places = {}  # what -> pages that speak of it
+        for s in self.sources:
+            text = "\n".join(self.woven(text) for prose, _, text in s.blocks if prose)
+            said = re.findall(r"\]\(num:([^)\s]+)\)|\]\((finding:[^)]+)\)|^```\{(fig\} \w+)$", text, re.M)
+            said += [("eq " + n,) for run in EQUATIONS.findall(text) for n in re.findall(r"\((\d+)\)", run)]
+            for what in map("".join, said):
+                self.places.setdefault(what, {})[s.page] = True
+
+    def read_sources(self):
+        """The chapters under the parts of book/contents.txt, all other sources by folder, and what headers define."""
+        self.parts, part = {}, "Chapters"
+        for line in filter(None, map(str.strip, ecsv.text_of(self.root / "book/contents.txt").splitlines())):
+            if line.startswith("="):
+                part = line[1:].strip()
+            elif not line.startswith("#"):
+                self.parts.setdefault(part, []).append(line)
+        order = [name for names in self.parts.values() for name in names]
+        self.chapters, self.rest = sources_of(self.root, self.volumes, order)
+        self.sources = self.chapters + [source for module in self.rest.values() for source in module]
+        self.by_page, self.by_include = {s.page: s for s in self.sources}, {s.included: s for s in self.sources}
+        found = [(name, s, line) for s in self.sources if s.is_header for name, line in definitions(s.text).items()]
+        once = Counter(name for name, *_ in found)
+        self.defined = {name: (s, f"{s.page}.html#L-{line}") for name, s, line in found if once[name] == 1}
+
+    def read_numbers(self):
+        """Statements with their verdicts, findings, and all numbers by name: locked, or as a program wrote them."""
+        every = self.volumes
+        self.claims, self.findings = read_claims(self.root), joined(read_findings, every)
+        self.second, self.alone, self.seconds = (joined(read, every) for read in (read_second, read_commands, read_costs))
+        programs = [program for v in every for program in programs_of(v)]
+        locked, fresh = joined(read_lock, every), read_fresh(self.data, programs, self.claims)
+        known = locked | {key: replace(locked.get(key, f), made_by=f.made_by, row=f.row) for key, f in fresh.items()}
+        self.numbers = {name_of(f, self.claims): f for f in known.values()
+                        if self.claims.get(f.id, {}).get("program", f.program) == f.program}
+        self.stale = {name_of(fresh[key], self.claims) for key in locked.keys() & fresh.keys()
+                      if self.build.name != "quick" and distance(locked[key], fresh[key]) > 1}
+        self.published = ecsv.read(self.build / "report/published.ecsv").by("id", "claims")
+        self.literature = list(verdicts(joined(read_literature, every), self.numbers))
+        self.lines, near = {}, {}
+        for chapter in self.chapters:
+            needed = [self.by_include[i] for i in chapter.includes if i in self.by_include]
+            halves = [i for i in (s.included[:-4] + ".cpp" for s in needed) if i in self.by_include]
+            near[chapter.stem] = [chapter, *needed, *(self.by_include[i] for i in halves)]
+        self.lines = {name: made_at(f, near.get(f.program, ())) for name, f in self.numbers.items()}
+
+    def read_figures(self):
+        self.figures, self.captions = joined(read_figures, self.volumes), joined(tex.captions, self.volumes)
+        equations = ecsv.read(self.root / "book/equations.ecsv", ("number", "label", "name", "tex")).rows
+        self.equations = {int(row["number"]): row for row in equations}
+        self.labels = {row["label"]: f"Eq. ({row['number']})" for row in equations}
+        self.labels |= {row["label"]: f"Fig. {int(id)}" for id, row in self.figures.items() if row["label"]}
+
+    # Links
+
+    def row(self, name):
+        """Where a list has this number."""
+        return f"published.html#{name}" if name in self.claims else f"numbers-{name.partition('.')[0]}.html#{name}"
+
+    def file(self, text, here=""):
+        """The page of a source that a text names; empty where the name is that of none or of several."""
+        text, near = text.removeprefix("beyond/").removeprefix("src/"), self.by_page.get(here)
+        found = [s for s in self.sources if s.included == text or s.included.endswith("/" + text)]
+        if len(found) > 1 and near:
+            found = [s for s in found if s.module == near.module or s.included in near.includes]
+        return found[0].page + ".html" if len(found) == 1 and found[0].page != here else ""
+
+    def code(self, word, here=""):
+        """What a piece of code in prose refers to: a statement, a number, a program, a file or a name of the library."""
+        if word in self.claims or word in self.numbers:
+            return self.row(word)
+        program = word.removeprefix("build/bin/").partition(" ")[0]
+        if program in self.by_page and not self.by_page[program].module and program != here:
+            return f"{program}.html"
+        if FILE.fullmatch(word):
+            return self.file(word, here)
+        clear, word = word[:1].isupper() or "_" in word and len(word) > 6 or word.endswith("()"), word.removesuffix("()")
+        own = here in self.by_page and word in local_names(self.by_page[here].text)
+        return self.defined[word][1] if clear and not own and word in self.defined else ""
+
+    def line_link(self, name):
+        found = self.lines.get(name)
+        return md.link(f"{found[0].page}.html#L-{found[1]}", f"line {found[1]} of {found[0].name}") if found else ""
+
+    def page_link(self, page):
+        return md.link(page + ".html", page)
+
+    def figure_link(self, id):
+        return md.link(f"fig-{id}.html", spoken(id))
+
+    def speaks(self, what, but=""):
+        """Links to the chapters and files that speak of something."""
+        return ", ".join(self.page_link(page) for page in self.places.get(what, ()) if page != but)
+
+    def tip(self, name):
+        """What a reader sees beside a number."""
+        found, claim, row = self.numbers[name], self.claims.get(name), self.published.get(name)
+        if not claim:
+            return md.with_error(found)
+        said = f"the article prints {printed(claim)}" if printed(claim) else "a statement of the article"
+        judged = f": {SAID.get(row['verdict'], row['verdict'])}" if row else ""
+        return ("" if found.unit == "claim" else md.with_error(found) + "; ") + said + judged
+
+    def cost(self, program):
+        seconds = self.seconds.get(program, math.nan)
+        return "" if math.isnan(seconds) else f", {shown_cost(seconds)} s on two cores"
+
+    # Chapters and other sources
+
+    def woven(self, text):
+        """A block of prose as MyST: sentences of findings in their places, figures as directives, each formula on one
+        line, since a line that begins with a minus would begin a list."""
+        text = with_sentences(text, self.findings, with_kind)
+        text = re.sub(r"(```.*?```|`[^`]*`)|(\$\$?)(.+?)\2", lambda m: m[1] or m[0].replace("\n", " "), text, flags=re.S)
+        return re.sub(r"!\[([^\]]*)\]\(fig:([^)]*)\)", lambda m: f"\n\n```{{fig}} {m[2]}\n{m[1]}\n```\n\n", text)
+
+    def listing(self, code, first):
+        """Code between prose. What it includes, and functions that only fill tables, are folded."""
+        out, done = [], 0
+
+        def piece(start, end, summary=""):
+            begin = start + len(code[start:end]) - len(code[start:end].lstrip("\n"))
+            if code[start:end].strip():
+                body = md.listing(code[begin:end].rstrip(), "cpp", first + code.count("\n", 0, begin))
+                fold = f'\n<details class="fold"><summary>{summary}</summary>\n{body}\n</details>\n'
+                out.append(fold if summary else body)
+
+        if (head := HEAD.match(code + "\n")) and code.startswith("#"):
+            piece(0, done := min(head.end(), len(code)), "What this file includes")
+        for found in FILLS.finditer(code, done):
+            piece(done, found.start())
+            piece(found.start(), done := found.end(), f"How a table is filled: {found[1]}")
+        piece(done, len(code))
+        return "".join(out)
+
+    def source_page(self, source):
+        """A chapter, a header, or what is compiled for one."""
+        parts = [] if source.titled else [f"# {source.title}\n"]
+        parts += [f"\n{self.woven(text)}\n" if prose else self.listing(text, first) for prose, first, text in source.blocks
+                  if text.strip() != "#pragma once"]
+        card = self.card_of_part(source) if source.module else self.card(source.path, source.stem)
+        page = re.sub(r"^# .+$", lambda m: f'{m[0]}\n\n<p class="card">{card}</p>\n', "".join(parts), count=1, flags=re.M)
+        return ORPHAN + page if source.module else page + self.end_of(source.stem)
+
+    def card(self, path, program):
+        """What stands below the title of a chapter."""
+        return (f"The source is <code>{path}</code>, the program <code>{run_of(program)}</code>{self.cost(program)}. "
+                + md.link(f"numbers-{program}.html", "All its numbers and tables") + "; "
+                + md.link(f"commands.html#{program}", "its options") + ".")
+
+    def card_of_part(self, source):
+        """The same of a source that is no chapter."""
+        halves = [s for s in self.rest[source.module] if s.stem == source.stem and s is not source]
+        said = [("compiled in" if source.is_header else "declared in", halves),
+                ("needed by", [s for s in self.sources if source.included in s.includes and s not in halves])]
+        lines = [f"{word} " + ", ".join(md.link(s.page + ".html", s.name) for s in found) for word, found in said if found]
+        return "<br>".join([f'{md.link("library.html", "Library")}: <code>{source.path}</code>', *lines])
+
+    def end_of(self, program):
+        """Figures of a chapter that no prose shows, the statements that it answers, numbers of other authors."""
+        left = [id for id, row in self.figures.items() if row["program"] == program and f"fig}} {id}" not in self.places]
+        answers = [self.claim_row(row) for row in self.published.values() if row["program"] == program]
+        others = [[md.spelled(row["quantity"]), f"{md.plain(row['citation'])} {md.spelled(row['where'])}",
+                   md.spelled(printed(row)), md.number(md.with_error(ours)), md.verdict(said) if said else "no verdict",
+                   f"{OBTAINED[row['obtained']]}. {md.spelled(row['note'])}"]
+                  for row, ours, said in self.literature if row["program"] == program]
+        return "".join([
+            *["\n\n## Further figures of this program\n\n"] * bool(left),
+            *(f"```{{fig}} {id}\n{self.figures[id]['caption']}\n```\n\n" for id in left),
+            *["\n\n## Statements answered here\n"] * bool(answers),
+            md.table(["statement", "article", "here", "verdict"], answers),
+            *["\n\n## Numbers of other authors\n"] * bool(others),
+            md.table(["number", "source", "printed", "here", "verdict", "read"], others), live.SCRIPT if self.lives else ""])
+
+    # Statements, findings, numbers
+
+    def claim_row(self, row):
+        """A statement of the article in short, below its chapter."""
+        id, claim = row["id"], self.claims[row["id"]]
+        kind = self.numbers[id].kind if id in self.numbers else "value"
+        found = Finding(row["program"], id, row["reproduced"], row["error"], row["unit"], kind)
+        here = "" if math.isnan(found.value) or found.shown == row["verdict"] else md.number(md.with_error(found))
+        return [f"{md.link('published.html#' + id, md.name(id))} {md.spelled(row['quantity'])}", md.spelled(printed(claim)),
+                here, md.verdict(row["verdict"])]
+
+    def whole_row(self, row):
+        """The same in the table of all: how it was read, why it fails, where it is told."""
+        id, (_, article, here, said) = row["id"], self.claim_row(row)
+        where = re.sub(r"\b(?:Eqs?\.|Figs?\.?) (\w+)", lambda m: self.labels.get(m[1], m[0]), row["where"])
+        if row["reading"]:
+            said += f" Read: {md.spelled(row['reading'])}"
+        if row["reason"]:
+            see = ", ".join(self.page_link(p) for p in explained_by(id, self.claims) if p in self.by_page)
+            said += f" {md.spelled(row['reason'])} See {see}."
+        chapter = md.link(row["program"] + ".html", "chapter") if row["program"] in self.by_page else ""
+        links = ", ".join(filter(None, [self.line_link(id), chapter, self.speaks(id, row["program"])]))
+        return [f"{md.place(id)}{md.name(id)} {md.spelled(row['quantity'])} ({md.plain(where)})", article,
+                here + self.second_mark(id), said, links + self.alone_mark(id)]
+
+    def alone_mark(self, id):
+        return f"; alone: `{self.alone[id][0]}`" if id in self.alone else ""
+
+    def second_mark(self, id):
+        if id not in self.numbers or not agrees(id, self.numbers[id], self.second):
+            return ""
+        return f' <span class="second">✓ second route: {md.spelled(self.second[id][1])}</span>'
+
+    def published_page(self):
+        counts = Counter(row["verdict"] for row in self.published.values())
+        lost = [self.claim_row(row) for row in self.published.values() if row["verdict"] == "discrepant"]
+        tally = [[md.verdict(v), str(counts[v]), text] for v, text in MEANINGS.items() if counts[v]]
+        out = [md.table(["verdict", "rows", "meaning"], tally),
+               *["\n## What does not survive\n"] * bool(lost), md.table(["statement", "article", "here", "verdict"], lost)]
+        for section in dict.fromkeys(self.claims[id]["section"] for id in self.published):
+            rows = [self.whole_row(row) for id, row in self.published.items() if self.claims[id]["section"] == section]
+            out.append(f"\n## Section {section}\n" + md.table(["statement", "article", "here", "verdict", "see"], rows))
+        return "\n".join(out)
+
+    def findings_page(self):
+        out = [md.table(["evidence", "meaning"], [[f'<span class="evidence">{k}</span>', text] for k, text in KINDS.items()])]
+        for id, row in self.findings.items():
+            figure = ", " + self.figure_link(row["figure"]) if row["figure"] in self.figures else ""
+            out += [f'\n{md.place(id)}\n\n## {id}\n\n<span class="evidence">{row["kind"]}</span> {row["sentence"]}\n',
+                    f"- **Shown over** {md.spelled(row['range'])}", f"- **Tried against it** {md.spelled(row['tried'])}",
+                    "- **Carried by**", *(f"  - {condition(m)}" for m in margins(row, self.numbers)),
+                    f"- **Second route** {md.spelled(row['second'])}",
+                    f'- **Stands in** {self.speaks("finding:" + id) or "the report"}{figure}; `make show ID={id}`']
+        return "\n".join(out)
+
+    def numbers_page(self, program):
+        """All numbers of a program but the answers, and its tables with their columns."""
+        paths = sorted((self.data / program).glob("[!.]*.ecsv"))
+        means = {c.name: c.description for path in paths for c in ecsv.header_of(ecsv.text_of(path))[0] if len(c.name) > 2}
+        rows = [[md.place(name) + md.name(f.id), meaning(f.id, means), md.number(md.with_error(f)) + self.second_mark(name),
+                 ", ".join(filter(None, [self.line_link(name), self.speaks(name, program)])) + self.alone_mark(name)]
+                for name, f in sorted(self.numbers.items()) if f.program == program and name not in self.claims]
+        out = [f"{ORPHAN}# Numbers and tables of {program}\n\n*{self.by_page[program].title}*: `{program}`, computed by "
+               f"`{run_of(program)}`{self.cost(program)}. Answers to statements of the article are in [published against "
+               "reproduced](published.md); how to read a table is told in [use the data](data.md).\n",
+               *["\n## Numbers\n"] * bool(rows), md.table(["number", "meaning", "value", "made at"], rows), "\n## Tables\n"]
+        return "\n".join(out + [f"\n### {path.stem}\n\n{md.data(f'{program}/{path.name}')}\n{columns(path)}" for path in paths])
+
+    # Figures, equations, commands, data
+
+    def figure_page(self, id):
+        row = self.figures[id]
+        script = next(path for v in self.volumes if (path := v / "figures" / row["script"]).exists())
+        own = "A figure of this book" if id[0] == "x" else f"A figure of the article, section {row['section']}"
+        out = [f"{ORPHAN}# {spoken(id)}\n\n```{{fig}} {id}\n:whole:\n\n{row['caption']} "
+               + tex.in_markdown(self.captions.get(id, "")) + f"\n```\n\n{own}; shown in "
+               f"{self.speaks('fig} ' + id) or self.page_link(row['program'])}.\n\n## Tables\n"]
+        for path in (path for name in row["data"].split() if (path := self.data / row["program"] / f"{name}.ecsv").exists()):
+            count = len(ecsv.rows_of(ecsv.text_of(path))) - 1
+            out.append(f"\n### {path.stem}\n\n{md.data(row['program'] + '/' + path.name)}, {count} rows\n{columns(path)}")
+        language = "python" if row["script"].endswith(".py") else "gnuplot"
+        out.append("\n## Script\n" + md.listing(ecsv.text_of(script).rstrip(), language, 1))
+        return "\n".join(out) + (live.SCRIPT if self.lives else "")
+
+    def stem(self, id):
+        return Path(self.figures[id]["script"]).stem
+
+    def figures_page(self):
+        cells = [f'<a href="fig-{id}.html"><img src="figures/{self.stem(id)}.svg" alt="{escape(row["caption"])}" loading="lazy">'
+                 f"<span><b>{spoken(id)}.</b> {escape(row['caption'])}</span></a>" for id, row in self.figures.items()]
+        return f'\n<div class="gallery">{"".join(cells)}</div>\n'
+
+    def equations_page(self):
+        return "".join(f"\n{md.place(f'eq-{n}')}\n\n## ({n}) {row['name']}\n\n$$\n{row['tex']} \\tag{{{n}}}\n$$\n\n"
+                       f"{self.speaks(f'eq {n}')}\n" for n, row in self.equations.items())
+
+    def commands_page(self):
+        """What the programs say of themselves; options that all have stand once."""
+        rows = list(inventory.commands(self.root, self.root / "build/bin"))
+        common = ("--help", "--version", "--out", "--quick", "--threads", "--output")
+        first = {row["option"]: row["description"].split(" (default")[0] for row in reversed(rows)}
+        out = [md.table(["option", "meaning"], [[f"`{name}`", md.plain(first[name])] for name in common if name in first])]
+        for row in (row for row in rows if not row["option"]):
+            name = f"{row['program']} {row['command']}".strip()
+            own = [[f"`{o['option']}`", md.plain(o["allowed"]), md.plain(o["description"])] for o in rows
+                   if (o["program"], o["command"]) == (row["program"], row["command"]) and o["option"] not in ("", *common)]
+            out.append(f"\n{md.place(name.replace(' ', '-'))}\n\n##{'#' * bool(row['command'])} `{name}`\n\n"
+                       f"{md.plain(row['description'])}\n{md.table(['option', 'allowed', 'meaning'], own)}")
+        return "\n".join(out)
+
+    def data_page(self):
+        """DATA.md, and the tables of each program."""
+        text = re.sub(r"<!--num:([^>]+)-->(.*?)<!--/-->", r"[\2](num:\1)", ecsv.text_of(self.root / "DATA.md"))
+        lists = [f"- {md.link(f'numbers-{s.stem}.html', s.stem)}: " + ", ".join(md.plain(path.stem) for path in paths)
+                 for s in self.chapters if (paths := sorted((self.data / s.stem).glob("[!.]*.ecsv")))]
+        return "\n".join([re.sub(r"\[(`[^`]*`)\]\((?!http)[^)]*\)", r"\1", text), "\n## All numbers and tables\n", *lists, ""])
+
+    def packages_page(self):
+        rows = [[md.name(p["package"]), p["version"] or "not installed", p["section"]] for p in inventory.packages(self.root)]
+        return md.table(["package", "version", "needed for"], rows)
+
+    def library_page(self):
+        """The modules in the order of the README's table, with their files."""
+        ideas = dict(re.findall(r"^\| \[`(\w+)`\]\(src/[^)]*\) \| (.*) \|$", ecsv.text_of(self.root / "README.md"), re.M))
+        out = []
+        for module in [m for m in ideas if m in self.rest] + [m for m in self.rest if m not in ideas]:
+            files = [md.link(s.page + ".html", s.name) + f" {s.title}" * (s.is_header and s.titled) for s in self.rest[module]]
+            out.append(f"\n## {module}\n\n{ideas.get(module, 'What one section needs')}.\n\n{'; '.join(files)}\n")
+        return "".join(out)
+
+    def notebook_page(self, path):
+        """A notebook for Python, with the outputs that it holds, which the tests of the module compare."""
+        out = []
+        for i, cell in enumerate(json.loads(ecsv.text_of(path))["cells"]):
+            text = "".join(cell["source"])
+            out.append(self.woven(text) + "\n" if cell["cell_type"] == "markdown" else md.listing(text, "python"))
+            for k, output in enumerate(cell.get("outputs", ())):
+                if picture := output.get("data", {}).get("image/png"):
+                    name = f"{path.stem}-{i}-{k}.png"
+                    (self.pages / name).write_bytes(base64.b64decode(picture))
+                    out.append(f"\n![What the cell above draws.]({name})\n")
+                else:
+                    out.append(md.listing("".join(output.get("text") or output["data"]["text/plain"]).rstrip(), "none"))
+        if not out[0].startswith("# "):
+            raise ecsv.Fault(f"{path}: no title (a line '# ...' in its first cell)")
+        return "\n".join(out) + f"\n\nThis notebook is `python/{path.name}`.\n"
+
+    def start_page(self, lists):
+        """The words of start.md, what comes out, and the contents."""
+        numbers, counts = {n: f.shown for n, f in self.numbers.items()}, Counter(r["verdict"] for r in self.published.values())
+        found = [f"- {in_plain(row['sentence'], numbers)} ({self.figure_link(row['figure'])})"
+                 for row in self.findings.values() if row["figure"] in self.figures]
+        tally = ", ".join(f"{counts[v]} {md.verdict(v)}" for v in VERDICTS if counts[v])
+        out = [ecsv.text_of(self.root / "book/start.md"), f"\nOf {len(self.published)} statements: {tally}."]
+        out += ["\nFound besides:\n"] * bool(found) + found
+        parts, part = {}, "Chapters"
+        for name in (s.stem for s in self.chapters):
+            part = next((one for one, held in self.parts.items() if name in held), part)
+            parts.setdefault(part, []).append(name)
+        for part, pages in [*parts.items(), ("Lists", lists)]:
+            out.append(f"\n```{{toctree}}\n:hidden:\n:caption: \"{part}\"\n\n" + "\n".join(pages) + "\n```\n")
+        return "\n".join(out)
+
+    def write(self):
+        """All pages that Sphinx reads, and the drawings that they show."""
+        for old in self.pages.glob("*.md"):
+            old.unlink()
+        pages = {s.page: self.source_page(s) for s in self.sources} | {f"fig-{id}": self.figure_page(id) for id in self.figures}
+        pages |= {f"numbers-{s.stem}": self.numbers_page(s.stem) for s in self.chapters}
+        heads = dict(zip((name for name in LISTS if name != "data"), re.split(r"\n(?=# )", ecsv.text_of(HERE / "lists.md"))))
+        lists = {name: heads.get(name, "") + getattr(self, f"{name}_page")() for name in LISTS}
+        lists |= {name: ecsv.text_of(folder / f"{name}.md") + live.SCRIPT for folder, name in self.lives}
+        notebooks = sorted((self.root / "python").glob("*.ipynb"))
+        lists |= {f"notebook-{path.stem.replace('_', '-')}": self.notebook_page(path) for path in notebooks}
+        for name, text in (pages | lists | {"index": self.start_page(lists)}).items():
+            (self.pages / f"{name}.md").write_text(text, encoding="utf-8")
+        (self.pages / "figures").mkdir(exist_ok=True)
+        (self.pages / "static/fonts").mkdir(parents=True, exist_ok=True)
+        for id in self.figures:
+            if not (drawing := self.drawn / f"{self.stem(id)}.svg").exists():
+                raise ecsv.Fault(f"{drawing} is missing: draw it first (make figures)")
+            shutil.copyfile(drawing, self.pages / "figures" / drawing.name)
+        katex = next((folder for folder in KATEX if (folder / "katex.min.css").exists()), None)
+        if not katex:
+            raise ecsv.Fault("katex.min.css is not installed (Debian: libjs-katex, fonts-katex)")
+        css = ecsv.text_of(katex / "katex.min.css")
+        css = re.sub(r"src:[^;}]*?url\(([^)]*?\.woff2)\)[^;}]*", r"src:url(\1) format('woff2')", css)
+        (self.pages / "static/katex.css").write_text(css, encoding="utf-8")
+        for font in sorted(set(re.findall(r"fonts/(\w[\w-]*\.woff2)", css))):
+            shutil.copyfile(katex / "fonts" / font, self.pages / "static/fonts" / font)
+
+    def copy(self, out):
+        """What pages load or offer besides: drawings, tables, the live pages."""
+        shutil.copytree(self.pages / "figures", out / "figures", dirs_exist_ok=True)
+        for path in (path for id in self.figures if (path := self.drawn / f"{self.stem(id)}.pdf").exists()):
+            shutil.copyfile(path, out / "figures" / path.name)
+        for path in (path for s in self.chapters for path in sorted((self.data / s.stem).glob("[!.]*.ecsv"))):
+            (out / "data" / path.parent.name).mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(path, out / "data" / path.parent.name / path.name)
+        live.copy(self.lives, self.compiled, self.root, out)
+
+
+def columns(path):
+    """The columns of a table."""
+    rows = [[md.name(c.name), md.plain(md.unit(c.unit).strip()), md.spelled(c.description)]
+            for c in ecsv.header_of(ecsv.text_of(path))[0]]
+    return md.table(["column", "unit", "meaning"], rows, "columns")
+
+
+def meaning(id, columns):
+    """A fact in words: those of the column that it is called after, and the rest of its name."""
+    if not (names := [name for name in columns if re.match(rf"{name}(_|$)", id)]):
+        return ""
+    rest = id[len(max(names, key=len)):].strip("_").replace("_", " ")
+    return md.spelled(columns[max(names, key=len)]) + (f" ({md.plain(rest)})" if rest else "")
+
+
+def condition(m):
+    """A condition of a finding: its number, its limit, and what is left between them."""
+    limit = f"`{m.limit}` = {md.number(md.with_error(m.other))}" if m.other.program else md.number(m.limit)
+    bars = f", {md.number(without_zeros(with_digits(m.left / m.error, 1)))} error bars" if m.error else ""
+    return (f"`{m.name}` = {md.number(md.with_error(m.value))} {escape(m.side)} {limit}; "
+            f"margin {md.number(without_zeros(with_digits(m.left, 2)))}{bars}")
+
+
+# While Sphinx reads
+
+
+class Number(nodes.Inline, nodes.TextElement):
+    """A number of ours in prose."""
+
+
+def link(text, address, title="", kind=()):
+    return nodes.reference("", text, internal=True, refuri=address, classes=list(kind), **({"reftitle": title} if title else {}))
+
+
+class Figure(SphinxDirective):
+    """A figure and how it was made. On its own page (`whole`) it is no link, and its drawing is offered."""
+    required_arguments, has_content = 1, True
+    option_spec = {"whole": lambda text: True}
+
+    def run(self):
+        book, id = self.env.app.book, self.arguments[0]
+        if id not in book.figures:
+            say.warning(f"there is no figure '{id}'", location=self.get_location())
+            return []
+        row, whole, stem = book.figures[id], "whole" in self.options, book.stem(id)
+        image, words = nodes.image(uri=f"figures/{stem}.svg", alt=row["caption"]), nodes.Element()
+        self.state.nested_parse(StringList(list(self.content), self.get_source_info()[0]), 0, words)
+        caption = nodes.caption("", "", nodes.strong("", spoken(id) + "."), nodes.Text(" "))
+        caption += words[0].children if len(words) else []
+        tables = ", ".join(md.data(f"{row['program']}/{name}.ecsv") for name in row["data"].split())
+        buttons = "".join(f' <a class="live" href="{escape(address)}">{said}</a>' for said, address in book.buttons.get(id, ()))
+        drawing = f' Also as <a href="figures/{stem}.svg">SVG</a>' if whole else ""
+        drawing += f' and <a href="figures/{stem}.pdf">PDF</a>' if whole and (book.drawn / f"{stem}.pdf").exists() else ""
+        script, program = md.link(f"fig-{id}.html#script", "figures/" + row["script"]), row["program"]
+        made = (f'<p class="made"><code>{command_of(id)}</code>: {script} draws {tables} of {book.page_link(program)} '
+                f"(<code>{run_of(program)}</code>{book.cost(program)}).{drawing}{buttons}</p>")
+        shown = image if whole else nodes.reference("", "", image, internal=True, refuri=f"fig-{id}.html")
+        figure = nodes.figure("", shown, caption, nodes.legend("", nodes.raw("", made, format="html")))
+        if id not in (seen := self.env.temp_data.setdefault("figures", set())):
+            figure["ids"].append(f"fig-{id}")
+        seen.add(id)
+        return [figure]
+
+
+def in_anchor(text):
+    """Whether a link in HTML is open where a text begins."""
+    before = text.parent.children[:text.parent.index(text)]
+    tags = [one.astext() for one in before if isinstance(one, nodes.raw) and re.match("</?a\\b", one.astext())]
+    return bool(tags) and not tags[-1].startswith("</")
+
+
+class Bind(SphinxTransform):
+    """Binds the links num: and finding:, and what prose names, in one page."""
+    default_priority = 5
+
+    def apply(self, **given):
+        self.book, self.page = self.env.app.book, self.env.docname
+        for found in list(self.document.findall(nodes.reference)):
+            kind, _, id = unquote(found.get("refuri", "")).partition(":")
+            if kind == "num":
+                found.replace_self(self.number(id, found))
+            elif kind == "finding":
+                found.replace_self(link(found.astext(), f"findings.html#{id}", kind=["evidence"]))
+        for found in list(self.document.findall(nodes.Text)):
+            above = found.parent
+            while above is not None and not isinstance(above, (Number, *UNTOUCHED)):
+                above = above.parent
+            if in_anchor(found):
+                continue
+            if above is None and isinstance(found.parent, nodes.literal):
+                if target := self.book.code(str(found), self.page):
+                    found.parent.replace_self(nodes.reference("", "", found.parent.deepcopy(), internal=True, refuri=target))
+            elif above is None:
+                found.parent.replace(found, self.bound(found))
+        for found in self.document.findall(nodes.literal_block):
+            found["force"] = True  # what a lexer does not know is not coloured
+            if self.page in self.book.by_page and "linenostart" in found.get("highlight_args", {}):
+                found["highlight_args"]["lineanchors"] = "L"
+        self.hold_signs()
+
+    def hold_signs(self):
+        """No line begins with the comma behind a short formula."""
+        for found in list(self.document.findall(nodes.math)):
+            after = found.next_node(descend=False, siblings=True)
+            if isinstance(after, nodes.Text) and len(found.astext()) < 35 and (sign := re.match(r"[.,;:!?)’”]+", after)):
+                after.parent.replace(after, nodes.Text(str(after)[sign.end():]))
+                found.replace_self(nodes.inline("", "", found.deepcopy(), nodes.Text(sign[0]), classes=["nobreak"]))
+
+    def number(self, id, found):
+        if id not in self.book.numbers:
+            say.warning(f"nothing is locked or computed under '{id}'", location=found)
+            return nodes.Text(found.astext())
+        text, known = found.astext(), self.book.numbers[id].shown
+        if text and text != known:
+            say.warning(f"{id} is stale: {text} stands here, {known} is locked (make refresh)", location=found)
+        if id in self.book.stale:
+            say.warning(f"{id} is stale: computed is another value than {known}, which is locked (make lock)", location=found)
+        if not self.book.lines.get(id):
+            say.warning(f"no line writes '{id}'", location=found)
+        return Number("", text or known, id=id)
+
+    def bound(self, text):
+        """The nodes of a text with its links."""
+        if "$" in text:
+            say.warning(f"a formula was left as text: {text[:60]}", location=text.parent)
+        out, done = [], 0
+        for found in NAMED.finditer(text):
+            out.append(nodes.Text(text[done:found.start()]))
+            done = found.end()
+            if FILE.fullmatch(found[0]):
+                target = self.book.file(found[0], self.page)
+                out.append(link(found[0], target) if target else nodes.Text(found[0]))
+            else:
+                pattern, made = (r"\d+", self.equation) if found[0].startswith("Eq") else (r"\bx?\d\d?\b", self.figure)
+                at = 0
+                for one in re.finditer(pattern, found[0]):
+                    out += [nodes.Text(found[0][at:one.start()]), made(one[0])]
+                    at = one.end()
+                out.append(nodes.Text(found[0][at:]))
+        return [node for node in [*out, nodes.Text(text[done:])] if node.astext()]
+
+    def equation(self, text):
+        if int(text) not in self.book.equations:
+            say.warning(f"the article has no Eq. ({text})", location=self.page)
+            return nodes.Text(text)
+        return link(text, f"equations.html#eq-{text}", self.book.equations[int(text)]["name"])
+
+    def figure(self, text):
+        id = f"x{int(text[1:]):02d}" if text.startswith("x") else f"{int(text):02d}"
+        return link(text, f"fig-{id}.html", self.book.figures[id]["caption"]) if id in self.book.figures else nodes.Text(text)
+
+
+# While Sphinx writes
+
+
+def visit_number(self, node):
+    book, text = self.builder.app.book, node.astext()
+    row, tip = book.row(node["id"]), escape(book.tip(node["id"]))
+    self.body.append(f'<a class="num" href="{row}" data-tip="{tip}" aria-label="{escape(text)}: {tip}">{md.number(text)}</a>')
+    raise nodes.SkipNode
+
+
+def visit_math(self, node):
+    display = isinstance(node, nodes.math_block)
+    done = self.builder.app.book.set.get((node.astext(), display), "")
+    self.body.append(f'<span class="formula" tabindex="0">{done}</span>' if display else done)
+    raise nodes.SkipNode
+
+
+def note_formulas(app, doctree):
+    for node in doctree.findall(lambda n: isinstance(n, (nodes.math, nodes.math_block))):
+        app.book.formulas[node.astext(), isinstance(node, nodes.math_block)] = app.env.docname
+
+
+def typeset(app, env):
+    """One run of KaTeX over all formulas; one that is refused is a warning."""
+    todo = sorted(app.book.formulas)
+    node = shutil.which("node") or shutil.which("nodejs") or "node"
+    run = subprocess.run([node, HERE / "typeset.js"], input=json.dumps(todo), capture_output=True, encoding="utf-8", check=False)
+    if run.returncode:
+        say.warning(f"KaTeX: {run.stderr.strip()}")
+    else:
+        app.book.set = dict(zip(todo, json.loads(run.stdout)))
+
+
+def link_names(app, page, template, context, doctree):
+    """Links from the code of a page to what the library defines, and from its includes to their pages."""
+    for script in context.get("script_files", ()):  # Debian 13's furo is a module, which a browser does not read from a folder
+        if getattr(script, "attributes", {}).get("type") == "module":
+            script.attributes.update(type="text/javascript", defer="defer")
+    book, source = app.book, app.book.by_page.get(page)
+    if not source or "body" not in context:
+        return
+    local, seen = local_names(source.text), set()
+
+    def name(m):
+        before, after, word = m.string[max(0, m.start() - 80):m.start()], m.string[m.end():m.end() + 40], m[1]
+        member = re.search(r">(?:\.|-&gt;|::)</span>$", before) and not before.endswith('lattice</span><span class="o">::</span>')
+        clear = word[0].isupper() or "_" in word and len(word) > 6 or re.match(r'<span class="[po]">(?:\(|&lt;|\{)', after)
+        if len(word) < 3 or word in local or member or not clear or word not in book.defined or book.defined[word][0] is source:
+            return m[0]
+        quiet = ' tabindex="-1"' if word in seen else ""  # the keyboard stops once at a name
+        seen.add(word)
+        return f'<a class="id" href="{book.defined[word][1]}"{quiet}>{m[0]}</a>'
+
+    def include(m):
+        found = book.by_include.get(unescape(m[1]))
+        return f'<a class="id" href="{found.page}.html">{m[0]}</a>' if found else m[0]
+
+    body = re.sub(r'<span class="(?:n|nf|nc)">(\w+)</span>', name, context["body"])
+    context["body"] = re.sub(r'<span class="cpf">&quot;([^<]*?)&quot;</span>', include, body)
+
+
+def mend_theme(static):
+    """Debian's furo takes a style sheet from a web server and a script as a module; a folder can be read with both inside."""
+    for name, pattern, place in [("styles/furo.css", r"@import url\(/javascript/([^)]*)\);", Path("/usr/share/javascript")),
+                                 ("scripts/furo.js", r'^import (?:\* as )?\w+ from "\./([\w-]+\.js)";', static / "scripts")]:
+        text = ecsv.text_of(static / name)
+        (static / name).write_text(re.sub(pattern, lambda m: ecsv.text_of(place / m[1]), text), encoding="utf-8")
+
+
+def complaints(folder):
+    """Links that lead nowhere, ids used twice, and what would be fetched from a network, in a finished book."""
+    texts = {path.name: ecsv.text_of(path) for path in sorted(folder.glob("*.html"))}
+    ids = {name: Counter(re.findall(r'\sid="([^"]+)"', text)) for name, text in texts.items()}
+    for name, text in texts.items():
+        yield from (f"{name}: two elements have the id '{id}'" for id, count in ids[name].items() if count > 1)
+        for tag, address in set(re.findall(r'<(a|link|script|img)\b[^>]*?\s(?:href|src)="([^"]*)"', text)):
+            target, _, place = unescape(address).partition("#")
+            target = unquote(target.partition("?")[0]) or name
+            if re.match(r"\w+:", target):
+                yield from [] if tag == "a" and target.startswith(("http", "mailto")) else [f"{name}: cannot follow {target[:60]}"]
+            elif not (folder / target).exists() or place and target in texts and unescape(place) not in ids[target]:
+                yield f"{name}: {address} leads nowhere"
+    for path in sorted(folder.rglob("*.css")):
+        for target in re.findall(r"url\(['\"]?(?!data:)([^)'\"]+)", ecsv.text_of(path)):
+            yield from [] if (path.parent / target).exists() else [f"{path.name}: {target} is missing"]
+
+
+# The extension
+
+
+def prepare(app, config):
+    """Writes the pages, before Sphinx looks for them."""
+    try:
+        app.book = Book(config.literate_root or HERE.parent, config.literate_build or HERE.parent / "build", app.srcdir)
+        app.book.write()
+    except ecsv.Fault as fault:
+        raise ExtensionError(str(fault)) from None
+    config.html_static_path = [str(HERE / "static"), str(app.book.pages / "static")]
+
+
+def finish(app, error):
+    if not error and app.builder.format == "html":
+        app.book.copy(Path(app.outdir))
+        mend_theme(Path(app.outdir) / "_static")
+        if found := sorted(complaints(Path(app.outdir))):
+            raise ExtensionError("\n  ".join([f"the book is not whole: {len(found)} complaints", *found[:40]]))
+
+
+def setup(app):
+    app.add_config_value("literate_root", "", "env")
+    app.add_config_value("literate_build", "", "env")
+    app.add_node(Number, html=(visit_number, None))
+    app.add_directive("fig", Figure)
+    app.add_transform(Bind)
+    app.add_html_math_renderer("katex", (visit_math, None), (visit_math, None))
+    for event, handler in [("config-inited", prepare), ("doctree-read", note_formulas),
+                           ("env-updated", typeset), ("html-page-context", link_names), ("build-finished", finish)]:
+        app.connect(event, handler)
+    return {"parallel_read_safe": False, "parallel_write_safe": False}
