@@ -46,7 +46,6 @@ KATEX = [Path("/usr/share/javascript/katex"), Path("/usr/share/nodejs/katex/dist
 LISTS = ("published", "findings", "figures", "equations", "commands", "data", "packages", "library")
 ORPHAN = "---\norphan: true\n---\n"
 HEAD = re.compile(r"(?:(?:#\w+.*|using namespace.*|namespace \w+ \{|[ \t]*)\n){4,}")
-FILLS = re.compile(r"^(?://.*\n)*(?!return\b)\w[\w:<>,&* ]*[ &*](report_\w+)\([^;{]*\{\n.*?^\}\n?", re.M | re.S)
 EQUATIONS = re.compile(r"\bEqs?\.\s*\(\d+\)(?:(?:,|\s+and|\s+to|,\s+and)\s+\(\d+\))*")
 FIGURES = re.compile(r"\b(?:[Ff]igures?|Figs?\.)\s+x?\d\d?\b(?:(?:,| and| to)\s+x?\d\d?\b)*")
 FILE = re.compile(r"\b(?:[\w-]+/)*\w+\.(?:hpp|cpp)\b")
@@ -189,23 +188,13 @@ class Book:
         return re.sub(r"!\[([^\]]*)\]\(fig:([^)]*)\)", lambda m: f"\n\n```{{fig}} {m[2]}\n{m[1]}\n```\n\n", text)
 
     def listing(self, code, first):
-        """Code between prose. What it includes, and functions that only fill tables, are folded."""
-        out, done = [], 0
-
-        def piece(start, end, summary=""):
-            begin = start + len(code[start:end]) - len(code[start:end].lstrip("\n"))
-            if code[start:end].strip():
-                body = md.listing(code[begin:end].rstrip(), "cpp", first + code.count("\n", 0, begin))
-                fold = f'\n<details class="fold"><summary>{summary}</summary>\n{body}\n</details>\n'
-                out.append(fold if summary else body)
-
-        if (head := HEAD.match(code + "\n")) and code.startswith("#"):
-            piece(0, done := min(head.end(), len(code)), "What this file includes")
-        for found in FILLS.finditer(code, done):
-            piece(done, found.start())
-            piece(found.start(), done := found.end(), f"How a table is filled: {found[1]}")
-        piece(done, len(code))
-        return "".join(out)
+        """Code between prose; what a file includes at its beginning is folded."""
+        if not (head := HEAD.match(code + "\n")) or not code.startswith("#"):
+            return md.listing(code, "cpp", first)
+        folded, rest = md.listing(head[0].rstrip(), "cpp", first), code[head.end():]
+        first += head[0].count("\n") + len(rest) - len(rest.lstrip("\n"))
+        fold = f'\n<details class="fold"><summary>What this file includes</summary>\n{folded}\n</details>\n'
+        return fold + (md.listing(rest.strip("\n"), "cpp", first) if rest.strip() else "")
 
     def source_page(self, source):
         """A chapter, a header, or what is compiled for one."""
@@ -633,32 +622,18 @@ def typeset(app, env):
         app.book.set = dict(zip(todo, json.loads(run.stdout)))
 
 
-def link_names(app, page, template, context, doctree):
-    """Links from the code of a page to what the library defines, and from its includes to their pages."""
-    for script in context.get("script_files", ()):  # Debian 13's furo is a module, which a browser does not read from a folder
+def link_includes(app, page, template, context, doctree):
+    """Links from the includes of a page to theirs; and no script is a module, which a browser does not read from a folder."""
+    for script in context.get("script_files", ()):
         if getattr(script, "attributes", {}).get("type") == "module":
             script.attributes.update(type="text/javascript", defer="defer")
-    book, source = app.book, app.book.by_page.get(page)
-    if not source or "body" not in context:
-        return
-    local, seen = local_names(source.text), set()
-
-    def name(m):
-        before, after, word = m.string[max(0, m.start() - 80):m.start()], m.string[m.end():m.end() + 40], m[1]
-        member = re.search(r">(?:\.|-&gt;|::)</span>$", before) and not before.endswith('lattice</span><span class="o">::</span>')
-        clear = word[0].isupper() or "_" in word and len(word) > 6 or re.match(r'<span class="[po]">(?:\(|&lt;|\{)', after)
-        if len(word) < 3 or word in local or member or not clear or word not in book.defined or book.defined[word][0] is source:
-            return m[0]
-        quiet = ' tabindex="-1"' if word in seen else ""  # the keyboard stops once at a name
-        seen.add(word)
-        return f'<a class="id" href="{book.defined[word][1]}"{quiet}>{m[0]}</a>'
 
     def include(m):
-        found = book.by_include.get(unescape(m[1]))
+        found = app.book.by_include.get(unescape(m[1]))
         return f'<a class="id" href="{found.page}.html">{m[0]}</a>' if found else m[0]
 
-    body = re.sub(r'<span class="(?:n|nf|nc)">(\w+)</span>', name, context["body"])
-    context["body"] = re.sub(r'<span class="cpf">&quot;([^<]*?)&quot;</span>', include, body)
+    if page in app.book.by_page and "body" in context:
+        context["body"] = re.sub(r'<span class="cpf">&quot;([^<]*?)&quot;</span>', include, context["body"])
 
 
 def mend_theme(static):
@@ -716,6 +691,6 @@ def setup(app):
     app.add_transform(Bind)
     app.add_html_math_renderer("katex", (visit_math, None), (visit_math, None))
     for event, handler in [("config-inited", prepare), ("doctree-read", note_formulas),
-                           ("env-updated", typeset), ("html-page-context", link_names), ("build-finished", finish)]:
+                           ("env-updated", typeset), ("html-page-context", link_includes), ("build-finished", finish)]:
         app.connect(event, handler)
     return {"parallel_read_safe": False, "parallel_write_safe": False}
