@@ -471,6 +471,12 @@ def link(text, address, title="", kind=()):
     return nodes.reference("", text, internal=True, refuri=address, classes=list(kind), **({"reftitle": title} if title else {}))
 
 
+def put(text, others):
+    """Puts nodes in the place of a text. Docutils would take the first text that says the same."""
+    at = next(i for i, node in enumerate(text.parent.children) if node is text)
+    text.parent[at:at + 1] = others
+
+
 class Figure(SphinxDirective):
     """A figure and how it was made. On its own page (`whole`) it is no link, and its drawing is offered."""
     required_arguments, has_content = 1, True
@@ -530,7 +536,7 @@ class Bind(SphinxTransform):
                 if target := self.book.code(str(found), self.page):
                     found.parent.replace_self(nodes.reference("", "", found.parent.deepcopy(), internal=True, refuri=target))
             elif above is None:
-                found.parent.replace(found, self.bound(found))
+                put(found, self.bound(found))
         for found in self.document.findall(nodes.literal_block):
             found["force"] = True  # what a lexer does not know is not coloured
             if self.page in self.book.by_page and "linenostart" in found.get("highlight_args", {}):
@@ -542,7 +548,7 @@ class Bind(SphinxTransform):
         for found in list(self.document.findall(nodes.math)):
             after = found.next_node(descend=False, siblings=True)
             if isinstance(after, nodes.Text) and len(found.astext()) < 35 and (sign := re.match(r"[.,;:!?)’”]+", after)):
-                after.parent.replace(after, nodes.Text(str(after)[sign.end():]))
+                put(after, [nodes.Text(str(after)[sign.end():])])
                 found.replace_self(nodes.inline("", "", found.deepcopy(), nodes.Text(sign[0]), classes=["nobreak"]))
 
     def number(self, id, found):

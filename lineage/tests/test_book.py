@@ -138,7 +138,7 @@ What we see, as in Eq. (9), is $x^2$, and it is [](num:a.one), with [2.0](num:se
 /**
 ## Results
 
-It is
+Take $a$. And *this*. And $b$. It is
 $$E = \\tfrac12 v^2
 - 1.$$ */
 int main() {
@@ -185,7 +185,7 @@ class Repository(Scratch):
         page = self.read("build/book/sec1_demo.html")
         for piece in ['href="published.html#a.one"', "1.000 ± 0.001 m; the article prints 1.02: discrepant", 'class="katex"',
                       'href="numbers-sec1_demo.html#sec1_demo.fact"', 'href="equations.html#eq-9"', 'href="numbers-demo.html">demo.hpp</a>',
-                      'id="fig-01"', "make fig01", "figures/fig01.gp", 'id="L-15"', "Statements answered here"]:
+                      'id="fig-01"', "make fig01", "figures/fig01.gp", 'id="L-15"', "<em>this</em>. And", "Statements answered here"]:
             self.assertIn(piece, page)
         for name, pieces in {
                 "published": ['id="a.one"', "they erred", 'sec1_demo.html#L-15">line 15 of sec1_demo.cpp</a>', "--exactly"],
