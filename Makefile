@@ -64,6 +64,7 @@ rows_of = $(shell [ ! -f $(1)figures/figures.ecsv ] || awk -F, '!/^\#/ && $$1 !=
             print $$1 "|" $$4 "|$(1)figures/" $$5 "|" $$7 }' $(1)figures/figures.ecsv)
 all_rows := $(call rows_of) $(call rows_of,beyond/)
 rows := $(call rows_of,$(home))
+judge = $(B)/bin/verdicts --root ./$(home) --data $(D)/data --output $(D)/report/claims$(if $(home),_beyond).ecsv
 field = $(word $(2),$(subst |, ,$(1)))
 tables = $(foreach t,$(subst :, ,$(2)),$(D)/data/$(1)/$(t).ecsv)
 drawn = $(D)/figures/$(basename $(notdir $(1)))
@@ -75,10 +76,10 @@ images := $(svgs) $(svgs:.svg=.pdf) $(svgs:.svg=.png)
 by_cost := $(shell grep -v '^\#' $(home)paper/costs.ecsv | LC_ALL=C sort -t, -k2gr | cut -d, -f1)
 chapters := $(basename $(notdir $(wildcard $(home)src/sec*.cpp)))
 chapters := $(filter-out $(by_cost),$(chapters)) $(filter $(chapters),$(by_cost))
-results := $(foreach p,$(chapters),$(D)/data/$(p)/results.ecsv)
+facts := $(foreach p,$(chapters),$(D)/data/$(p)/facts.ecsv)
 
 # Folders have the names of some of them.
-.PHONY: all figures test beyond test-beyond ready all-figures all-data programs configure summary book weave install-book \
+.PHONY: all figures test beyond test-beyond ready all-figures all-data programs configure summary verdicts book weave install-book \
   test-book test-lineage tests examples python run-tests run-tests-beyond test-faults test-fuzz test-python bench paper typeset install-paper \
   lock hashes refresh show gallery second mutants test-platforms test-slurm fresh container dist style tidy \
   install-deps burn help
@@ -122,7 +123,7 @@ ready: install-deps
 all-figures: programs
 	@$(MAKE) built=yes $(two_by_two) all-data
 	@$(MAKE) built=yes $(side_by_side) $(images)
-all-data: $(results)
+all-data: $(facts)
 
 ## programs: build build/bin/<program>
 # A single figure needs only its own program. Who calls with `built=yes` has just built them.
@@ -134,26 +135,26 @@ programs: $(if $(built),,configure)
 configure:
 	@sh tools/configure.sh $(B)
 
-# compute.sh decides whether a program is another one than that which wrote the results.
-$(D)/data/%/results.ecsv: programs
+# compute.sh decides whether a program is another one than that which wrote the facts.
+$(sort $(facts) $(foreach r,$(all_rows),$(D)/data/$(call field,$(r),2)/facts.ecsv)): $(D)/data/%/facts.ecsv: programs
 	@sh tools/compute.sh $(B)/bin/$* $@ $(D)/report/cost/$* $(at_once) \
 	  $(LAUNCH) $(B)/bin/$* --out $(@D) $(if $(quick),--quick) $(threads)
 
-# $(1) id, $(2) program, $(3) script, $(4) tables. Tables come with the results, which are written last.
+# $(1) id, $(2) program, $(3) script, $(4) tables. Tables come with the facts, which are written last.
 define figure
 .PHONY: $(call command,$(1))
 $(call command,$(1)): ready
 	@$$(MAKE) TARGETS=$(2) $(foreach e,svg pdf png,$(call drawn,$(3)).$(e))
 	@echo "  figure   $(call drawn,$(3)).png"
-$(call drawn,$(3)).svg: $(3) $(D)/data/$(2)/results.ecsv $(call tables,$(2),$(4)) tools/draw.sh \
+$(call drawn,$(3)).svg: $(3) $(D)/data/$(2)/facts.ecsv $(call tables,$(2),$(4)) tools/draw.sh \
     $(if $(filter %.gp,$(3)),figures/style.gp,figures/draw.py figures/matplotlibrc)
 	@mkdir -p $$(@D)
 	@echo "  draw     $(basename $(notdir $(3)))"
 	@PYTHON="$$(PYTHON)" FROM="$$^" sh tools/draw.sh $$@ $(D)/data $$<
-$(call tables,$(2),$(4)): $(D)/data/$(2)/results.ecsv
+$(filter-out %/facts.ecsv,$(call tables,$(2),$(4))): $(D)/data/$(2)/facts.ecsv
 endef
 $(foreach r,$(all_rows),$(eval $(call figure,$(call field,$(r),1),$(call field,$(r),2),$(call field,$(r),3),$(call field,$(r),4))))
-$(sort $(foreach r,$(all_rows),$(call tables,$(call field,$(r),2),$(call field,$(r),4)))): ;
+$(filter-out %/facts.ecsv,$(sort $(foreach r,$(all_rows),$(call tables,$(call field,$(r),2),$(call field,$(r),4))))): ;
 
 # fig7 is fig07, x1 is x01.
 .PHONY: $(patsubst 0%,fig%,$(filter 0%,$(ids))) $(patsubst x0%,x%,$(filter x0%,$(ids)))
@@ -168,9 +169,14 @@ $(foreach i,$(patsubst x0%,%,$(filter x0%,$(ids))),$(eval x$(i): x0$(i)))
 summary:
 	@echo
 	@echo "figures    : $(words $(wildcard $(svgs))) in $(D)/figures (svg, pdf, png)"
-	@$(lineage) --root ./$(home) summary --data $(D)/data --out $(D)/report
+	@$(lineage) tables --data $(D)/data
+	@$(judge)
 	@cd $(D)/report/cost && cat $(chapters) | awk '{ s += $$1 } END { printf "computing  : %.0f s in %d programs\n", s, NR }'
-	@$(if $(home),,echo "report     : $(D)/report/published.ecsv")
+	@$(if $(home),,echo "report     : $(D)/report/claims.ecsv, make show ID=...")
+
+# Judges what there is.
+verdicts:
+	@$(judge)
 
 ## book: build the book from sources, data and figures into build/book
 book: install-book
@@ -180,7 +186,8 @@ book: install-book
 ## weave: the same from the data and figures that are there, in seconds
 weave:
 	@sh book/live/build.sh $(B)/live
-	@$(lineage) summary --data $(D)/data --out $(D)/report > /dev/null
+	@$(judge) > /dev/null
+	@[ ! -f $(D)/data/sec5_growth/facts.ecsv ] || $(MAKE) volume=beyond verdicts > /dev/null
 	@rm -rf $(D)/book.part $(D)/book.pages $(D)/book.read && mkdir -p $(D)/book.pages
 	@$(sphinx) -m sphinx -q -n -W --keep-going -D literate_build=$(D) -c book -d $(D)/book.read $(D)/book.pages $(D)/book.part
 	@rm -rf $(D)/book $(D)/book.read && mv $(D)/book.part $(D)/book
@@ -211,7 +218,7 @@ python: configure
 run-tests: configure
 	@sh tools/build.sh $(B) $(JOBS) all
 	@$(MAKE) QUICK=1 built=yes $(two_by_two) all-data
-	@$(lineage) summary --data $(B)/data --out $(B)/report > /dev/null
+	@$(judge) > /dev/null
 	@$(MAKE) test-lineage
 	@ctest -j $(JOBS) $(CTEST_ARGS) --label-exclude beyond
 run-tests-beyond: configure

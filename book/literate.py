@@ -7,7 +7,7 @@ from tables. While Sphinx reads them, what prose mentions is bound to what made 
     [](finding:pull)              the sentence of a finding, with a link to its evidence
     Eq. (24), figure 19, well.hpp, `sec33_floquet`, `pn.omega11`    links
 
-Nothing is judged here: verdicts are those of build/report/published.ecsv. What cannot be bound is a warning, and with -W
+Nothing is judged here: verdicts are those of build/report/claims.ecsv. What cannot be bound is a warning, and with -W
 the end of the build."""
 
 import base64
@@ -31,13 +31,13 @@ from sphinx.util.docutils import SphinxDirective
 
 from lineage import ecsv, inventory, markdown as md, tex
 from lineage.chapters import explained_by, read_commands, read_costs, run_of, shown_cost
-from lineage.claims import MEANINGS, SAID, VERDICTS, name_of, programs_of, read_claims
-from lineage.findings import KINDS, agrees, in_plain, margins, read_findings, read_second, with_kind, with_sentences
-from lineage.literature import OBTAINED, read_literature, verdicts
-from lineage.lock import read_fresh, read_lock
+from lineage.claims import (KINDS, OBTAINED, agrees, by_name, in_plain, meanings, program_of, programs_of, read_claims, read_facts,
+                            read_findings, read_literature, read_second, read_verdicts, said as filled, with_kind,
+                            with_sentences)
+from lineage.lock import read_lock
 from lineage.refresh import command_of, printed, read_figures
 from lineage.sources import definitions, local_names, made_at, sources_of
-from lineage.values import Finding, distance, with_digits, without_zeros
+from lineage.values import distance
 from lineage.volumes import joined, volumes
 from live import live
 
@@ -102,14 +102,14 @@ class Book:
         self.claims, self.findings = read_claims(self.root), joined(read_findings, every)
         self.second, self.alone, self.seconds = (joined(read, every) for read in (read_second, read_commands, read_costs))
         programs = [program for v in every for program in programs_of(v)]
-        locked, fresh = joined(read_lock, every), read_fresh(self.data, programs, self.claims)
+        locked, fresh = joined(read_lock, every), read_facts(self.data, programs)
         known = locked | {key: replace(locked.get(key, f), made_by=f.made_by, row=f.row) for key, f in fresh.items()}
-        self.numbers = {name_of(f, self.claims): f for f in known.values()
-                        if self.claims.get(f.id, {}).get("program", f.program) == f.program}
-        self.stale = {name_of(fresh[key], self.claims) for key in locked.keys() & fresh.keys()
-                      if self.build.name != "quick" and distance(locked[key], fresh[key]) > 1}
-        self.published = ecsv.read(self.build / "report/published.ecsv").by("id", "claims")
-        self.literature = list(verdicts(joined(read_literature, every), self.numbers))
+        self.numbers = by_name(known, self.claims)
+        self.stale = {f"{program}.{id}" for program, id in locked.keys() & fresh.keys()
+                      if self.build.name != "quick" and distance(locked[program, id], fresh[program, id]) > 1}
+        self.stale |= {id for id, c in self.claims.items() if c["answer"] in self.stale}
+        self.verdicts = joined(lambda volume: read_verdicts(volume, self.build / "report"), every)
+        self.literature = joined(read_literature, every)
         self.lines, near = {}, {}
         for chapter in self.chapters:
             needed = [self.by_include[i] for i in chapter.includes if i in self.by_include]
@@ -167,12 +167,10 @@ class Book:
 
     def tip(self, name):
         """What a reader sees beside a number."""
-        found, claim, row = self.numbers[name], self.claims.get(name), self.published.get(name)
+        found, claim = self.numbers[name], self.claims.get(name)
         if not claim:
             return md.with_error(found)
-        said = f"the article prints {printed(claim)}" if printed(claim) else "a statement of the article"
-        judged = f": {SAID.get(row['verdict'], row['verdict'])}" if row else ""
-        return ("" if found.unit == "claim" else md.with_error(found) + "; ") + said + judged
+        return f"{md.with_error(found)}; the article prints {printed(claim)}: {self.verdicts[name]['verdict']}"
 
     def cost(self, program):
         seconds = self.seconds.get(program, math.nan)
@@ -222,11 +220,11 @@ class Book:
     def end_of(self, program):
         """Figures of a chapter that no prose shows, the statements that it answers, numbers of other authors."""
         left = [id for id, row in self.figures.items() if row["program"] == program and f"fig}} {id}" not in self.places]
-        answers = [self.claim_row(row) for row in self.published.values() if row["program"] == program]
+        answers = [self.claim_row(id) for id, claim in self.claims.items() if program_of(claim) == program]
         others = [[md.spelled(row["quantity"]), f"{md.plain(row['citation'])} {md.spelled(row['where'])}",
-                   md.spelled(printed(row)), md.number(md.with_error(ours)), md.verdict(said) if said else "no verdict",
-                   f"{OBTAINED[row['obtained']]}. {md.spelled(row['note'])}"]
-                  for row, ours, said in self.literature if row["program"] == program]
+                   md.spelled(printed(row)), md.number(md.with_error(self.numbers[row["answer"]])),
+                   md.verdict(self.verdicts[id]["verdict"]), f"{OBTAINED[row['obtained']]}. {md.spelled(row['note'])}"]
+                  for id, row in self.literature.items() if program_of(row) == program]
         return "".join([
             *["\n\n## Further figures of this program\n\n"] * bool(left),
             *(f"```{{fig}} {id}\n{self.figures[id]['caption']}\n```\n\n" for id in left),
@@ -237,27 +235,28 @@ class Book:
 
     # Statements, findings, numbers
 
-    def claim_row(self, row):
+    def claim_row(self, id):
         """A statement of the article in short, below its chapter."""
-        id, claim = row["id"], self.claims[row["id"]]
-        kind = self.numbers[id].kind if id in self.numbers else "value"
-        found = Finding(row["program"], id, row["reproduced"], row["error"], row["unit"], kind)
-        here = "" if math.isnan(found.value) or found.shown == row["verdict"] else md.number(md.with_error(found))
-        return [f"{md.link('published.html#' + id, md.name(id))} {md.spelled(row['quantity'])}", md.spelled(printed(claim)),
-                here, md.verdict(row["verdict"])]
+        claim, found = self.claims[id], self.numbers.get(id)
+        return [f"{md.link('published.html#' + id, md.name(id))} {md.spelled(claim['quantity'])}", md.spelled(printed(claim)),
+                md.number(md.with_error(found)) if found else "", md.verdict(self.verdicts[id]["verdict"])]
 
-    def whole_row(self, row):
-        """The same in the table of all: how it was read, why it fails, where it is told."""
-        id, (_, article, here, said) = row["id"], self.claim_row(row)
-        where = re.sub(r"\b(?:Eqs?\.|Figs?\.?) (\w+)", lambda m: self.labels.get(m[1], m[0]), row["where"])
-        if row["reading"]:
-            said += f" Read: {md.spelled(row['reading'])}"
-        if row["reason"]:
+    def whole_row(self, id):
+        """The same in the table of all: what decides, what is assumed, why it fails, where it is told."""
+        claim, (_, article, here, said) = self.claims[id], self.claim_row(id)
+        where = re.sub(r"\b(?:Eqs?\.|Figs?\.?) (\w+)", lambda m: self.labels.get(m[1], m[0]), claim["where"])
+        if claim["criterion"]:
+            here = "<br>".join(condition(text, program_of(claim)) for text in self.verdicts[id]["found"].split("; "))
+        if claim["assumption"]:
+            said += f" {md.spelled(filled(claim['assumption'], self.numbers))}"
+        if claim["reason"]:
             see = ", ".join(self.page_link(p) for p in explained_by(id, self.claims) if p in self.by_page)
-            said += f" {md.spelled(row['reason'])} See {see}."
-        chapter = md.link(row["program"] + ".html", "chapter") if row["program"] in self.by_page else ""
-        links = ", ".join(filter(None, [self.line_link(id), chapter, self.speaks(id, row["program"])]))
-        return [f"{md.place(id)}{md.name(id)} {md.spelled(row['quantity'])} ({md.plain(where)})", article,
+            said += f" {md.spelled(filled(claim['reason'], self.numbers))} See {see}."
+        program, words = program_of(claim), set(re.findall(r"\w+", claim["where"]))
+        chapter = md.link(program + ".html", "chapter") if program in self.by_page else ""
+        figures = [self.figure_link(f) for f, row in self.figures.items() if row["label"] in words]
+        links = ", ".join(filter(None, [self.line_link(id), chapter, *figures, self.speaks(id, program)]))
+        return [f"{md.place(id)}{md.name(id)} {md.spelled(claim['quantity'])} ({md.plain(where)})", article,
                 here + self.second_mark(id), said, links + self.alone_mark(id)]
 
     def alone_mark(self, id):
@@ -269,14 +268,14 @@ class Book:
         return f' <span class="second">✓ second route: {md.spelled(self.second[id][1])}</span>'
 
     def published_page(self):
-        counts = Counter(row["verdict"] for row in self.published.values())
-        lost = [self.claim_row(row) for row in self.published.values() if row["verdict"] == "discrepant"]
-        tally = [[md.verdict(v), str(counts[v]), text] for v, text in MEANINGS.items() if counts[v]]
+        counts = Counter(self.verdicts[id]["verdict"] for id in self.claims)
+        lost = [self.claim_row(id) for id in self.claims if self.verdicts[id]["verdict"] == "discrepant"]
+        tally = [[md.verdict(v), str(counts[v]), text] for v, text in meanings().items() if counts[v]]
         out = [md.table(["verdict", "rows", "meaning"], tally),
                *["\n## What does not survive\n"] * bool(lost), md.table(["statement", "article", "here", "verdict"], lost)]
-        for section in dict.fromkeys(self.claims[id]["section"] for id in self.published):
-            rows = [self.whole_row(row) for id, row in self.published.items() if self.claims[id]["section"] == section]
-            out.append(f"\n## Section {section}\n" + md.table(["statement", "article", "here", "verdict", "see"], rows))
+        for section in dict.fromkeys(claim["section"] for claim in self.claims.values()):
+            rows = [self.whole_row(id) for id, claim in self.claims.items() if claim["section"] == section]
+            out.append(f"\n## Section {section}\n" + md.table(["statement", "article", "here", "verdict", "see"], rows, "rows statements"))
         return "\n".join(out)
 
     def findings_page(self):
@@ -285,20 +284,20 @@ class Book:
             figure = ", " + self.figure_link(row["figure"]) if row["figure"] in self.figures else ""
             out += [f'\n{md.place(id)}\n\n## {id}\n\n<span class="evidence">{row["kind"]}</span> {row["sentence"]}\n',
                     f"- **Shown over** {md.spelled(row['range'])}", f"- **Tried against it** {md.spelled(row['tried'])}",
-                    "- **Carried by**", *(f"  - {condition(m)}" for m in margins(row, self.numbers)),
+                    "- **Carried by**", *(f"  - {condition(text)}" for text in self.verdicts[id]["found"].split("; ")),
                     f"- **Second route** {md.spelled(row['second'])}",
                     f'- **Stands in** {self.speaks("finding:" + id) or "the report"}{figure}; `make show ID={id}`']
         return "\n".join(out)
 
     def numbers_page(self, program):
-        """All numbers of a program but the answers, and its tables with their columns."""
+        """All numbers of a program, and its tables with their columns."""
         paths = sorted((self.data / program).glob("[!.]*.ecsv"))
         means = {c.name: c.description for path in paths for c in ecsv.header_of(ecsv.text_of(path))[0] if len(c.name) > 2}
         rows = [[md.place(name) + md.name(f.id), meaning(f.id, means), md.number(md.with_error(f)) + self.second_mark(name),
                  ", ".join(filter(None, [self.line_link(name), self.speaks(name, program)])) + self.alone_mark(name)]
-                for name, f in sorted(self.numbers.items()) if f.program == program and name not in self.claims]
+                for name, f in sorted(self.numbers.items()) if name == f"{program}.{f.id}"]
         out = [f"{ORPHAN}# Numbers and tables of {program}\n\n*{self.by_page[program].title}*: `{program}`, computed by "
-               f"`{run_of(program)}`{self.cost(program)}. Answers to statements of the article are in [published against "
+               f"`{run_of(program)}`{self.cost(program)}. What they decide is in [published against "
                "reproduced](published.md); how to read a table is told in [use the data](data.md).\n",
                *["\n## Numbers\n"] * bool(rows), md.table(["number", "meaning", "value", "made at"], rows), "\n## Tables\n"]
         return "\n".join(out + [f"\n### {path.stem}\n\n{md.data(f'{program}/{path.name}')}\n{columns(path)}" for path in paths])
@@ -384,11 +383,11 @@ class Book:
 
     def start_page(self, lists):
         """The words of start.md, what comes out, and the contents."""
-        numbers, counts = {n: f.shown for n, f in self.numbers.items()}, Counter(r["verdict"] for r in self.published.values())
-        found = [f"- {in_plain(row['sentence'], numbers)} ({self.figure_link(row['figure'])})"
+        counts = Counter(self.verdicts[id]["verdict"] for id in self.claims)
+        found = [f"- {in_plain(row['sentence'], self.numbers)} ({self.figure_link(row['figure'])})"
                  for row in self.findings.values() if row["figure"] in self.figures]
-        tally = ", ".join(f"{counts[v]} {md.verdict(v)}" for v in VERDICTS if counts[v])
-        out = [ecsv.text_of(self.root / "book/start.md"), f"\nOf {len(self.published)} statements: {tally}."]
+        tally = ", ".join(f"{counts[v]} {md.verdict(v)}" for v in meanings() if counts[v])
+        out = [ecsv.text_of(self.root / "book/start.md"), f"\nOf {len(self.claims)} statements: {tally}."]
         out += ["\nFound besides:\n"] * bool(found) + found
         parts, part = {}, "Chapters"
         for name in (s.stem for s in self.chapters):
@@ -452,12 +451,11 @@ def meaning(id, columns):
     return md.spelled(columns[max(names, key=len)]) + (f" ({md.plain(rest)})" if rest else "")
 
 
-def condition(m):
-    """A condition of a finding: its number, its limit, and what is left between them."""
-    limit = f"`{m.limit}` = {md.number(md.with_error(m.other))}" if m.other.program else md.number(m.limit)
-    bars = f", {md.number(without_zeros(with_digits(m.left / m.error, 1)))} error bars" if m.error else ""
-    return (f"`{m.name}` = {md.number(md.with_error(m.value))} {escape(m.side)} {limit}; "
-            f"margin {md.number(without_zeros(with_digits(m.left, 2)))}{bars}")
+def condition(text, program=""):
+    """A condition as `verdicts` writes it, `program.fact = 1.2 +- 3e-4 > 1`; the name of this program is not said."""
+    name, _, rest = text.partition(" = ")
+    shown = md.link(f"numbers-{name.partition('.')[0]}.html#{name}", md.name(name.removeprefix(program + ".")))
+    return f"{shown} = {md.number(rest.replace('+-', '±'))}"
 
 
 # While Sphinx reads

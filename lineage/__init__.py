@@ -2,7 +2,7 @@
 
     ecsv      the one reader and writer of tables
     values    a value with its error, and the digits that people see of it
-    claims    what the article states, what the programs answer, and the verdict
+    claims    what is claimed and found, the verdicts, and all numbers by their names
     chapters  which chapters answer and explain a claim, their commands and costs
     modules   how the libraries stand on each other, as CMake links them
     lock      paper/converged.ecsv: which values are kept, and how far a fresh one may be
@@ -11,7 +11,7 @@
     metadata  version, title, authors, licences: CITATION.cff, .zenodo.json, paper/metadata.yaml
     codecheck what a codechecker compares: codecheck.yml
     tex       the same values for the paper
-    summary   the end of `make figures`, build/report/published.ecsv, one claim by its id
+    show      one number, statement or finding
     inventory every table with its columns, every command, the packages used
     cover     the first page of the archive of `make dist`
     gallery   the small pictures of the README

@@ -13,14 +13,8 @@ def need(folder):
         raise ecsv.Fault(f"{folder} is missing: compute it first (make figures)")
 
 
-def summary(given):
-    need(given.data)
-    from .summary import summarize
-    summarize(given.root, given.data, given.out)
-
-
 def show(given):
-    from .summary import show as show_one
+    from .show import show as show_one
     show_one(given.root, given.data, given.id)
 
 
@@ -98,7 +92,6 @@ def reader():
             sub.add_argument("--out", default=out, help="where to write (default: %(default)s)")
         return sub
 
-    verb(summary, "published against reproduced: the verdicts, and the table published.ecsv", "data", out="build/report")
     verb(show, "one number: printed, converged, error, verdict, figure, command", "data").add_argument("id")
     kept = verb(lock, "renew paper/converged.ecsv and say what moved", "data")
     kept.add_argument("--check", action="store_true", help="only say what is gone or outside; exit code 1 if anything")

@@ -9,7 +9,7 @@ import re
 from pathlib import Path
 
 from . import ecsv
-from .claims import QUOTED, programs_of
+from .claims import QUOTED, program_of, programs_of
 from .values import with_digits
 from .volumes import article
 
@@ -20,12 +20,12 @@ COSTS = [ecsv.Column("program", "string", "chapter of src/"),
 def explained_by(id, claims, known=()):
     """The programs behind a claim: the one that answers it, then those of the facts that its reason quotes, and those
     behind the claims that it names or follows from."""
-    claim, programs = claims[id], [claims[id]["program"]]
+    claim, programs = claims[id], [program_of(claims[id])]
     named = [name for name in claims if re.search(rf"(?<![\w.]){re.escape(name)}(?!\w)", claim["reason"])]
     for name in QUOTED.findall(claim["reason"]) + [claim["covered_by"].partition("^")[0]] + named:
-        if name not in claims:
+        if name not in claims and "." in name:
             programs.append(name.partition(".")[0])
-        elif name != id and name not in known:
+        elif name in claims and name != id and name not in known:
             programs += explained_by(name, claims, (id, *known))
     return [program for program in dict.fromkeys(programs) if program]
 

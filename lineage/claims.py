@@ -1,162 +1,79 @@
-"""What the article states, what the programs answer, and the verdict.
+"""What is claimed, beside what was found. The lists of a volume (paper/claims.ecsv, findings.ecsv, literature.ecsv) say
+what is printed and which facts decide it. The program `verdicts` judges and writes build/report/claims.ecsv. Both are read
+here, for README, book and paper, and nothing is judged.
 
-`paper/published.ecsv` lists the statements, each with the tolerance that was fixed before anything was computed.
-`lineage summary` writes them down; the tests judge once more, in C++ (tests/judge.hpp), and ask that both agree."""
+A fact goes by `program.quantity`; the id of a claim is another name of the fact that answers it."""
 
-import math
 import re
+from dataclasses import replace
 from pathlib import Path
 
 from . import ecsv
-from .values import Finding
+from .values import Finding, distance
 from .volumes import article
 
-MEANINGS = {
-    "reproduced": "a printed number, met within its tolerance",
-    "holds": "a yes-or-no statement that our criterion confirms",
-    "within": "a printed number missed by no more than the accuracy that the article itself prints",
-    "measured": "the article uses a word without a number; we give the number and pass no judgement",
-    "follows": "missed because the article computes it from another printed number, which is judged in its own row",
-    "discrepant": "a printed number missed, or a statement that fails, in every natural reading",
-    "unresolved": "the error bar does not allow a verdict, which no test accepts",
-    "open": "not answered yet"}
-VERDICTS = list(MEANINGS)
-COLUMNS = ("id", "section", "where", "quantity", "printed", "unit", "class", "tolerance", "program", "status", "reading",
-           "covered_by", "reason")
-SAID = {"within": "within its own accuracy", "follows": "follows from another"}  # where one word would not do
+COLUMNS = ("id", "section", "where", "quantity", "printed", "unit", "class", "tolerance", "answer", "criterion", "assumption",
+           "covered_by", "reason", "status")
+KINDS = {"proved": "by an argument that is written out in the chapter",
+         "enclosed": "by interval arithmetic: a theorem, of which a program is a part",
+         "computed": "a converged number with its error",
+         "observed": "seen in every run of a stated range, which the sentence names"}
+OBTAINED = {"text": "read in its text", "data": "read in its data", "abstract": "read in its abstract",
+            "memory": "from memory, its source not read"}
+MEANT = re.compile(r"^\| ([a-z, ]+?) \| (.+?) \|$", re.M)
 QUOTED = re.compile(r"\{([a-z]\w*\.\w+)\}")
-NUMBER = r"-?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+NUMBERS = re.compile(r"\[[^\]]*\]\(num:([^)]+)\)")
+FACTS = re.compile(r"\b(sec\w+\.\w+)")
+QUOTE = re.compile(r"(\[[^\]]*\])?\(finding:([^)\n]*)(\)?)")
 
 
-def half_digit(number):
-    """Half a unit in the last printed digit."""
-    mantissa, _, exponent = number.lower().partition("e")
-    return 0.5 * 10.0 ** (int(exponent or 0) - len(mantissa.partition(".")[2]))
+def meanings():
+    """What each verdict means, in their order: the table in src/report/verdict.hpp, where they are given."""
+    header = Path(__file__).resolve().parents[1] / "src/report/verdict.hpp"
+    return {word: text for word, text in MEANT.findall(ecsv.text_of(header)) if word != "verdict"}
 
 
-def printed_range(text):
-    """What is printed, as (low, high, half a digit): a number, a range ("238 to 241"), a count of orders of
-    magnitude or a multiple of pi. None for words, which are a statement."""
-    found = re.fullmatch(rf"({NUMBER})(?: pi/({NUMBER}))?(?: to ({NUMBER}))?( orders)?", text)
-    if not found or (found[2] and (found[3] or found[4])):
-        return None
-    low = float(found[1]) * (math.pi / float(found[2]) if found[2] else 1)
-    high = float(found[3]) if found[3] else low
-    if found[4]:
-        low, high = 10 ** low, 10 ** high
-    return min(low, high), max(low, high), half_digit(found[1])
-
-
-def agreement(printed, tolerance):
-    """The interval of values that agree with what is printed; ValueError for a tolerance that is none."""
-    low, high, half = printed
-    size = max(abs(low), abs(high))
-    if tolerance == "at most":
-        return -math.inf, high
-    if tolerance == "order of magnitude":
-        return low / 10, high * 10
-    amount = {"": half, "exact": 1e-12 * size}.get(tolerance)
-    if amount is None:
-        kind, _, number = tolerance.partition(" ")
-        if kind not in ("rel", "abs") or not re.fullmatch(NUMBER, number) or float(number) < 0:
-            raise ValueError(tolerance)
-        amount = float(number) * (size if kind == "rel" else 1)
-    return low - amount, high + amount
-
-
-def alone(claim, answer):
-    """The verdict from the row and its answer. A yes or a no is no answer to a printed number, and a number that
-    answers a word is a measurement. Where the error bar straddles an edge there is no verdict."""
-    if answer is None:
-        return "open"
-    if not math.isfinite(answer.value) or not math.isfinite(answer.error):
-        return "unresolved"
-    printed = printed_range(claim["printed"])
-    in_words = claim["class"] == "claim" or not printed
-    if answer.unit == "claim":
-        decided = in_words and answer.error == 0
-        return {1: "holds", 0: "discrepant"}.get(answer.value, "unresolved") if decided else "unresolved"
-    if in_words:
-        return "measured"
-    low, high = agreement(printed, claim["tolerance"])
-    least, most = answer.value - answer.error, answer.value + answer.error
-    if low <= least and most <= high:
-        return "reproduced"
-    return "discrepant" if most < low or least > high else "unresolved"
-
-
-def covered(claim, answer, by):
-    """What covers a number that is missed: `within`, if by this fact of ours the article's own accuracy is not better
-    than the distance; `follows`, if the number is the article's other number to a power (`moving.c_threshold^2`) and
-    ours, with that number in the place of our own, is what is printed. Else nothing, and it stays discrepant."""
-    low, high, _ = printed_range(claim["printed"])
-    if isinstance(by, Finding):
-        apart = max(low - answer.value, answer.value - high) + answer.error
-        return "within" if apart <= by.value - by.error else None
-    other, found, power = by
-    scale = (printed_range(other["printed"])[0] / found.value) ** power
-    theirs = Finding("", "", answer.value * scale, answer.error * scale, answer.unit)
-    return "follows" if alone(other, found) == "discrepant" and alone(claim, theirs) == "reproduced" else None
-
-
-def name_of(finding, claims):
-    """How prose calls a finding: a claim by its id, a fact with its program before it."""
-    return finding.id if finding.id in claims else f"{finding.program}.{finding.id}"
-
-
-class Judge:
-    """All verdicts on one set of findings: those of a run, or the locked ones."""
-
-    def __init__(self, claims, findings):
-        self.claims, self.found = claims, {name_of(f, claims): f for f in findings}
-
-    def answer(self, id):
-        found = self.found.get(id)
-        return found if found and found.program == self.claims[id]["program"] else None
-
-    def verdict(self, id):
-        claim, answer = self.claims[id], self.answer(id)
-        said = alone(claim, answer)
-        if said != "discrepant" or not claim["covered_by"]:
-            return said
-        name, _, power = claim["covered_by"].partition("^")
-        if name not in self.found:
-            raise ecsv.Fault(f"{id}: nothing is known of '{name}', by which it is covered")
-        by = (self.claims[name], self.found[name], float(power or 1)) if name in self.claims else self.found[name]
-        return covered(claim, answer, by) or said
-
-    def said(self, text):
-        """A text of the list of claims with our numbers in the places of their names, `{pn.omega11}`."""
-        def shown(m):
-            if m[1] not in self.found:
-                raise ecsv.Fault(f"paper/published.ecsv: nothing is known of '{m[1]}' (a new number: make lock)")
-            return self.found[m[1]].shown
-
-        return QUOTED.sub(shown, text)
-
-
-def quoted_by(claims):
-    """Every number of ours that the list of claims names."""
-    return {name for c in claims.values() for name in QUOTED.findall(c["reading"] + c["reason"])
-            } | {c["covered_by"].partition("^")[0] for c in claims.values()} - {""}
+def read_list(root, name, columns):
+    path = Path(root) / f"paper/{name}.ecsv"
+    return ecsv.read(path, columns).by("id", name) if path.exists() else {}
 
 
 def read_claims(root):
-    """The rows of paper/published.ecsv by id, each with a tolerance and a status that mean something."""
-    claims = ecsv.read(article(root) / "paper/published.ecsv", COLUMNS).by("id", "claims")
-    for claim in claims.values():
-        try:
-            agreement(printed_range(claim["printed"]) or (0, 0, 0), claim["tolerance"])
-        except ValueError:
-            raise claim.fault(f"{claim['id']}: the tolerance '{claim['tolerance']}' is none (allowed: rel 1e-3, "
-                              "abs 1e-3, at most, exact, order of magnitude, or nothing)") from None
-        if claim["status"] not in VERDICTS or claim["status"] == "unresolved":
-            raise claim.fault(f"{claim['id']}: the status '{claim['status']}' is none")
-        if (claim["status"] == "open") == bool(claim["program"]):
-            raise claim.fault(f"{claim['id']}: a program answers what is not open, and nothing else")
-        if claim["reason"] and claim["status"] not in ("within", "follows", "discrepant"):
-            raise claim.fault(f"{claim['id']}: a reason, but nothing is missed")
-    return claims
+    """What the article states, by id."""
+    return read_list(article(root), "claims", COLUMNS)
+
+
+def read_findings(root):
+    """What we found in this volume, by id."""
+    return read_list(root, "findings", ("id", "sentence", "kind", "range", "tried", "criterion", "second", "figure"))
+
+
+def read_literature(root):
+    """Numbers that other authors have printed, by id."""
+    return read_list(root, "literature", ("id", "quantity", "printed", "unit", "answer", "obtained", "citation", "where", "note"))
+
+
+def program_of(row):
+    """The program whose facts decide a row."""
+    return (row.get("answer") or row["criterion"]).partition(".")[0]
+
+
+def is_number(printed):
+    """Whether what is printed begins as a number does; else it is words."""
+    return bool(re.match(r"-?[.\d]", printed))
+
+
+def read_verdicts(root, report=None):
+    """The rows that `verdicts` has written for this volume, by id; before it has run, what the list of claims records."""
+    name = "claims.ecsv" if Path(root) == article(root) else "claims_beyond.ecsv"
+    path = Path(report or article(root) / "build/report") / name
+    if path.exists():
+        return ecsv.read(path, ("id", "verdict", "found")).by("id", "verdicts")
+    rows = (read_claims(root) if name == "claims.ecsv" else {}) | read_findings(root) | read_literature(root)
+    return {id: {"verdict": row.get("status", "holds"), "found": row.get("criterion", "")} for id, row in rows.items()}
+
+
+# Numbers by name
 
 
 def programs_of(root):
@@ -165,39 +82,114 @@ def programs_of(root):
 
 
 def runs_of(data, programs):
-    """The programs that have run to their end, each with its table of results."""
-    paths = ((program, Path(data) / program / "results.ecsv") for program in programs)
+    """The programs that have run to their end, each with its table of facts, which is written last."""
+    paths = ((program, Path(data) / program / "facts.ecsv") for program in programs)
     return [(program, path) for program, path in paths if path.exists()]
 
 
-def findings_in(path, program, name):
-    """The values of one table of results or facts, by id."""
-    out = {}
-    for id, row in ecsv.read_written(path, (name, "value")).by(name, "values").items():
-        error = float(row.get("error", 0))
-        if error < 0:
-            raise row.fault(f"{id}: the error {error:g} is negative")
-        out[id] = Finding(program, id, float(row["value"]), error, row.get("unit", ""),
-                          made_by=row.get("made_by", ""), row=row.number)
-    return out
-
-
-def read_results(data, programs, claims):
-    """The answers of the programs that have run, by claim. A claim is answered once, by the program that its row names."""
+def read_facts(data, programs):
+    """The facts of the programs that have run, by (program, id); Fault if any of their tables was changed since."""
     out = {}
     for program, path in runs_of(data, programs):
-        for id, answer in findings_in(path, program, "id").items():
-            place = ecsv.Row({}, path, answer.row)
-            if id not in claims:
-                raise place.fault(f"'{id}' is no claim of paper/published.ecsv")
-            if claims[id]["program"] != program:
-                raise place.fault(f"'{id}' is answered by {program}, but paper/published.ecsv says by "
-                                  f"{claims[id]['program'] or 'nobody'}")
-            out[id] = answer
+        for id, row in ecsv.read_written(path, ("quantity", "value")).by("quantity", "values").items():
+            error = float(row.get("error", 0))
+            if error < 0:
+                raise row.fault(f"{id}: the error {error:g} is negative")
+            out[program, id] = Finding(program, id, float(row["value"]), error, row.get("unit", ""),
+                                       made_by=row.get("made_by", ""), row=row.number)
+    ecsv.check_all_written(data)
     return out
 
 
-def read_facts(data, programs):
-    """Their facts, by (program, id)."""
-    return {(program, id): fact for program, results in runs_of(data, programs) if (path := results.with_name("facts.ecsv")).exists()
-            for id, fact in findings_in(path, program, "quantity").items()}
+def by_name(facts, claims):
+    """Facts by their names, `facts` being those by (program, id), and by the ids of the claims that they answer."""
+    out = {f"{program}.{id}": f for (program, id), f in facts.items()}
+    return out | {id: out[c["answer"]] for id, c in claims.items() if c["answer"] in out}
+
+
+def quoted_in(row):
+    """The names of all numbers of ours that a row of a list mentions."""
+    texts = [str(text) for text in row.values()]
+    names = {name for text in texts for name in [*QUOTED.findall(text), *NUMBERS.findall(text)]}
+    names.update(FACTS.findall(row.get("criterion", "") + " " + row.get("answer", "")))
+    return (names | {row.get("covered_by", "").partition("^")[0]}) - {"", "method", "memory"}
+
+
+def said(text, numbers):
+    """A text of the list of claims with our numbers, by their names, in the places of these, `{pn.omega11}`."""
+    def shown(m):
+        if m[1] not in numbers:
+            raise ecsv.Fault(f"paper/claims.ecsv: nothing is known of '{m[1]}' (a new number: make lock)")
+        return numbers[m[1]].shown
+
+    return QUOTED.sub(shown, text)
+
+
+def read_second(root):
+    """What `make second` found, by the name of the number that it computed anew; nothing without the file."""
+    path = Path(root) / "paper/second.ecsv"
+    if not path.exists():
+        return {}
+    rows = ecsv.read(path, ("quantity", "value", "error", "unit", "method")).by("quantity", "numbers")
+    return {name: (Finding("", name, row["value"], row["error"], row["unit"]), row["method"]) for name, row in rows.items()}
+
+
+def agrees(name, finding, second):
+    """Whether a second route has the same number within the sum of the errors."""
+    return name in second and distance(finding, replace(second[name][0], unit=finding.unit)) <= 1
+
+
+# Sentences of findings stand in their list and nowhere else; chapters quote them by `[](finding:id)`, the report by
+# `\finding{id}`.
+
+
+def words_of(text):
+    """A text without links, marks of comments and line breaks, to compare sentences."""
+    text = re.sub(r"^\s*(?:\*|///?|%)+ ?", "", text, flags=re.M)
+    return re.sub(r"\s+", " ", NUMBERS.sub("#", re.sub(r"\\num\{[^}]*\}", "#", text))).strip()
+
+
+def with_sentences(text, rows, sentence):
+    """`text` with `sentence(row)` for each `[](finding:id)`; Fault for a quotation of nothing."""
+    def told(found):
+        brackets, id, end = found.groups()
+        if id in ("id", "..."):
+            return found[0]  # the form itself, where a comment explains it
+        if brackets != "[]" or not end:
+            raise ecsv.Fault(f"this is no [](finding:id): {found[0]}")
+        if id not in rows:
+            raise ecsv.Fault(f"paper/findings.ecsv has no finding '{id}'")
+        return sentence(rows[id])
+
+    return QUOTE.sub(told, text)
+
+
+def with_kind(row):
+    """The sentence as the book shows it: with its kind of evidence, a link to its row."""
+    return f"{row['sentence']} [{row['kind']}](finding:{row['id']})"
+
+
+def in_plain(sentence, numbers):
+    """The sentence with its numbers as texts, by their names."""
+    if lost := [name for name in NUMBERS.findall(sentence) if name not in numbers]:
+        raise ecsv.Fault(f"paper/findings.ecsv: nothing is locked under '{lost[0]}' (a new one: make lock)")
+    return NUMBERS.sub(lambda m: numbers[m[1]].shown, sentence)
+
+
+def check_quotations(rows, texts):
+    """Fault unless every finding is quoted in one of the texts, by path, and stands in none of them word by word."""
+    quoted = set()
+    for path, text in texts.items():
+        quoted.update(id for _, id, _ in QUOTE.findall(text))
+        quoted.update(re.findall(r"\\finding\{([^}#]+)\}", text))
+        try:
+            with_sentences(text, rows, lambda row: "")
+        except ecsv.Fault as fault:
+            raise ecsv.Fault(f"{path}: {fault}") from None
+        bare = words_of(text)
+        for id, row in rows.items():
+            if words_of(row["sentence"]) in bare:
+                raise ecsv.Fault(f"{path}: the sentence of {id} is typed here; say [](finding:{id})")
+    for id, row in rows.items():
+        if id not in quoted:
+            raise row.fault(f"{id}: no chapter and no page of the report quotes it")

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from . import ecsv, metadata
 
-CLAIMS = "build/report/published.ecsv"
+CLAIMS = "build/report/claims.ecsv"
 
 
 def drawn(row):

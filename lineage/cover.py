@@ -6,7 +6,6 @@ from html import escape as escaped
 from pathlib import Path
 
 from . import codecheck, ecsv, metadata
-from .claims import SAID
 from .values import Finding
 
 PAGE = """<!DOCTYPE html>
@@ -63,10 +62,10 @@ def claims(root):
     """A row for each claim; a statement is told by its verdict alone."""
     if not (path := root / codecheck.CLAIMS).exists():
         return
-    for row in ecsv.read(path, ("id", "quantity", "published", "reproduced", "error", "unit", "verdict", "program")).rows:
-        f = Finding(row["program"], row["id"], row["reproduced"], row["error"], row["unit"])
-        number = "" if f.unit == "claim" else f.shown + f.shown_unit
-        told = [row["quantity"], row["published"], number, f.shown_error, SAID.get(row["verdict"], row["verdict"])]
+    for row in ecsv.read(path, ("id", "quantity", "printed", "value", "error", "unit", "verdict", "program")).rows:
+        f = Finding(row["program"], row["id"], row["value"], row["error"], row["unit"])
+        number, error = (f.shown + f.shown_unit, f.shown_error) if f.value == f.value else ("", "")
+        told = [row["quantity"], row["printed"], number, error, row["verdict"]]
         yield "<tr>" + "".join(f"<td>{escaped(cell)}" for cell in told) + "</tr>"
 
 

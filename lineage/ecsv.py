@@ -142,7 +142,7 @@ def parse(text, path="<text>", needed=()):
     return table
 
 
-# A table that was changed or cut after its program had run answers for nothing. The header of results.ecsv, which is
+# A table that was changed or cut after its program had run answers for nothing. The header of facts.ecsv, which is
 # written last, lists the tables of the run with their checksums; other headers may differ.
 
 
@@ -159,7 +159,7 @@ def rows_sum(text):
 
 def sums_in(folder):
     """The checksums of a program's tables, by the names of their files."""
-    listed = header_of(text_of(folder / "results.ecsv"))[1].get("tables", "")
+    listed = header_of(text_of(folder / "facts.ecsv"))[1].get("tables", "")
     return {f"{name}.ecsv": known for name, known in re.findall(r"(\w+) ([0-9a-f]{8})", listed)}
 
 
@@ -189,7 +189,7 @@ def faults_of(paths):
 
 def altered(data):
     """The same for all tables of the runs that are complete, and for those that are of no run."""
-    for folder in sorted(results.parent for results in Path(data).glob("*/results.ecsv")):
+    for folder in sorted(facts.parent for facts in Path(data).glob("*/facts.ecsv")):
         yield from faults_of(sorted({folder / name for name in sums_in(folder)} | set(folder.glob("[!.]*.ecsv"))))
 
 
@@ -200,13 +200,13 @@ def check_all_written(data):
 
 
 def forget_incomplete(data):
-    """Removes the results of runs that have lost a table, or were made before there were checksums, so that their programs
+    """Removes the facts of runs that have lost a table, or were made before there were checksums, so that their programs
     run again, and tells what is lost."""
-    for results in sorted(Path(data).glob("*/results.ecsv")):
-        for name in sums_in(results.parent) or ["results.ecsv with checksums"]:
-            if not (results.parent / name).exists():
-                results.unlink(missing_ok=True)
-                yield results.parent / name
+    for facts in sorted(Path(data).glob("*/facts.ecsv")):
+        for name in sums_in(facts.parent) or ["facts.ecsv with checksums"]:
+            if not (facts.parent / name).exists():
+                facts.unlink(missing_ok=True)
+                yield facts.parent / name
 
 
 def read_written(path, needed=()):

@@ -73,7 +73,7 @@ def maker_of(path):
 
 def tables_in(data, programs):
     """The files of the runs that are complete, by (program, table)."""
-    return {(p, path.stem): path for p, results in runs_of(data, programs) for path in sorted(results.parent.glob("*.ecsv"))}
+    return {(p, path.stem): path for p, facts in runs_of(data, programs) for path in sorted(facts.parent.glob("*.ecsv"))}
 
 
 def first_difference(path, other, left_out=""):
@@ -103,11 +103,11 @@ def differences(record, data, programs, run):
         elif hash_of(path, entry.left_out) != wanted:
             yield key, path, "not the bytes that are recorded"
     for key, entry in record.items():
-        if getattr(entry, run) and key not in found and (key[0] not in programs or (key[0], "results") in found):
+        if getattr(entry, run) and key not in found and (key[0] not in programs or (key[0], "facts") in found):
             yield key, Path(data) / key[0] / f"{key[1]}.ecsv", "recorded and not there"
     for program in programs:
-        if (Path(data) / program).is_dir() and (program, "results") not in found:
-            yield (program, "results"), Path(data) / program / "results.ecsv", "not there: the program did not finish"
+        if (Path(data) / program).is_dir() and (program, "facts") not in found:
+            yield (program, "facts"), Path(data) / program / "facts.ecsv", "not there: the program did not finish"
 
 
 def check(root, data, run, against=None):
@@ -145,7 +145,7 @@ def renew(root, folders):
     maker, counts = None, []
     for run, data in zip(RUNS, folders):
         found = tables_in(data, programs)
-        if missing := [p for p in programs if (p, "results") not in found]:
+        if missing := [p for p in programs if (p, "facts") not in found]:
             raise ecsv.Fault(f"{data}: {', '.join(missing)} did not finish (make hashes runs everything)")
         ecsv.check_all_written(data)
         for key, path in found.items():

@@ -1,8 +1,7 @@
 """The lock, paper/converged.ecsv: what we found, with its error.
 
-A row is locked if it answers a claim, if the prose, the paper or the book quotes it, or if somebody has marked it
-as a `headline` in its last column. The margins of criteria and all the other facts are judged where they are
-computed, and are not locked. A fresh value has to agree with the locked one within the sum of the two errors.
+A fact is locked if it decides a claim or a finding, if the prose, the paper or the book quotes it, or if somebody has
+marked it as a `headline` in its last column; all others are not. A fresh value has to agree with the locked one within the sum of the two errors.
 
 The programs give the same bits on every machine, but another compiler or mathematical library may round a
 logarithm differently, so that a relative difference of 1e-12 is always allowed. A `residue` is itself made of
@@ -14,19 +13,17 @@ from pathlib import Path
 
 from . import ecsv
 from .chapters import read_commands
-from .claims import name_of, programs_of, quoted_by, read_claims, read_facts, read_results
-from .findings import quoted_in, read_findings, read_second
-from .literature import name_of as literature_name, read_literature
+from .claims import programs_of, quoted_in, read_claims, read_facts, read_findings, read_literature, read_second
 from .values import Finding, distance
 from .volumes import joined, volumes
 
 KINDS = ("value", "residue", "headline")
 COLUMNS = [
     ecsv.Column("program", "string", "program that computes it"),
-    ecsv.Column("id", "string", "identifier of the claim or quantity of the program's facts"),
-    ecsv.Column("value", "float64", "converged value; 1 or 0 where the unit is claim"),
+    ecsv.Column("id", "string", "quantity of the program's facts"),
+    ecsv.Column("value", "float64", "converged value"),
     ecsv.Column("error", "float64", "absolute error; 0 for an exact value"),
-    ecsv.Column("unit", "string", "unit of value and error; claim for yes or no"),
+    ecsv.Column("unit", "string", "unit of value and error"),
     ecsv.Column("kind", "string", "value; residue: made of rounding, so that only its size counts; "
                                   "headline: locked although nothing quotes it"),
 ]
@@ -55,16 +52,6 @@ def lock_text(findings):
         "title": "What we found: a fresh value agrees within the sum of the errors"}))
 
 
-def read_fresh(data, programs, claims):
-    """What the programs have just written, by (program, id); Fault if any of their tables was changed since."""
-    answers = {f.key: f for f in read_results(data, programs, claims).values()}
-    facts = read_facts(data, programs)
-    ecsv.check_all_written(data)
-    for program, id in answers.keys() & facts.keys():
-        raise ecsv.Fault(f"{Path(data) / program}: '{id}' is an answer and a fact")
-    return answers | facts
-
-
 # What is quoted
 
 
@@ -78,20 +65,21 @@ def uncommented(tex):
 
 
 def quoted(root):
-    """Every name that prose, paper, book, the lists of claims and findings or the second route quotes, in both volumes."""
-    all, out = volumes(root), quoted_by(read_claims(root))
-    out.update(*(joined(read, all) for read in (read_second, read_commands)), map(literature_name, joined(read_literature, all).values()),
-               *map(quoted_in, joined(read_findings, all).values()))
+    """The names of all facts that prose, paper, book, the lists of claims and findings or the second route quote, in both
+    volumes; for the id of a claim the fact that answers it."""
+    all, claims = volumes(root), read_claims(root)
+    out = set().union(*(map(quoted_in, [*claims.values(), *joined(read_findings, all).values(), *joined(read_literature, all).values()])),
+                      *(joined(read, all) for read in (read_second, read_commands)))
     for folder in all:
         for path in sources(folder) + sorted((folder / "book").glob("*.md")):
             out.update(re.findall(r"\]\(num:([^)]+)\)", ecsv.text_of(path)))
         for path in sorted((folder / "paper").glob("*.tex")):
             out.update(re.findall(r"\\(?:num|err|both|about)\{([^}#]+)\}", uncommented(ecsv.text_of(path))))
-    return out - {"..."}
+    return {claims[name]["answer"] if name in claims else name for name in out} - {"...", ""}
 
 
-def is_kept(finding, claims, names):
-    return finding.id in claims or finding.kind == "headline" or name_of(finding, claims) in names
+def is_kept(finding, names):
+    return finding.kind == "headline" or f"{finding.program}.{finding.id}" in names
 
 
 # Locked and fresh
@@ -125,12 +113,12 @@ def changes(locked, now, kept):
 
 def renew(root, data):
     """The verb: writes the lock and says what moved."""
-    programs, claims, names = programs_of(root), read_claims(root), quoted(root)
+    programs, names = programs_of(root), quoted(root)
     locked = read_lock(root) if lock_of(root).exists() else {}
-    fresh = read_fresh(data, programs, claims)
+    fresh = read_facts(data, programs)
 
     def kept(finding):
-        return is_kept(finding, claims, names)
+        return is_kept(finding, names)
 
     now = renewed(locked, fresh, programs, kept)
     said = list(changes(locked, now, kept))
@@ -141,7 +129,7 @@ def renew(root, data):
 def check(root, data):
     """The verb with --check: says which locked values are gone, or farther than the sum of the errors."""
     programs = programs_of(root)
-    locked, fresh = read_lock(root), read_fresh(data, programs, read_claims(root))
+    locked, fresh = read_lock(root), read_facts(data, programs)
     moved = [line for line in changes(locked, {key: f for key, f in fresh.items() if key in locked}, lambda f: True)
              if "moved" not in line or "outside" in line]
     print(*moved, f"lock       : {len(locked) - len(moved)} of {len(locked)} values within the sum of the errors", sep="\n")

@@ -12,9 +12,7 @@ from pathlib import Path
 
 from . import codecheck, ecsv, metadata, modules
 from .chapters import costs_text, explained_by, read_commands, renewed_costs, run_of, shown_cost
-from .claims import SAID, VERDICTS, Judge, name_of, printed_range, read_claims
-from .findings import check_quotations, in_plain, read_findings, tally as kinds_of
-from .literature import read_literature, tally as literature_tally
+from .claims import by_name, check_quotations, in_plain, meanings, read_claims, read_findings, read_verdicts, said
 from .lock import read_lock, sources
 from .volumes import article, below, joined
 
@@ -35,7 +33,7 @@ def with_numbers(text, numbers):
             raise ecsv.Fault(f"a link without brackets: {found[0]}")
         if id not in numbers:
             raise ecsv.Fault(f"nothing is locked under '{id}' (a new one: make lock)")
-        return f"[{numbers[id]}](num:{id})"
+        return f"[{numbers[id].shown}](num:{id})"
 
     return LINK.sub(renewed, text)
 
@@ -48,40 +46,16 @@ def with_marked_numbers(text, numbers):
     for id in MARK.findall(text):
         if id not in numbers:
             raise ecsv.Fault(f"nothing is locked under '{id}' (a new one: make lock)")
-    return MARK.sub(lambda found: f"<!--num:{found[1]}-->{numbers[found[1]]}<!--/-->", text)
+    return MARK.sub(lambda found: f"<!--num:{found[1]}-->{numbers[found[1]].shown}<!--/-->", text)
 
 
-def quotable(lock, claims):
-    """Every text that prose may quote, by its name."""
-    return {name_of(f, claims): f.shown for f in lock.values()}
-
-
-# The tables of the pages. What the book tells at length (readings, tolerances, errors) is left to it.
+# The tables of the pages. What the book tells at length (assumptions, tolerances, errors) is left to it.
 
 
 def printed(claim):
     """What the article prints, with a unit where it is a number."""
     text = claim["printed"]
     return f"{text} {claim['unit']}" if claim["unit"] and re.fullmatch(r"[-+.\de]+", text) else text
-
-
-def published_rows(claims, lock):
-    """The claims in short, by section and verdict, each with ours in brackets, but for the discrepant ones, which have a
-    table of their own."""
-    yield "| section | verdict | what is claimed, what the article prints, and ours |"
-    yield "|---|---|---|"
-    told = {}
-    for id, c in claims.items():
-        f, said = lock.get((c["program"], id)), c["quantity"].replace("; ", ", ")
-        if not f or c["status"] == "discrepant":
-            continue
-        if c["printed"] not in said and (c["status"] != "holds" or printed_range(c["printed"])):
-            said += f": {printed(c)}"
-        if c["status"] != "holds":
-            said += f" ({f.shown}{f.shown_unit})"
-        told.setdefault((c["section"], c["status"]), []).append(said)
-    for (section, status), all in sorted(told.items(), key=lambda one: (one[0][0], VERDICTS.index(one[0][1]))):
-        yield f"| {section} | {SAID.get(status, status)} | " + "; ".join(all).replace("|", "\\|") + " |"
 
 
 def see(id, claims, costs, alone):
@@ -92,21 +66,14 @@ def see(id, claims, costs, alone):
     return chapters + (f"; alone: `{alone[id][0]}`" if id in alone else "")
 
 
-def discrepancy_rows(claims, lock, costs, alone):
+def discrepancy_rows(claims, numbers, verdicts, costs, alone):
     """Where the article and we differ, the list of claims says why."""
-    judge = Judge(claims, lock.values())
     yield "| claim | article | here | why | chapters |"
     yield "|---|---|---|---|---|"
     for id, c in claims.items():
-        f = lock.get((c["program"], id))
-        if f and c["status"] == "discrepant":
-            yield f"| `{id}` | {c['printed']} | {f.shown} | {judge.said(c['reason'])} | {see(id, claims, costs, alone)} |"
-
-
-def tally(statuses):
-    """The verdicts counted, in the words of the summary."""
-    words = SAID | {"holds": "hold", "follows": "following from another"}
-    return ", ".join(f"{list(statuses).count(v)} {words.get(v, v)}" for v in VERDICTS)
+        if verdicts[id]["verdict"] == "discrepant":
+            ours = numbers[id].shown if id in numbers else verdicts[id]["found"]
+            yield f"| `{id}` | {c['printed']} | {ours} | {said(c['reason'], numbers)} | {see(id, claims, costs, alone)} |"
 
 
 def found_rows(findings, numbers):
@@ -114,12 +81,11 @@ def found_rows(findings, numbers):
     return [f"- {in_plain(row['sentence'], numbers)} ({command_of(row['figure'])})" for row in findings.values() if row["figure"]]
 
 
-def summary_rows(claims, figures, findings, literature):
-    """What `make figures` ends with, as whoever runs it wants to know beforehand."""
-    return ["```", f"figures    : {len(figures)} in build/figures (svg, pdf, png)",
-            f"claims     : {tally([c['status'] for c in claims.values()])}",
-            *[f"literature : {literature_tally(row['status'] for row in literature.values())}"] * bool(literature),
-            f"findings   : {kinds_of(findings)}", "```"]
+def tally_rows(claims, verdicts):
+    """How many statements have each verdict, and what it means."""
+    said = [verdicts[id]["verdict"] for id in claims]
+    return ["| verdict | statements | meaning |", "|---|---|---|",
+            *(f"| {word} | {said.count(word)} | {text} |" for word, text in meanings().items() if word in said)]
 
 
 def command_of(figure):
@@ -144,11 +110,13 @@ def minute_rows(root):
             *(f"| `{row['command']}` | {row['what']} | {max(1, round(row['seconds'] / 60))} min |" for row in rows)]
 
 
-def generated_tables(claims, lock, figures, costs, alone, findings, literature):
+def generated_tables(root, claims, numbers, costs):
     """Every table that a page may show, by the name in its marks."""
-    return {"gallery": gallery_rows(figures), "summary": summary_rows(claims, figures, findings, literature),
-            "found": found_rows(findings, quotable(lock, claims)), "discrepant": list(discrepancy_rows(claims, lock, costs, alone)),
-            "published": list(published_rows(claims, lock))}
+    judged, verdicts = Path(root) == article(root), read_verdicts(root)
+    return {"gallery": gallery_rows(read_figures(root)), "found": found_rows(read_findings(root), numbers),
+            "modules": modules.drawing(root), "minutes": minute_rows(root),
+            "summary": tally_rows(claims, verdicts) if judged else None,
+            "discrepant": list(discrepancy_rows(claims, numbers, verdicts, costs, read_commands(root))) if judged else None}
 
 
 def fresh_page(text, tables):
@@ -177,9 +145,9 @@ def read_figures(root):
 def fresh_texts(root, measured):
     """(path, fresh text) of every file that is generated, or is in part, in which something could be stale."""
     root = Path(root)
-    claims, lock = read_claims(root), joined(read_lock, below(root))
-    numbers, findings = quotable(lock, claims), read_findings(root)
-    check_quotations(findings, {path: ecsv.text_of(path) for path in sources(root) + sorted((root / "paper").glob("*.tex"))})
+    claims = read_claims(root)
+    numbers = by_name(joined(read_lock, below(root)), claims)
+    check_quotations(read_findings(root), {path: ecsv.text_of(path) for path in sources(root) + sorted((root / "paper").glob("*.tex"))})
 
     def fresh(path, change):
         try:
@@ -191,8 +159,7 @@ def fresh_texts(root, measured):
         yield fresh(path, lambda text: with_numbers(text, numbers))
     costs = renewed_costs(root, measured)
     yield root / "paper/costs.ecsv", costs_text(costs)
-    tables = generated_tables(claims, lock, read_figures(root), costs, read_commands(root), findings, read_literature(root))
-    tables |= {"modules": modules.drawing(root), "minutes": minute_rows(root)}
+    tables = generated_tables(root, claims, numbers, costs)
     for path in (root / name for name in PAGES if (root / name).exists()):
         yield fresh(path, lambda text: fresh_page(with_marked_numbers(text, numbers), tables))
     if root == article(root):

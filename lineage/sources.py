@@ -103,7 +103,7 @@ def functions(text, name):
 
 def covered(name, line):
     """How many letters of a number's name the literal texts of a line account for."""
-    words = {word.split(".")[-1].strip("_") for word in re.findall(r'"((?:[^"\\]|\\.)*)"', line)}
+    words = {word.strip("_") for word in re.findall(r'"((?:[^"\\]|\\.)*)"', line)}
     if name in words:
         return 999
     return sum(len(word) for word in words if len(word) > 1 and re.search(rf"(?<![A-Za-z]){re.escape(word)}(?![A-Za-z])", name))
@@ -114,7 +114,7 @@ def made_at(found, sources):
     table names."""
     for source in sources if found.made_by else ():
         for first, lines in functions(source.text, found.made_by):
-            return source, first + max(range(len(lines)), key=lambda k: (covered(found.id.split(".")[-1], lines[k]), -k))
+            return source, first + max(range(len(lines)), key=lambda k: (covered(found.id, lines[k]), -k))
     return None
 
 

@@ -16,8 +16,7 @@ from pathlib import Path
 
 from . import ecsv, metadata
 from .chapters import chapter_of
-from .claims import VERDICTS, Judge, name_of, printed_range, programs_of, read_claims
-from .findings import NUMBERS, read_findings
+from .claims import NUMBERS, by_name, is_number, meanings, programs_of, read_claims, read_findings, read_verdicts, said
 from .lock import read_lock, uncommented
 from .refresh import read_figures
 from .values import with_digits
@@ -120,18 +119,16 @@ def sentence(row, nums):
     return "$".join(pieces) + rf" [\emph{{{row['kind']}}}]"
 
 
-def paper_texts(claims, lock, figures, meta, findings):
+def paper_texts(claims, numbers, verdicts, figures, meta, findings):
     """What the paper may refer to, in TeX by (kind of reference, id); of a figure the name of its file."""
     counts = {"figures": len(figures), "claims": len(claims)}
-    counts.update({v: sum(c["status"] == v for c in claims.values()) for v in VERDICTS if v != "unresolved"})
+    counts.update({word: sum(verdicts[id]["verdict"] == word for id in claims) for word in meanings()})
     out = {("pub", id): worded(c["printed"]) for id, c in claims.items()}
     out.update({("claimed", id): worded(c["quantity"]) for id, c in claims.items()})
-    out.update({("verdict", id): c["status"] for id, c in claims.items()})
-    for f in lock.values():
-        out["num", name_of(f, claims)] = value(f.shown)
-        out["err", name_of(f, claims)] = value(f.shown_error)
-        out["both", name_of(f, claims)] = both(f)
-        out["about", name_of(f, claims)] = about(f)
+    out.update({("verdict", id): verdicts[id]["verdict"] for id in claims})
+    for name, f in numbers.items():
+        out["num", name], out["err", name] = value(f.shown), value(f.shown_error)
+        out["both", name], out["about", name] = both(f), about(f)
     nums = {name: text for (kind, name), text in out.items() if kind == "num"}
     for id, row in findings.items():
         if lost := [name for name in NUMBERS.findall(row["sentence"]) if name not in nums]:
@@ -185,7 +182,7 @@ def files_of(root, programs):
     return out
 
 
-def omissions(documents, claims, figures):
+def omissions(documents, verdicts, figures):
     """What the documents, texts by their names, leave out: figures that none shows or that are shown twice, in one or
     in two of them, figures that are cited without being there, discrepant claims without a cause, and causes of what
     is not discrepant."""
@@ -196,7 +193,7 @@ def omissions(documents, claims, figures):
             shown[id].append(name)
     whole = "\n".join(texts.values())
     cited = {id for found in CITED.findall(whole) for id in re.findall(r"x?\d\d", found)}
-    caused, lost = CAUSED.findall(whole), [id for id, c in claims.items() if c["status"] == "discrepant"]
+    caused, lost = CAUSED.findall(whole), [id for id, row in verdicts.items() if row["verdict"] == "discrepant"]
     return ([f"figure {id} of figures/figures.ecsv is not shown" for id in figures if not shown[id]]
             + [f"figure {id} is shown {len(places)} times ({', '.join(places)})" for id, places in shown.items()
                if len(places) > 1]
@@ -244,32 +241,27 @@ def macros(texts, figures, programs):
     return HEAD + "\n".join(out + [f"\\define{{chapter}}{{{program}}}{{}}" for program in programs]) + "\n"
 
 
-def claim_rows(claims, lock):
+def claim_rows(claims, numbers, verdicts):
     """A row for each claim but the discrepant ones, which the paper has in a table of their own, by the sections of the
-    article: what is claimed and printed, what we found with its error in parentheses, and the verdict; where the article
-    has a word, what our number is, and of a statement that holds what limits it. Only a claim that is open has no number."""
-    out, section, judge = HEAD, None, Judge(claims, lock.values())
+    article: what is claimed and printed, what we found with its error in parentheses, and the verdict with what it assumes."""
+    out, section = HEAD, None
     for id, c in sorted(claims.items(), key=lambda claim: claim[1]["section"]):
-        f = lock.get((c["program"], id))
-        if not f and c["status"] != "open":
+        f, verdict = numbers.get(id), verdicts[id]["verdict"]
+        if c["answer"] and not f:
             raise ecsv.Fault(f"nothing is locked for the claim '{id}' (make lock)")
-        said = judge.verdict(id)
-        if c["status"] == "discrepant":
+        if verdict == "discrepant":
             continue
         if c["section"] != section:
             section = c["section"]
             out += rf"\claimsof{{{escaped(section)}}}" + "\n"
-        here = both(f) + (f" {unit(f.unit)}" if f.shown_unit else "") if f and f.shown != said else ""
-        printed = worded(c["printed"]) + (f" {unit(c['unit'])}" if c["unit"] and printed_range(c["printed"]) else "")
-        note = means = c.get("means", "")
-        if said == "holds" and not printed_range(c["printed"]):
-            printed, means = "--", ""  # the row is the statement; what is noted limits it
-        # The unit is not said again: that of the article, or that of the words
-        if means or (here and c["unit"] not in ("", f.unit)):
-            here = both(f) + (" sites" if means and f.unit == "site" else "")
-        words = re.sub(r"\bSection ([a-z]+)", r"Section~\\ref{\1}", worded(note))  # by its label
-        noted = rf" \emph{{({'here: ' if means else ''}{words})}}" if note else ""
-        cells = [escaped(id), worded(c["quantity"]) + noted, printed, here, said]
+        printed = worded(c["printed"]) + (f" {unit(c['unit'])}" if c["unit"] and is_number(c["printed"]) else "")
+        if verdict == "holds" and not is_number(c["printed"]):
+            printed = "--"  # the row is the statement
+        # The unit is not said again where it is that of the article
+        here = both(f) + (f" {unit(f.unit)}" if f.unit and c["unit"] in ("", f.unit) else "") if f else ""
+        words = re.sub(r"\bSection ([a-z]+)", r"Section~\\ref{\1}", worded(said(c["assumption"], numbers)))  # by its label
+        noted = rf" \emph{{({words})}}" if words else ""
+        cells = [escaped(id), worded(c["quantity"]) + noted, printed, here, verdict]
         out += r"\claim" + "".join(f"{{{cell}}}" for cell in cells) + "\n"
     return out
 
@@ -336,19 +328,20 @@ def proof(root):
 def write(root, out):
     """The verb. A reference to nothing is found here, in the paper's own words, before TeX is called."""
     all, claims = volumes(root), read_claims(root)
-    lock, figures, findings = (joined(read, all) for read in (read_lock, read_figures, read_findings))
+    lock, figures, findings, verdicts = (joined(read, all) for read in (read_lock, read_figures, read_findings, read_verdicts))
+    numbers = by_name(lock, claims)
     programs = [program for folder in all for program in programs_of(folder)]
     figures = {id: row | {"chapter": chapter_of(root, row["program"])} for id, row in figures.items()}
-    texts = paper_texts(claims, lock, figures, metadata.read(root), findings)
+    texts = paper_texts(claims, numbers, verdicts, figures, metadata.read(root), findings)
     said = joined(captions, all)
     documents = files_of(root, programs)
     if missing := [f"{path}: nothing is there for {reference}" for path, text in
                    sorted({p: t for document in documents.values() for p, t in document.items()}.items())
                    for reference in dangling(text, texts)]:
         raise ecsv.Fault("; ".join(missing) + " (a new number: make lock)")
-    if "supplement" in documents and (left := omissions({name: "\n".join(files.values()) for name, files in documents.items()}, claims, figures)):
+    if "supplement" in documents and (left := omissions({name: "\n".join(files.values()) for name, files in documents.items()}, {id: verdicts[id] for id in claims}, figures)):
         raise ecsv.Fault(f"{Path(root) / 'paper'}: " + "; ".join(left))
     ecsv.write_whole(Path(out) / "numbers.tex", macros(texts, figures, programs))
-    ecsv.write_whole(Path(out) / "claims.tex", claim_rows(claims, lock))
+    ecsv.write_whole(Path(out) / "claims.tex", claim_rows(claims, numbers, verdicts))
     ecsv.write_whole(Path(out) / "captions.tex", HEAD + "".join(f"\\see{{{id}}}{{{text}}}\n" for id, text in said.items()))
     ecsv.write_whole(Path(out) / "proof.tex", proof(root))

@@ -19,7 +19,7 @@ def without_zeros(text):
 
 @dataclass(frozen=True)
 class Finding:
-    """One value of one program: the answer to a claim, or a fact. A `residue` is made of rounding, so that only
+    """A fact: one value of one program. A `residue` is made of rounding, so that only
     its size counts; `made_by` names the function that recorded it, where the table does."""
     program: str
     id: str
@@ -37,9 +37,7 @@ class Finding:
     @property
     def shown(self):
         """The last digit is that of the error's leading one, six digits at most. Whole numbers without an error
-        are counts; other values without one are shown as they are. Yes and no are spelled out."""
-        if self.unit == "claim":
-            return "holds" if self.value == 1 else "does not hold"
+        are counts; other values without one are shown as they are."""
         if not math.isfinite(self.value):
             return str(self.value)
         if self.value == 0:
@@ -56,14 +54,12 @@ class Finding:
 
     @property
     def shown_error(self):
-        """One digit; empty for yes or no."""
-        if self.unit == "claim":
-            return ""
+        """One digit."""
         return "exact" if self.error == 0 else with_digits(self.error, 1)
 
     @property
     def shown_unit(self):
-        return f" {self.unit}" if self.unit not in ("", "claim") else ""
+        return f" {self.unit}" if self.unit else ""
 
 
 def distance(locked, fresh):

@@ -8,7 +8,7 @@ from pathlib import Path
 def article(root):
     """The folder of the first volume."""
     root = Path(root)
-    return root.parent if root.name == "beyond" and not (root / "paper/published.ecsv").exists() else root
+    return root.parent if root.name == "beyond" and not (root / "paper/claims.ecsv").exists() else root
 
 
 def volumes(root):

@@ -198,17 +198,17 @@ T norm_difference(const Stationary<T>& state) {
 // Some moduli are far below the smallest double, so their logarithms are taken in quadruple precision
 void report_profiles(Report& report) {
   // The support of the approximation, and whether the printed envelope solves its equation
-  report.results.add("dps.qc_support",
-                     compare(quasi_continuum_half_width(8), quasi_continuum_half_width(16)));
+  report.facts.add("qc_support",
+                   compare(quasi_continuum_half_width(8), quasi_continuum_half_width(16)));
   report.facts.add("printed_envelope_residual", compare(printed_envelope_residual<long double>(),
                                                         printed_envelope_residual<double>()));
   for (const auto& [centre, name] : centres) {
     // How far each breather is from it: as a whole, at its peak, in its norm
     const std::string suffix = std::string("_") + name;
-    const Estimate apart =
-        in_two_precisions(centre, [](const auto& s) { return continuum_difference(s); });
-    report.results.add("dps.qc" + suffix, apart, "share of the amplitude");
-    report.facts.add("qc_difference" + suffix, apart, "share of the amplitude");
+    report.facts.add(
+        "qc_difference" + suffix,
+        in_two_precisions(centre, [](const auto& s) { return continuum_difference(s); }),
+        "share of the amplitude");
     report.facts.add("qc_peak_difference" + suffix,
                      in_two_precisions(centre, [](const auto& s) { return peak_difference(s); }));
     report.facts.add("qc_norm_difference" + suffix,
@@ -354,10 +354,9 @@ Scaling scaling(Centre centre, int steps) {
 }
 
 /**
-The claim has one exponent for both centres, so the one farther from 2 answers it. A quick run goes two octaves each way
-instead of six. */
+Of the two exponents the one farther from 2 counts. A quick run goes two octaves each way instead of six. */
 void report_scaling(Report& report) {
-  Estimate answer{2, 0};
+  Estimate farther{2, 0};
   for (const auto& [centre, name] : centres) {
     const Scaling s = scaling(centre, report.quick ? 16 : 48);
     const std::string suffix = std::string("_") + name;
@@ -365,10 +364,10 @@ void report_scaling(Report& report) {
     report.facts.add("width" + suffix, s.width, "site");
     report.facts.add("width_change" + suffix, s.width_change);
     if (std::abs(s.exponent.value - 2) + s.exponent.error >
-        std::abs(answer.value - 2) + answer.error)
-      answer = s.exponent;
+        std::abs(farther.value - 2) + farther.error)
+      farther = s.exponent;
   }
-  report.results.add("dps.scaling", answer);
+  report.facts.add("scaling", farther);
 }
 
 /**

@@ -88,16 +88,19 @@ cosine [0.987389](num:sec32_newton_breathers.softest_along_gradient). After ten 
 [1e-14](num:sec32_newton_breathers.full_residual), but Newton's method still demands a step of
 [8e-9](num:sec32_newton_breathers.full_step). After five, the article's number, the residual is
 [3.6091e-10](num:sec32_newton_breathers.full_residual_5) and the step
-[5.63924e-5](num:sec32_newton_breathers.full_step_5): the printed residual is met, the variation is not. */
+[5.63924e-5](num:sec32_newton_breathers.full_step_5). An iteration that takes no step along the pinning mode cannot mend
+a guess that is shifted a little: it stops at a residual of
+[2.00689e-9](num:sec32_newton_breathers.pinned_residual_5), with a last step of
+[2e-14](num:sec32_newton_breathers.pinned_step_5). Each of the printed numbers lies between those of the two iterations;
+what the article did with this mode, and how accurately it integrated, it does not say. */
 void report_convergence(Report& report) {
   // The symmetric equations at two tolerances
   const auto problem = problem_of(Centre::site, omega_b);
   const Orbit<double> orbit = article_breather(rule<double>(0)),
                       coarse = article_breather(rule<double>(1));
-  report.results.add("newton.residual",
-                     compare(distance_after_period<double>(problem, orbit.start),
-                             double(distance_after_period<Wide>(problem, orbit.start))));
-  report.results.add("newton.variation", compare(coarse.variation(), orbit.variation()));
+  report.facts.add("residual", compare(distance_after_period<double>(problem, orbit.start),
+                                       double(distance_after_period<Wide>(problem, orbit.start))));
+  report.facts.add("variation", compare(coarse.variation(), orbit.variation()));
   report.facts.add("newton_iterations", exact(double(orbit.iterations())));
   const auto symmetric = [&](const Orbit<double>& o) {
     return condition_of(problem.shoot(o.x, {}).jacobian).condition;
@@ -116,12 +119,19 @@ void report_convergence(Report& report) {
   report.facts.add("full_residual", last(&Iteration::residual), "relative to amplitude");
   report.facts.add("full_step", last(&Iteration::step), "relative to amplitude");
 
-  // After five steps, as in the article, and once more at the coarser tolerance
-  const History rough = solve_full_map(omega_b, 5, rule<double>(1)).history;
-  report.facts.add("full_residual_5", compare(rough[5].residual, full.history[5].residual),
-                   "relative to amplitude");
-  report.facts.add("full_step_5", compare(rough[4].step, full.history[4].step),
-                   "relative to amplitude");
+  // After five steps, as in the article, in all directions and without the pinning mode
+  for (const auto& [name, rank] : {std::pair{"full", 0.0}, {"pinned", 1e-5}}) {
+    std::array<History, 2> at;
+    for (const int coarser : {0, 1}) {
+      NewtonRule<double> how = rule<double>(coarser);
+      how.rank = rank;
+      at[coarser] = solve_full_map(omega_b, 5, how).history;
+    }
+    report.facts.add(name + std::string("_residual_5"),
+                     compare(at[1][5].residual, at[0][5].residual), "relative to amplitude");
+    report.facts.add(name + std::string("_step_5"), compare(at[1][4].step, at[0][4].step),
+                     "relative to amplitude");
+  }
 
   // Both start from the same profile, so their histories share one table
   Table& table = report.table(
@@ -160,14 +170,16 @@ double broken_symmetry(Centre centre) {
   return double(most / orbit.amplitude);
 }
 
-// Asymmetry falls to a millionth of what was put in, and tenfold from double to extended precision
+// What is left in extended precision, and as a share of what is left in double precision
 void report_symmetry(Report& report) {
-  Criterion symmetric;
+  Estimate broken{}, share{};
   for (Centre centre : both_centres) {
     const double left = broken_symmetry<double>(centre), wide = broken_symmetry<Wide>(centre);
-    append(symmetric, named(name_of(centre), symmetric_by_nature(left, wide)));
+    broken = larger(broken, compare(0.0, wide));
+    share = larger(share, compare(0.0, wide / left));
   }
-  judge(report, "newton.symmetry", symmetric);
+  report.facts.add("broken_symmetry", broken, "relative to amplitude");
+  report.facts.add("broken_symmetry_share", share);
 }
 
 /**
@@ -193,14 +205,12 @@ Estimate approximation_error(Centre centre, double omega_b) {
 }
 
 /**
-The article calls the approximation excellent at $1.01$ and worse at $1.1$; the claim is this ordering, which must hold
-for each family beyond the errors. At $1.01$ the difference is
+The article calls the approximation excellent at $1.01$ and worse at $1.1$. At $1.01$ the difference is
 [0.0511267](num:sec32_newton_breathers.continuum_101_site) of the amplitude around a site and
 [0.0475461](num:sec32_newton_breathers.continuum_101_bond) around a bond, at $1.1$ it is
 [0.117550](num:sec32_newton_breathers.continuum_110_site) and
 [0.0977687](num:sec32_newton_breathers.continuum_110_bond). */
 void report_profiles(Report& report) {
-  Criterion ordered;
   for (Centre centre : both_centres) {
     // Three breathers, each with its approximation, site by site
     Table& table =
@@ -223,18 +233,16 @@ void report_profiles(Report& report) {
     }
 
     // How far each approximation is off, in the limit and at the two frequencies
-    const Estimate small = approximation_error(centre, 1.01),
-                   large = approximation_error(centre, 1.1);
-    append(ordered, named(name_of(centre), worse_when_large(small, large)));
     const auto limit = [&]<class T>(T one) {
       return double(continuum_difference(stationary<T>(centre, one, sites)));
     };
-    report.facts.add("continuum_101_" + name_of(centre), small, "relative to amplitude");
-    report.facts.add("continuum_110_" + name_of(centre), large, "relative to amplitude");
+    report.facts.add("continuum_101_" + name_of(centre), approximation_error(centre, 1.01),
+                     "relative to amplitude");
+    report.facts.add("continuum_110_" + name_of(centre), approximation_error(centre, 1.1),
+                     "relative to amplitude");
     report.facts.add("continuum_limit_" + name_of(centre), compare(limit(1.0), limit(Wide(1))),
                      "relative to amplitude");
   }
-  judge(report, "newton.qc_small", ordered);
 }
 
 /**
@@ -255,7 +263,7 @@ void report_persistence(Report& report) {
   });
   const double moved = largest_difference(end[0], start) / largest(start);
   const double error = largest_difference(end[0], end[1]) / largest(start);
-  report.results.add("newton.persistence", {moved, error}, "relative to amplitude");
+  report.facts.add("persistence", {moved, error}, "relative to amplitude");
 
   Table& table = report.table("persistence",
                               {count("n", "site", "site"), number("y_start", "positions at t = 0"),
@@ -277,19 +285,17 @@ follows it to the end of the number format (sec32/tail.hpp), in double precision
 
 ![The tail of the site-centred breather.](fig:05)
 
-The exponent at the last place where it can be formed decides whether the decay is super-exponential: it must be within
-0.005 of $3/2$, a bound of our choice, and its change since the place before counts as its error. An exponential tail
-would have the exponent one. The figure tests the law by eye: moduli on one side and, on the other, the straight line
-that it demands of $\ln(-\ln|y_n|)$. */
+At the last place where it can be formed the exponent is [1.4999](num:sec32_newton_breathers.tail_exponent), with its
+change since the place before as its error; an exponential tail would have the exponent one. The figure tests the law by
+eye: moduli on one side and, on the other, the straight line that it demands of $\ln(-\ln|y_n|)$. */
 void report_tail(Report& report) {
   // Where both precisions end, and the exponent there
   const Tail tail(omega_b);
   long last = 0, last_wide = 0;
   while (tail.wide_size(last_wide + 1) > 0) ++last_wide;
   while (tail.size(last + 1) > 1e-300) ++last;
-  const double exponent = tail.exponent(last_wide - 1), before = tail.exponent(last_wide - 2);
-  judge(report, "newton.decay", super_exponential(before, exponent));
-  report.facts.add("tail_exponent", compare(before, exponent));
+  report.facts.add("tail_exponent",
+                   compare(tail.exponent(last_wide - 2), tail.exponent(last_wide - 1)));
   report.facts.add("tail_last_double", exact(double(last)), "site");
   report.facts.add("tail_last_wide", exact(double(last_wide)), "site");
 
@@ -318,8 +324,8 @@ double asymmetry(const Orbit<double>& orbit) {
 
 /**
 The article says of three quantities that they increase with $\omega_b$: the amplitude and the energy of both families,
-and this asymmetry. We take it at its word: from each frequency of the figure to the next the quantity must grow, beyond
-its errors. The asymmetry is [0.000515165](num:sec32_newton_breathers.asymmetry_1001) at $1.001$ and
+and this asymmetry. All do, from each frequency of the figure to the next. The asymmetry is
+[0.000515165](num:sec32_newton_breathers.asymmetry_1001) at $1.001$ and
 [0.463687](num:sec32_newton_breathers.asymmetry_200) at 2. */
 void report_branches(Report& report) {
   // Both families, frequency by frequency
@@ -341,22 +347,21 @@ void report_branches(Report& report) {
     if (std::abs(gap.value) > apart.value)
       apart = {std::abs(gap.value), gap.error}, where = exact(r.omega);
   }
-  report.results.add("newton.amplitude_differs", amplitudes, "relative");
-  report.results.add("newton.energy_equal", apart, "relative");
+  report.facts.add("largest_amplitude_difference", amplitudes, "relative");
+  report.facts.add("largest_energy_difference", apart, "relative");
   report.facts.add("largest_energy_difference_at", where);
 
   // Amplitude and energy grow with the frequency
-  Criterion growing;
+  Estimate growth{HUGE_VAL};
   for (std::size_t k : {0U, 1U}) {
     std::vector<Estimate> amplitude, energy;
     for (const BreatherPair& r : pairs) {
       amplitude.push_back(r.amplitude[k]);
       energy.push_back(r.energy[k]);
     }
-    append(growing, named(name_of(both_centres[k]) + "_amplitude", increasing(amplitude)));
-    append(growing, named(name_of(both_centres[k]) + "_energy", increasing(energy)));
+    growth = smaller(growth, smaller(least_ratio(amplitude), least_ratio(energy)));
   }
-  judge(report, "newton.grows", growing);
+  report.facts.add("least_growth", growth);
 
   // So does the asymmetry around a site, from orbits at two tolerances
   std::vector<Estimate> asymmetries(pairs.size());
@@ -366,7 +371,7 @@ void report_branches(Report& report) {
     const auto problem = problem_of(Centre::site, pairs[i].omega);
     asymmetries[i] = compare(asymmetry(newton(problem, beside, rule<double>(1))), asymmetry(orbit));
   });
-  judge(report, "newton.site_asymmetry", increasing(asymmetries));
+  report.facts.add("asymmetry_least_growth", least_ratio(asymmetries));
   report.facts.add("asymmetry_1001", asymmetries.front());
   report.facts.add("asymmetry_200", asymmetries.back());
 }
@@ -419,19 +424,19 @@ void report_width(Report& report) {
     report.facts.add("width_1001_" + around, width.front(), "site");
     report.facts.add("width_105_" + around, width.back(), "site");
   }
-  report.results.add("chain.width_constant", change, "relative");
+  report.facts.add("width_change", change, "relative");
 }
 
 /**
 ## Other wells
 
 For $s \in [-1, 1]$ the article finds both families, without showing them. We follow them from rest in four more wells,
-$s = \pm1$ and $\pm\frac12$, as far as they go: through $\omega_b = 2$, or to a fold. In all of them the amplitude
-begins like $(\omega_b-1)^2$. In the soft ones the families end before $\omega_b = 2$: at $s = -1$ they fold at
-[1.61967](num:sec32_newton_breathers.end_s_minus_1_site) around a site and
+$s = \pm1$ and $\pm\frac12$, as far as they go: through $\omega_b = 2$, or to a fold. In all of them both families
+begin at rest, with an amplitude like $(\omega_b-1)^2$. In the soft ones they end before $\omega_b = 2$: at $s = -1$
+they fold at [1.61967](num:sec32_newton_breathers.end_s_minus_1_site) around a site and
 [1.61972](num:sec32_newton_breathers.end_s_minus_1_bond) around a bond, at $s = -1/2$ at
-[1.72385](num:sec32_newton_breathers.end_s_minus_05_site) and [1.72391](num:sec32_newton_breathers.end_s_minus_05_bond).
-The claim asks that all eight families begin at rest and reach beyond $\omega_b = 1.01$. */
+[1.72385](num:sec32_newton_breathers.end_s_minus_05_site) and
+[1.72391](num:sec32_newton_breathers.end_s_minus_05_bond). */
 void report_other_wells(Report& report) {
   std::vector<std::pair<double, std::string>> wells{{1, "1"}};
   if (!report.quick)
@@ -441,16 +446,13 @@ void report_other_wells(Report& report) {
     families[i] = family_from_rest(both_centres[i % 2], wells[i / 2].first);
   });
 
-  Criterion all;
-  Estimate shortest = families[0].end;
+  Estimate off{};
   for (std::size_t i = 0; i < families.size(); ++i) {
-    const std::string name = "s_" + wells[i / 2].second + "_" + name_of(both_centres[i % 2]);
-    append(all, named(name, {begins_at_rest(families[i].exponent)}));
-    report.facts.add("end_" + name, families[i].end);
-    shortest = smaller(shortest, families[i].end);
+    const auto& [exponent, end] = families[i];
+    report.facts.add("end_s_" + wells[i / 2].second + "_" + name_of(both_centres[i % 2]), end);
+    off = larger(off, {std::abs(exponent.value - 2), exponent.error});
   }
-  all.push_back(above("shortest", shortest, 1.01));
-  judge(report, "newton.any_s", all);
+  report.facts.add("growth_exponent_off", off);
 }
 
 /**

@@ -62,29 +62,16 @@ std::string name_of(Centre centre) {
 /**
 ## All multipliers at $\omega_b = 1.1$
 
-What does the whole spectrum look like? We ask three things of it. Four multipliers lie near $+1$: around a site the
-fourth is at a distance of [0.000214282](num:sec33_floquet.fourth_distance), the fifth at
-[0.229543](num:sec33_floquet.fifth_distance), and around a bond these distances are the same to three digits. No other
-pair leaves the unit circle by more than its error. And the others accumulate at $e^{\pm2\pi i/\omega_b}$: ten more sites
-add twenty multipliers there, within $10^{-9}$, and nowhere else (`four_near_one` of exchange.hpp). The table holds the
-multipliers of both breathers on the article's chains, with the two of the time-translation pair, which are exact.
-
-The criterion is put to both breathers, each on two chains, of which one is ten sites longer. It can fail in
-three ways: by a fifth multiplier near one, by a pair off the circle, or by an accumulation elsewhere. Near
-one means within 0.01, and the fifth multiplier must be farther away than 0.1; the article gives no bounds,
-and these are our choice. These checks of one breather are recorded as facts; the claim is decided over many, below. */
-void report_checks(Report& report, const std::string& name, const Criterion& narrow) {
-  report.facts.add(name + "_holds", exact(holds(narrow)));
-  for (const Condition& c : narrow) {
-    report.facts.add(name + "_" + c.name, c.value);
-    report.facts.add(name + "_" + c.name + "_margin", c.margin());
-  }
-}
-
+What does the whole spectrum look like? Four multipliers lie near $+1$: around a site the fourth is at a distance of
+[0.000214282](num:sec33_floquet.fourth_distance), the fifth at [0.229543](num:sec33_floquet.fifth_distance), and around
+a bond these distances are the same to three digits. No other pair leaves the unit circle by more than its error, and
+the others accumulate at $e^{\pm2\pi i/\omega_b}$: ten more sites add
+[20](num:sec33_floquet.added_at_edge_site) multipliers there, within $10^{-9}$ in $\kappa$, and nowhere else. The table
+holds the multipliers of both breathers on the article's chains, with the two of the time-translation pair, which are
+exact. */
 void report_spectrum(Report& report) {
   const Column bond = count("bond", "1 around a bond, 0 around a site");
   Table& table = report.table("multipliers", {multiplier_columns(), bond});
-  Criterion structure;
   for (Centre centre : both_centres) {
     // The whole spectrum on the article's chain and on a longer one
     std::array<Quadruplet, 2> found;
@@ -97,14 +84,13 @@ void report_spectrum(Report& report) {
         table.add({z.real(), z.imag(), std::abs(z), std::arg(z), error, centre == Centre::bond});
     }
 
-    // Both must have four multipliers near one and the others where they belong
-    append(structure, named(name_of(centre), four_near_one(found[0], found[1])));
+    // The fourth and the fifth, and what ten more sites add
+    report.facts.add("added_at_edge_" + name_of(centre),
+                     exact(found[1].at_edge - found[0].at_edge));
     if (centre == Centre::bond) continue;
     report.facts.add("fourth_distance", compare(found[1].fourth, found[0].fourth));
     report.facts.add("fifth_distance", compare(found[1].fifth, found[0].fifth));
-    report.facts.add("at_edge", exact(found[0].at_edge));
   }
-  report_checks(report, "spectrum", structure);
 }
 
 /**
@@ -169,7 +155,7 @@ std::array<std::vector<OnLine>, 2> report_wells(Report& report) {
   std::sort(wells.begin(), wells.end());
 
   Estimate largest{};
-  bool others_stable = true;
+  int off_circle = 0;
   std::array<std::vector<OnLine>, 2> lines;
   for (Centre centre : both_centres) {
     Table& table =
@@ -192,15 +178,14 @@ std::array<std::vector<OnLine>, 2> report_wells(Report& report) {
       const double rate = 2 * std::asinh(std::sqrt(std::max(0.0, kappa)));
       table.add({wells[k], all[k].kappa(), angle, -angle, std::expm1(rate), std::expm1(-rate),
                  error, all[k].largest_modulus()});
-      others_stable = others_stable && quadruplet(all[k], omega_b).others_stable;
+      off_circle += quadruplet(all[k], omega_b).off_circle;
       largest = larger(largest, excess(all[k].pairs));
     }
   }
 
-  // The largest instability at this frequency
+  // The largest instability at this frequency, and how many other pairs leave the circle in any of these wells
   report.facts.add("largest_excess", largest);
-  report.facts.add("others_stable", exact(others_stable));
-  judge(report, "floquet.instability_size", small_instability(largest));
+  report.facts.add("others_off_circle", exact(off_circle));
   return lines;
 }
 
@@ -209,17 +194,17 @@ std::array<std::vector<OnLine>, 2> report_wells(Report& report) {
 
 The article does not say for which values of $\omega_b$ and $s$ it has computed the spectrum. It cannot mean every pair
 of values, since the families of soft wells end before $\omega_b = 2$. It shows multipliers at $\omega_b = 1.1$ only, for
-all $s$, and follows breathers in $\omega_b$ through the linear well; on these two lines we test the statement. Near $+1$
-means within 0.01 and at least ten times as near as the fifth multiplier, whose own distance cannot be prescribed, because
-for $\omega_b \to 1$ the point of accumulation itself comes near. All others may leave the circle by $10^{-3}$ at most,
-the size that the article neglects. And ten more sites must add twenty multipliers at the point of accumulation, within
-$10^{-4}$ in $\kappa$ and not exactly, because the tail of the breather still reaches the first of the new beads; this is
-tested at every thirteenth frequency and in three wells. These bounds are ours.
+all $s$, and follows breathers in $\omega_b$ through the linear well; on these two lines we test the statement. For
+$\omega_b \to 1$ the point of accumulation itself comes near $+1$, so that only the ratio of the distances of the fourth
+and the fifth multiplier means something. Ten more sites add twenty multipliers at the point of accumulation only to
+$10^{-4}$ in $\kappa$, because the tail of the breather still reaches the first of the new beads; this is tested at every
+thirteenth frequency and in three wells.
 
 On the two lines the statement is true: the fourth multiplier is no farther from $+1$ than
-[0.000815379](num:sec33_floquet.spectrum_fourth). Elsewhere it is not: in hard wells the pinning pair leaves the neighbourhood of $+1$
-towards high frequencies, and around a bond at $\omega_b = 2$ and $s = 1$ it is [1.06121](num:sec33_floquet.fourth_in_hard_wells)
-away. */
+[0.000815379](num:sec33_floquet.spectrum_fourth), which is at most
+[0.00254445](num:sec33_floquet.spectrum_share_of_fifth) of the distance of the fifth. Elsewhere it is not: in hard wells
+the pinning pair leaves the neighbourhood of $+1$ towards high frequencies, and around a bond at $\omega_b = 2$ and
+$s = 1$ it is [1.06121](num:sec33_floquet.fourth_in_hard_wells) away. */
 void report_lines(Report& report, std::array<std::vector<OnLine>, 2> lines) {
   const int frequencies = report.quick ? 34 : 80;
   Estimate fourth{}, share{}, others{};
@@ -253,9 +238,11 @@ void report_lines(Report& report, std::array<std::vector<OnLine>, 2> lines) {
     for (const OnLine& at : ends)
       missing.push_back(std::abs(20 - added_at_edge(centre, at.spot, at.orbit, at.pairs)));
   }
-  judge(report, "floquet.spectrum",
-        four_near_one_everywhere(fourth, share, others,
-                                 *std::max_element(missing.begin(), missing.end())));
+  report.facts.add("spectrum_fourth", fourth);
+  report.facts.add("spectrum_share_of_fifth", share);
+  report.facts.add("spectrum_others", others);
+  report.facts.add("spectrum_not_at_edge",
+                   exact(*std::max_element(missing.begin(), missing.end())));
 }
 
 /**
@@ -264,7 +251,7 @@ where the error of $\kappa$ is eight orders of magnitude below $\kappa$. As an i
 pair is also computed from a matrix that the breather's symmetry has reduced. */
 void report_harmonic(Report& report) {
   std::array<Estimate, 2> kappa;
-  bool others_stable = true;
+  int off_circle = 0;
   for (std::size_t k : {0U, 1U}) {
     const auto problem = problem_at(both_centres[k], {});
     const Orbit<double> orbit = find_breather(problem);
@@ -272,7 +259,7 @@ void report_harmonic(Report& report) {
     // Two roads to one number: the pairs in extended precision, and the matrix that symmetry has reduced
     const Spectrum all = spectrum<Wide>(problem, orbit);
     kappa[k] = all.kappa();
-    others_stable = others_stable && quadruplet(all, omega_b).others_stable;
+    off_circle += quadruplet(all, omega_b).off_circle;
     const Matrix<double> half = monodromy(problem.chain, orbit.start, orbit.period() / 2);
     const double again = pinning_by_symmetry(half, both_centres[k]);
     const std::string around = name_of(both_centres[k]);
@@ -286,7 +273,7 @@ void report_harmonic(Report& report) {
   const double rate = std::sqrt(-kappa[1].value);
   report.facts.add("excess_site", {multiplier(site.kappa, 1).real() - 1, site.multiplier_error()});
   report.facts.add("angle_bond", {2 * std::asin(rate), kappa[1].error / rate});
-  judge(report, "floquet.harmonic", bond_alone_stable(kappa[0], kappa[1], others_stable));
+  report.facts.add("harmonic_off_circle", exact(off_circle));
 }
 
 /**
@@ -304,11 +291,31 @@ std::array<Exchange, 2> both_exchanges() {
   return found;
 }
 
+/**
+Could one cause move the first to 0.05 and the second to 0.26? Whoever reads exchanges from computed moduli has to say how
+far beyond one a multiplier counts as off the circle. With such a threshold $\theta$ the instability seems to end too
+early around a site and to begin too late around a bond. At the printed $s = 0.05$ a multiplier around a site exceeds one
+by [0.000175756](num:sec33_floquet.excess_s_005_site), at $s = 0.26$ one around a bond by
+[0.000180293](num:sec33_floquet.excess_s_026_bond); every $\theta$ from [0.000176041](num:sec33_floquet.theta_from) to
+[0.000179983](num:sec33_floquet.theta_to) gives both numbers as they are printed, with two decimals. The article names no
+threshold, so this is a possible cause and no more. */
+void report_threshold(Report& report, const std::array<Exchange, 2>& found) {
+  const auto excess_at = [&](std::size_t k, double s) {
+    const auto problem = problem_at(both_centres[k], {omega_b, s});
+    return from_one(spectrum<double>(problem, follow(problem, found[k].orbit)).pairs.front());
+  };
+  report.facts.add("excess_s_005_site", excess_at(0, 0.05));
+  report.facts.add("excess_s_026_bond", excess_at(1, 0.26));
+  // The instability falls with s around a site and rises around a bond
+  report.facts.add("theta_from", larger(excess_at(0, 0.055), excess_at(1, 0.255)));
+  report.facts.add("theta_to", smaller(excess_at(0, 0.045), excess_at(1, 0.265)));
+}
+
 void report_exchange(Report& report) {
   const std::array<Exchange, 2> found = both_exchanges();
   const Estimate site = found[0].place, bond = found[1].place;
-  report.results.add("floquet.s0_site", site);
-  report.results.add("floquet.s0_bond", bond);
+  report.facts.add("exchange_site", site);
+  report.facts.add("exchange_bond", bond);
   report.facts.add("exchange_gap", {bond.value - site.value, site.error + bond.error});
 
   // The slope of kappa between two wells, h on either side of the exchange
@@ -322,6 +329,7 @@ void report_exchange(Report& report) {
                     (above.error + below.error) / (2 * h)};
   };
   report.facts.add("exchange_slope", compare(slope(0.02), slope(0.01)));
+  report_threshold(report, found);
 }
 
 /**
@@ -331,23 +339,19 @@ weakly anharmonic wells of either sign the verdict is that of the linear one: at
 [3.95898e-9](num:sec33_floquet.kappa_s_01_site) around a site,
 [-1.89680e-8](num:sec33_floquet.kappa_s_minus_01_bond), [-1.14768e-8](num:sec33_floquet.kappa_bond) and
 [-3.95900e-9](num:sec33_floquet.kappa_s_01_bond) around a bond. It is reversed in hard wells beyond the exchange,
-$s >$ [0.152519](num:floquet.s0_site), and not in soft wells down to $s = -1$; all other pairs stay on the circle. So the
-stability depends on both (`depends_on_well` of exchange.hpp tests it with $s = 0.1$, 1 and $-1$). */
+$s >$ [0.152519](num:floquet.s0_site), and not in soft wells down to $s = -1$; all other pairs stay on the circle. At
+$s = 1$ $\kappa$ is [-6.49051e-8](num:sec33_floquet.kappa_s_1_site) around a site and
+[6.49031e-8](num:sec33_floquet.kappa_s_1_bond) around a bond, at $s = -1$
+[8.51915e-8](num:sec33_floquet.kappa_s_minus_1_site) and [-8.51949e-8](num:sec33_floquet.kappa_s_minus_1_bond). So the
+stability depends on both: a stronger anharmonicity of the same sign reverses both verdicts, one of the other sign that
+is as strong does not. */
 void report_strength(Report& report) {
   const std::vector<double> wells{-1, -0.5, -0.1, 0, 0.1, 0.5, 1};
-  std::vector<std::array<Estimate, 2>> kappa(wells.size());
-  bool others_stable = true;
-  for (std::size_t c : {0U, 1U}) {
-    const auto all = along_wells(both_centres[c], wells);
-    for (std::size_t k = 0; k < wells.size(); ++k) {
-      kappa[k][c] = all[k].kappa();
-      others_stable = others_stable && quadruplet(all[k], omega_b).others_stable;
-    }
-    report.facts.add("kappa_s_minus_01_" + name_of(both_centres[c]), kappa[2][c]);
-    report.facts.add("kappa_s_01_" + name_of(both_centres[c]), kappa[4][c]);
+  for (Centre centre : both_centres) {
+    const auto all = along_wells(centre, wells);
+    for (const auto& [k, well] : {std::pair(2, "minus_01"), {4, "01"}, {0, "minus_1"}, {6, "1"}})
+      report.facts.add(std::string("kappa_s_") + well + "_" + name_of(centre), all[k].kappa());
   }
-  judge(report, "outlook.sign_of_s",
-        depends_on_well(kappa[4], kappa.back(), kappa.front(), others_stable));
 }
 
 /**
@@ -386,7 +390,7 @@ void report_slow(Report& report) {
   const auto limit = [&](std::size_t k) {
     return 2 * rate[k + 1].value / beyond[k + 1] - rate[k].value / beyond[k];
   };
-  report.results.add("floquet.weaker", compare(exponent(0), exponent(1)));
+  report.facts.add("rate_exponent", compare(exponent(0), exponent(1)));
   report.facts.add("slow_rate", {rate[2].value / beyond[2], rate[2].error / beyond[2]});
   report.facts.add("slow_rate_limit", compare(limit(0), limit(1)));
   report.facts.add("dps_rate",
@@ -404,12 +408,11 @@ $c^2/2$ needs the square root of that sum.) The cosine of the angle between them
 
 ![Pinning mode and discrete gradient.](fig:13)
 
-An eigenvector has no sign of its own, so it gets that of the gradient. The smaller of the two cosines answers
-the claim, and its error comes from two precisions. */
+An eigenvector has no sign of its own, so it gets that of the gradient. The error of the cosine comes from two
+precisions. */
 void report_mode(Report& report) {
-  std::array<Estimate, 2> cosine;
-  for (std::size_t k : {0U, 1U}) {
-    const auto problem = problem_at(both_centres[k], {});
+  for (Centre centre : both_centres) {
+    const auto problem = problem_at(centre, {});
     const Orbit<double> orbit = find_breather(problem);
     Vector<double> g = gradient(orbit.start.y);
     g /= g.norm();
@@ -417,32 +420,30 @@ void report_mode(Report& report) {
     // The angle between mode and gradient, in two precisions
     Vector<double> mode = spectrum<Wide>(problem, orbit).mode;
     const double coarse = alignment(spectrum<double>(problem, orbit).mode, g);
-    cosine[k] = compare(coarse, alignment(mode, g));
+    report.facts.add("cosine_" + name_of(centre), compare(coarse, alignment(mode, g)));
 
     // Both vectors, bead by bead
     if (mode.dot(g) < 0) mode = -mode;
-    const std::string around = name_of(both_centres[k]);
-    Table& table = report.table(
-        "mode_" + around, {count("n", "site"), number("mode", "pinning mode, positions at t = 0"),
-                           number("gradient", "discrete gradient, of length one"),
-                           number("difference", "mode minus gradient")});
+    Table& table =
+        report.table("mode_" + name_of(centre),
+                     {count("n", "site"), number("mode", "pinning mode, positions at t = 0"),
+                      number("gradient", "discrete gradient, of length one"),
+                      number("difference", "mode minus gradient")});
     for (Eigen::Index i = 0; i < g.size(); ++i)
       table.add(
           {site_number(std::size_t(i), std::size_t(g.size())), mode[i], g[i], mode[i] - g[i]});
-    report.facts.add("cosine_" + around, cosine[k]);
   }
-  report.results.add("pinning.gradient", smaller(cosine[0], cosine[1]));
 }
 
 /**
 ## Differences and limits
 
-The printed exchanges, 0.26 and 0.05, are discrepant; `sec33_multiplier_errors` shows that common tolerances pull one
-number apart into two, with a gap of the printed size. The verdict at $s = 0$ survives, because there $\kappa$ is far
-enough from zero. All this holds at $\omega_b = 1.1$, in quartic wells, and is no general rule: at $s = 0$ the two
-breathers exchange their stability six times between $\omega_b = 1.003$ and 2, and near an exchange a third breather may
-lie between them. `sec33_between` finds the exchanges and follows two families of such breathers. Why the potential turns
-upside down at just these places is not known. */
+The printed exchanges, 0.26 and 0.05, are discrepant. One threshold gives both, and `sec33_multiplier_errors` shows that
+common tolerances, too, pull one number apart into two, with a gap of the printed size. The verdict at $s = 0$ survives,
+because there $\kappa$ is far enough from zero. All this holds at $\omega_b = 1.1$, in quartic wells, and is no general
+rule: at $s = 0$ the two breathers exchange their stability six times between $\omega_b = 1.003$ and 2, and near an
+exchange a third breather may lie between them. `sec33_between` finds the exchanges and follows two families of such
+breathers. Why the potential turns upside down at just these places is not known. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
   report_spectrum(report);

@@ -95,7 +95,7 @@ Is the speed really constant? Over 32000 units of time, more than 5000 oscillati
 seventeen sites. The speed is the slope of $X$ from $t = 2000$ on; if it is constant, the two halves of this window
 have the same slope. And what does the breather leave behind? At 45000 instants of each run we look at the share of the
 energy that is farther than five sites from the strongest site. The largest, [2.95e-9](num:moving.dispersion), is
-a bound on what has been lost (`moving.dispersion`), because the breather's own tail is part of it. */
+a bound on what has been lost, because the breather's own tail is part of it. */
 struct Glide {
   Creep path;
   Table map{{number("t", "time"), count("n", "site", "site"), number("e", "energy density")}};
@@ -116,10 +116,11 @@ Glide glide(const RestingBreather& at, const ContactAware& stepper, double time)
 }
 
 /**
-At which phase did the article kick? It does not say. A stretched central contact gives its speed of the bond-centred
-breather, so we take that; a compressed one gives [0.000552678](num:sec33_mobility.speed_bond_compressed). The kick points
-to the right and the breather goes to the left: its effective mass is negative (see the threshold). The article prints
-speeds without a direction, so we drop the sign. The function returns the speeds divided by the kick. */
+At which phase did the article kick? It does not say. The approximate breather of its Eqs. (18) and (20) begins with
+the central contact compressed, but that gives [0.000552678](num:sec33_mobility.speed_bond_compressed), three per cent
+too much. With the contact stretched both speeds agree with the article's to $2\cdot10^{-4}$, so we take that. The kick
+points to the right and the breather goes to the left: its effective mass is negative (see the threshold). The article
+prints speeds without a direction, so we drop the sign. The function returns the speeds divided by the kick. */
 std::array<double, 3> report_glides(Report& report) {
   const double time = report.quick ? 6000 : 32000;
   const Breathers at = all_ready(52, 52);
@@ -144,7 +145,6 @@ std::array<double, 3> report_glides(Report& report) {
     report.facts.add("speed_first_half" + name, speed(from, middle), unit);
     report.facts.add("speed_second_half" + name, speed(middle, to), unit);
     report.facts.add("drift_strong" + name, compare(rough.run.energy_drift, good.run.energy_drift));
-    if (k < 2) report.results.add(k ? "moving.v_bond" : "moving.v_site", speed(from, to), unit);
     // How steady it is: the speed over each single site
     const Estimate mean = speed(from, to);
     for (double t = from; k < 2 && t + 1 / mean.value <= to; t += 1 / mean.value) {
@@ -153,12 +153,12 @@ std::array<double, 3> report_glides(Report& report) {
     }
     response[k] = std::abs(good.speed(time / 16, time).value) / strong;
   }
-  report.results.add("moving.steady", unsteady, "relative");
+  report.facts.add("unsteadiness", unsteady, "relative");
   // Both breathers meet all phases, so what the samples miss is about their difference
   const auto left = [&](std::size_t run) { return 1 - runs[run].path.share; };
   Estimate lost = larger(compare(left(0), left(1)), compare(left(2), left(3)));
   lost.error += std::abs(left(1) - left(3));
-  report.results.add("moving.dispersion", lost, "of the energy");
+  report.facts.add("dispersion", lost, "of the energy");
   report.output.add("map_bond", std::move(runs[3].map));
   report.output.add("map_site", std::move(runs[1].map));
   return response;
@@ -168,7 +168,9 @@ std::array<double, 3> report_glides(Report& report) {
 The energy of the kick depends on the norm of $g$. With the printed denominator, the sum of squares and not its root,
 $g$ would be longer by the factor [63.0043](num:sec33_mobility.printed_norm), and the kick $c = 2\cdot10^{-4}$ would not
 be small beside the breather. The threshold would be [7.0658e-8](num:sec33_mobility.threshold_as_printed) then, and
-neither $c = 3\cdot10^{-6}$ nor $6.19\cdot10^{-6}$ would leave anything pinned: so this is hardly what was computed. */
+neither $c = 3\cdot10^{-6}$ nor $6.19\cdot10^{-6}$ would leave anything pinned: so this is hardly what was computed. Nor
+does it matter much that $g$ is not quite the pinning mode: a kick along that mode, of length one, would have to be
+[4.4358e-6](num:sec33_mobility.threshold_along_mode). */
 Estimate printed_norm() {
   const auto longer = [](std::size_t sites) { return 1 / gradient(ready(1, sites).rest.y).norm(); };
   static const Estimate once = compare(longer(22), longer(26));
@@ -182,7 +184,7 @@ void report_kick_energy(Report& report, const RestingBreather& at) {
     plain += v * v / 2;
     careful += static_cast<long double>(v) * v / 2;
   }
-  report.results.add("moving.kick_energy", compare(plain, double(careful)));
+  report.facts.add("kick_energy", compare(plain, double(careful)));
   report.facts.add("printed_norm", printed_norm());
 }
 
@@ -201,6 +203,11 @@ there would show two sites, but nothing that is pinned: over the second site its
 [0.589652](num:sec33_mobility.slow_over_fast) times that over a bond. The sign of the kick and the phase change nothing, since
 around a site they come to a reversal of time or of the chain. By $t = 10^6$
 (`sec33_mobility kick --centre site --c 3e-6 --time 1e6 --sites 61`) it has travelled 11.07 sites, at the same mean speed.
+
+Do coarser methods stop it? In a trial outside this repository adaptive methods of GSL at usual tolerances (`rk8pd` from
+$10^{-8}$ on, `rkf45` from $10^{-9}$ on) pass the second site between $t = 1.7\cdot10^5$ and $2\cdot10^5$ and go on. Of
+fourteen looser settings, with which the energy grows, three are caught near the second site, and another interval between
+the samples changes which: only by chance.
 
 The end of the run also matters for the threshold: whoever calls a breather pinned that has not passed the next site by some
 time finds a larger $c_c$. After the printed $6.19\cdot10^{-6}$ the bond-centred breather passes the site at $t =$
@@ -237,9 +244,8 @@ void report_horizon(Report& report, const Breathers& at, const TwoPaths& site) {
 }
 
 /**
-The bond-centred breather counts as pinned if it turns round before it comes near the next site, half a site away, in
-either phase and at both resolutions: its largest distance from the start must be less than 0.45. For the site-centred
-one the answer (`moving.site_below`) is the distance at the end of the run, where it still moves. */
+The bond-centred breather is pinned: in either phase it turns round at a quarter of a site, far from the next site, which
+is half a site away. For the site-centred one we give the distance at the end of the run, where it still moves. */
 void report_weak(Report& report, const Breathers& at) {
   // All three breathers, each with two schemes
   std::array<TwoPaths, 3> paths;
@@ -265,21 +271,18 @@ void report_weak(Report& report, const Breathers& at) {
     table.add({paths[0].good.t[k], place(paths[0], k), place(paths[1], k), place(paths[2], k)});
 
   // Around a bond: how far does it come, and does it turn round?
-  Criterion pinned;
   for (std::size_t k = 1; k < 3; ++k) {
     const auto& [rough, good] = paths[k];
-    const std::string name = cases[k].name;
-    pinned.push_back(below("farthest_" + name, compare(rough.farthest(), good.farthest()), 0.45));
-    const bool turned =
-        mobility_of(rough) == Mobility::pinned && mobility_of(good) == Mobility::pinned;
-    if (!report.quick) pinned.push_back(above("turned_" + name, exact(turned), 0.5));
+    const std::string name = std::string("_") + cases[k].name;
+    const auto back = [](const Creep& p) { return p.farthest() - std::abs(p.travelled()); };
+    report.facts.add("farthest" + name, compare(rough.farthest(), good.farthest()), "site");
+    report.facts.add("came_back" + name, compare(back(rough), back(good)), "site");
   }
-  judge(report, "moving.bond_pinned", pinned);
 
   // Around a site: how far has it travelled?
   const auto& [rough, good] = paths[0];
-  report.results.add("moving.site_below",
-                     compare(std::abs(rough.travelled()), std::abs(good.travelled())), "site");
+  report.facts.add("travelled_site",
+                   compare(std::abs(rough.travelled()), std::abs(good.travelled())), "site");
   report.facts.add("rest_offset", compare(paths[1].rough.X[0], paths[1].good.X[0]), "site");
   for (std::size_t k = 0; k < 3; ++k) {
     const double margin = paths[k].good.drift_margin(weak, at[k].energy);
@@ -340,7 +343,7 @@ $\frac35(g\cdot v)^{-2}$ although neither is close to its limit; with the contac
 
 The whole chain must confirm the prediction. We give it three kicks, all of them beyond the predicted threshold. The square of
 the speed with which the breather passes the potential's extremum at the site is linear in $c^2$, and its zero is the
-threshold (kick_threshold.hpp), with two schemes. For the phase that answers the claim we also check directly: one per cent
+threshold (kick_threshold.hpp), with two schemes. For the stretched contact we also check directly: one per cent
 below the threshold it must turn round, one per cent above it must get over. Runs whose energy drifts by a hundredth of the
 kick are refused. */
 std::vector<Prediction> report_thresholds(Report& report, const std::vector<RestingBreather>& bonds,
@@ -375,14 +378,12 @@ std::vector<Prediction> report_thresholds(Report& report, const std::vector<Rest
       throw Failure("the energy drifts by more than a hundredth of the kick's energy");
   }
 
-  // The phase that answers the claims
+  // With the contact stretched: other norms of the kick, and the plain barrier
   const Estimate& c = found[0].value;
-  const Estimate energy{c.value * c.value / 2, c.value * c.error};
-  const double plain = std::abs(pair.equal_frequency.value);
-  report.results.add("moving.c_threshold", c, unit);
+  const double plain = 2 * std::abs(pair.equal_frequency.value);
   report.facts.add("threshold_as_printed", quotient(c, printed_norm()), unit);
-  report.results.add("moving.pn_dynamic", energy);
-  report.results.add("moving.barrier_close", {energy.value / plain, energy.error / plain});
+  report.facts.add("threshold_along_mode", predictions[0].along_mode, unit);
+  report.facts.add("barrier_ratio", {c.value * c.value / plain, 2 * c.value * c.error / plain});
   return predictions;
 }
 

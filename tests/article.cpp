@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "check.hpp"
+#include "conditions.hpp"
 #include "lattice/dps/dps_impact.hpp"
 #include "lattice/impact/turning.hpp"
 #include "sec3/array_impact.hpp"
@@ -19,7 +20,7 @@
 #include "sec33/dps_motion.hpp"
 #include "sec33/exchange.hpp"
 #include "sec33/kick_threshold.hpp"
-#include "sec34/criteria.hpp"
+#include "sec34/packet.hpp"
 #include "sec35/all_scales.hpp"
 #include "sec36/scattering.hpp"
 #include "sec4/instability.hpp"
@@ -110,14 +111,13 @@ Verdict differs(const Estimate& ours, double printed, const Tolerance& tolerance
 }
 
 /// A statement in the article's words, which stands if all conditions hold.
-Verdict stands(const std::string& statement, const Criterion& criterion) {
+Verdict stands(const std::string& statement, const Bounds& all) {
   std::ostringstream out;
   out << "stated: " << statement;
-  for (const Condition& c : criterion)
+  for (const Bound& c : all)
     out << "; " << c.name << " = " << c.value.value << " +- " << c.value.error
-        << (c.side == Condition::Side::above ? " above " : " below ") << c.limit
-        << (c.holds() ? "" : " FAILS");
-  return {holds(criterion), out.str()};
+        << (c.is_lower ? " above " : " below ") << c.limit << (c.holds() ? "" : " FAILS");
+  return {holds(all), out.str()};
 }
 
 /// The size of a number whose sign the article does not print.
@@ -254,8 +254,10 @@ TEST_CASE("3.2: the quasi-continuum profile is good at omega_b = 1.01 and worse 
       };
       return compare(with(1), with(0));
     };
-    CHECK(stands("worse at 1.1", worse_when_large(off(1.01), off(1.1))));
-    CHECK(stands("excellent at 1.01", {below("difference", off(1.01), 0.06)}));
+    const Estimate small = off(1.01), large = off(1.1);
+    CHECK(stands("worse at 1.1",
+                 {above("worse", {large.value - small.value, large.error + small.error}, 0)}));
+    CHECK(stands("excellent at 1.01", {below("difference", small, 0.06)}));
   }
 }
 
@@ -303,8 +305,9 @@ TEST_CASE("3.2: the tail falls super-exponentially, with the exponent 3/2 from s
     };
     return double(log_of(n + 1) / log_of(n));
   };
-  CHECK(agrees(compare(exponent(18), exponent(19)), 1.5, Abs{5e-3}));
-  CHECK(stands("super-exponential", super_exponential(exponent(18), exponent(19))));
+  const Estimate last = compare(exponent(18), exponent(19));
+  CHECK(agrees(last, 1.5, Abs{5e-3}));
+  CHECK(stands("super-exponential", within(last, 1.495, 1.505)));
 }
 
 TEST_CASE("3.2: the energies of both centres are indistinguishable, their amplitudes are not",
@@ -347,16 +350,18 @@ TEST_CASE("3.2: E_PN at omega_b = 1.5 is the printed 1e-4 for s = 1 and not for 
 // ## 3.3 Stability and mobility
 
 TEST_CASE("3.3: the bond-centred DpS breather is spectrally stable at mu = 1 and 10", "[article]") {
-  for (double mu : {1.0, 10.0})
-    CHECK(
-        stands("stable", {surely_stable("margin", margin_of<long double>(Centre::bond, mu, 32))}));
+  for (double mu : {1.0, 10.0}) {
+    const Margin found = margin_of<long double>(Centre::bond, mu, 32);
+    CHECK(stands("stable", {below("margin", found.safe(), 0)}));
+  }
 }
 
 TEST_CASE("3.3: the site-centred DpS breather is unstable, at a rate linear in mu", "[article]") {
   const double slope = margin_of<long double>(Centre::site, 1, 31).exponent.value;
   for (double mu : {1e-2, 0.5, 10.0}) {
     const Margin found = margin_of<long double>(Centre::site, mu, 31);
-    CHECK(stands("linear", linear_growth(found.safe(), relative_distance(found.exponent, slope))));
+    CHECK(stands("linear", {above("margin", found.safe(), 0),
+                            below("variation", relative_distance(found.exponent, slope), 1e-8)}));
   }
 }
 
@@ -369,7 +374,13 @@ TEST_CASE(
       const auto problem = problem_at(centre, {}, more);
       return quadruplet(spectrum<double>(problem, find_breather(problem)), 1.1);
     };
-    CHECK(stands("four near +1", four_near_one(around(0), around(10))));
+    const Quadruplet chain = around(0), longer = around(10);
+    CHECK(stands("four near +1",
+                 {below("fourth", compare(longer.fourth, chain.fourth), 0.01),
+                  above("fifth", compare(longer.fifth, chain.fifth), 0.1),
+                  below("off the circle", exact(chain.off_circle + longer.off_circle), 0.5),
+                  above("added", exact(longer.at_edge - chain.at_edge), 19.5),
+                  below("added", exact(longer.at_edge - chain.at_edge), 20.5)}));
   }
 }
 
@@ -378,10 +389,10 @@ TEST_CASE(
     "bond-centred one stable",
     "[article]") {
   const Spectrum site = spectrum_at(Centre::site, 0), bond = spectrum_at(Centre::bond, 0);
-  const bool others_stable =
-      quadruplet(site, 1.1).others_stable && quadruplet(bond, 1.1).others_stable;
+  const int others = quadruplet(site, 1.1).off_circle + quadruplet(bond, 1.1).off_circle;
   CHECK(stands("site weakly unstable, bond stable",
-               bond_alone_stable(site.kappa(), bond.kappa(), others_stable)));
+               {above("site", site.kappa(), 0), below("bond", bond.kappa(), 0),
+                below("others off the circle", exact(others), 0.5)}));
   CHECK(agrees(excess(site.pairs), 1e-3, AtMost{}));
 }
 
@@ -491,9 +502,8 @@ TEST_CASE(
 // ## 3.4 Impacts
 
 TEST_CASE(
-    "3.4: an impact of 2 epsilon makes a packet on 7 sites, of amplitude 9e-4 in the chain; that "
-    "of "
-    "the DpS equation is 13e-4 high from crest to trough, and slightly faster",
+    "3.4: an impact of 2 epsilon makes a packet on 7 sites; in one snapshot it is 9e-4 high in the "
+    "chain and 13e-4 by the DpS equation, in which it is slightly faster",
     "[article]") {
   const double eps = 0.9548e-3, tau = 250, time = tau / std::sqrt(eps);
   CHECK(agrees(exact(breather_eps(1.01)), eps, Rel{1e-3}));
@@ -501,7 +511,12 @@ TEST_CASE(
   struct Packet {
     Track track{};
     Front front{};
-    double amplitude = 0;
+    double amplitude = 0, height = 0;
+  };
+  const double snapshot = 8091;  // printed: about 8090
+  const auto height = [](const std::vector<double>& y) {
+    const auto [trough, crest] = std::minmax_element(y.begin() + 60, y.end());
+    return *crest - *trough;
   };
   const auto chain_packet = [&](const ContactAware& stepper) {
     Packet out;
@@ -513,7 +528,10 @@ TEST_CASE(
       for (std::size_t n = 20; n < 120; ++n)
         out.amplitude = std::max(out.amplitude, std::abs(now.y[n]));
     };
-    out.track = strike(stepper, impact, watch).track;
+    ImpactRun run = strike(stepper, impact, watch);
+    out.track = run.track;
+    go_on(stepper, impact, run, snapshot);
+    out.height = height(run.end.y);
     return out;
   };
   const std::array<Packet, 2> chain{chain_packet({0.2}), chain_packet({0.1})};
@@ -524,16 +542,22 @@ TEST_CASE(
 
   Estimate amplitude = both(chain, [](const Packet& p) { return p.amplitude; });
   amplitude.error += amplitude.value * 0.1 * 0.1 / 8;  // the top between two samples
-  CHECK(agrees(amplitude, 9e-4, Rel{5e-2}));
+  CHECK(remains(amplitude, 9.18e-4, Rel{5e-3}));
   const Estimate ours = compare(dps_amplitude(dps.coarse), dps_amplitude(dps.fine));
   CHECK(remains(ours, 9.5e-4, Rel{5e-3}));
-  const auto height = [&](const DpsOutcome& out) {
-    const std::vector<double> y = dps_state(out.end, eps, time).y;
-    const auto [trough, crest] = std::minmax_element(y.begin() + 60, y.end());
-    return *crest - *trough;
+  const auto dps_height = [&](Field field, double later) {
+    if (later > 0)
+      evolve_dps(Dps{120}, field, later * std::sqrt(eps), 1, 1e-9, [](double, const Field&) {});
+    return height(dps_state(field, eps, time + later).y);
   };
-  CHECK(agrees(compare(height(dps.coarse), height(dps.fine)), 13e-4, Rel{5e-2}));
-  CHECK(stands("7 sites", supported_by(7, chain[0].front, chain[1].front)));
+  CHECK(agrees(both(chain, [](const Packet& p) { return p.height; }), 9e-4, Rel{5e-2}));
+  for (double later : {0.0, snapshot - time})
+    CHECK(agrees(compare(dps_height(dps.coarse.end, later), dps_height(dps.fine.end, later)), 13e-4,
+                 Rel{5e-2}));
+  const auto ahead = [&](std::size_t k) {
+    return both(chain, [k](const Packet& p) { return p.front.amplitude(k); });
+  };
+  CHECK(stands("7 sites", {above("third", ahead(3), 0.01), below("fourth", ahead(4), 0.01)}));
   const Estimate fast = compare(packet_speed(dps.coarse.track), packet_speed(dps.fine.track));
   const Estimate slow = both(chain, [](const Packet& p) { return packet_speed(p.track); });
   const Estimate ratio = quotient({fast.value * std::sqrt(eps), fast.error * std::sqrt(eps)}, slow);
@@ -579,8 +603,8 @@ TEST_CASE("3.4: with s = -0.7 an impact of 0.94 leaves a surface mode, with s = 
                       compare(leaves(runs.coarse), leaves(runs.fine))};
   };
   const auto soft = shares(-0.7), linear = shares(0);
-  CHECK(stands("trapped", trapped(soft[0], soft[1])));
-  CHECK_FALSE(stands("trapped", trapped(linear[0], linear[1])));
+  CHECK(stands("trapped", {above("boundary over packet", quotient(soft[0], soft[1]), 1)}));
+  CHECK(stands("not trapped", {below("boundary over packet", quotient(linear[0], linear[1]), 1)}));
 }
 
 TEST_CASE("3.4: soft wells let a bead go above a threshold, which must pay for the rim",
@@ -712,10 +736,18 @@ TEST_CASE(
   CHECK(agrees(pulse(&Pulse::force, 1), 2.8, Abs{0.1}));
   CHECK(agrees(pulse(&Pulse::period, 1e3), 0.14, Abs{1e-2}));
   CHECK(agrees(pulse(&Pulse::period, 1 / (2 * M_PI * blow.scales.tau_c())), 1 / 1.1, Abs{0.03}));
-  // Least squares between sites 20 and 40; the stretch is not printed, and farther on the packet is slower
+  // The way over the time of the largest force at n = 80; nothing is printed, 79 sites miss it by a little, and least
+  // squares give as much between sites 20 and 40, but less farther on
+  const auto mean = [&](std::size_t sites) {
+    return both(runs, [&](const WatchedRun& run) { return mean_speed(run, blow, sites); });
+  };
+  CHECK(agrees(mean(80), 2030, Rel{1e-2}));
+  CHECK(differs(mean(79), 2030, Rel{1e-2}, "from the struck beam on"));
   CHECK(agrees(speed(20, 40), 2030, Rel{1e-2}));
   CHECK(stands("slower farther on", {below("20 to 60", speed(20, 60), 2010)}));
-  // Above a thousandth of the largest force; the threshold is not printed, and at half of it the pulse is short
+  CHECK(differs(speed(75, 85), 2030, Rel{1e-2}, "the speed at n = 80 itself"));
+  // Above a thousandth of the largest force, a hundredth of the largest compression; the threshold is not printed, and
+  // at half of it the pulse is short
   const auto duration = [&](double threshold) {
     return both(runs, [&](const WatchedRun& run) { return duration_above(run, blow, threshold); });
   };
@@ -732,10 +764,13 @@ TEST_CASE(
 TEST_CASE("3.6: beads of 1.6 radii reflect the packet almost totally, beads of 1.1 radii in part",
           "[article]") {
   const ScatteringSetup setup{StruckArray{}, {0.2, 0.1}, 75};
-  CHECK(stands("almost totally", almost_total(fractions(setup, 1.6).net_reflected)));
+  const auto almost_totally = [](const Estimate& e) {
+    return stands("almost totally", within(e, 0.95, 1));
+  };
+  CHECK(almost_totally(fractions(setup, 1.6).net_reflected));
   const Fractions partly = fractions(setup, 1.1);
-  CHECK(stands("in part", partial(partly.net_transmitted)));
-  CHECK_FALSE(stands("almost totally", almost_total(partly.net_reflected)));
+  CHECK(stands("in part", within(partly.net_transmitted, 0.1, 0.9)));
+  CHECK_FALSE(almost_totally(partly.net_reflected));
 }
 
 // ## 4 Precompression
@@ -755,8 +790,8 @@ TEST_CASE("4.1: at d = 1/2 the contact has v_1 = 1.06, v_2 = -0.53 and v_3 = -0.
 
 TEST_CASE("4.1: Phi changes its sign at q_c with cos q_c = v_1 (1 - cos q_c)^2, in all three wells",
           "[article]") {
-  const double q_c = inflection(contact_series(0.5).v1);
-  CHECK(stands("a change of sign", sign_changes_at(q_c, 0.5, {-1.0 / 6, 0, 1})));
+  const double v1 = contact_series(0.5).v1, q_c = inflection(v1), x = 1 - std::cos(q_c);
+  CHECK(agrees(exact(v1 * x * x), std::cos(q_c), Rel{1e-10}));
   for (double s : {-1.0 / 6, 0.0, 1.0})
     CHECK(agrees(exact(sign_change_of_phi(0.5, s, 0.9, 1.4)), q_c, Rel{1e-10}));
 }
@@ -764,7 +799,10 @@ TEST_CASE("4.1: Phi changes its sign at q_c with cos q_c = v_1 (1 - cos q_c)^2, 
 TEST_CASE("4.1: waves are unstable at q = 0 for s < 0 and at q = pi for 16 v_3 + s > 0",
           "[article]") {
   const double threshold = -16 * contact_series(0.5).v3;
-  CHECK(stands("conditions at the edges", opens_at_edges(0.5, threshold)));
+  const BandEdges at = band_edges(0.5, threshold);
+  CHECK(stands("conditions at the edges",
+               {below("formula", at.formula, 1e-13), below("growth", at.growth, 0.02),
+                below("stable side", at.stable_side, 1e-12)}));
 }
 
 TEST_CASE("4.1: the printed beta is that of exact waves, by frequency and by growth", "[article]") {
@@ -790,7 +828,10 @@ TEST_CASE(
     coarse[k] = largest_phi(0.5, wells[k], 500);
     fine[k] = largest_phi(0.5, wells[k], 1000);
   }
-  CHECK(stands("much smaller", small_in_linear_wells(coarse, fine)));
+  const auto ratio = [](const auto& phi) { return phi[1] / std::min(phi[0], phi[2]); };
+  CHECK(
+      stands("much smaller", {above("largest for s = 0", compare(coarse[1], fine[1]), 0),
+                              below("over the others", compare(ratio(coarse), ratio(fine)), 0.1)}));
   const std::array largest{0.25, 0.012872, 0.36871};
   for (std::size_t k = 0; k < 3; ++k) {
     CHECK(remains({fine[k], 1e-6 + std::abs(fine[k] - coarse[k])}, largest[k], Rel{1e-3}));
@@ -805,6 +846,8 @@ TEST_CASE(
 TEST_CASE(
     "4.2: a phonon of q = pi/4 on a ring of 200 beads has become a travelling breather at 6619",
     "[article]") {
-  const Formed coarse = formed(modulate({}, 6619, 0.4)), fine = formed(modulate({}, 6619, 0.2));
-  CHECK(stands("a travelling breather moving right", formed_breather(coarse, fine)));
+  const Formed wave = formed(modulate({}, 6619, 0.4), modulate({}, 6619, 0.2));
+  CHECK(stands("a travelling breather moving right",
+               {above("peak over mean", wave.peak_over_mean, 5),
+                below("share of sites", wave.share_of_sites, 0.5), above("speed", wave.speed, 0)}));
 }

@@ -186,7 +186,7 @@ TEST_CASE("coarse tables do not come into the place of full ones", "[cli]") {
     return call_in(scratch.path, "sec32_dps_profiles --threads 1 " + options);
   };
   const auto is_quick = [&](const std::string& folder) {
-    return header(read(scratch.path / folder / "results.ecsv"), "parameters");
+    return header(read(scratch.path / folder / "facts.ecsv"), "parameters");
   };
   const std::string full = "build/data/sec32_dps_profiles",
                     quick = "build/quick/data/sec32_dps_profiles";
@@ -208,10 +208,9 @@ TEST_CASE("coarse tables do not come into the place of full ones", "[cli]") {
   // Into a coarse folder both may go
   REQUIRE(run("--out " + quick).code == 0);
   CHECK(is_quick(quick) == "quick = no");
-  // Facts and results name the function that made them
-  for (const char* table : {"facts.ecsv", "results.ecsv"})
-    for (const std::string& maker : read(scratch.path / full / table).texts("made_by"))
-      CHECK(maker.find("re") == 0);  // reproduce or report_...
+  // Facts name the function that made them
+  for (const std::string& maker : read(scratch.path / full / "facts.ecsv").texts("made_by"))
+    CHECK(maker.find("re") == 0);  // reproduce or report_...
 }
 
 TEST_CASE("what does not exist has a reason", "[cli]") {

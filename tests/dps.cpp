@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "check.hpp"
+#include "estimates.hpp"
 #include "lattice/events/event_driven.hpp"
 #include "lattice/impact/impact.hpp"
 #include "sec3/dps_error.hpp"
@@ -99,15 +100,13 @@ TEST_CASE("the approximation approaches the chain as eps goes to zero", "[proper
 TEST_CASE("the order 3/2 needs a well of frequency one and the right tau_0", "[property][dps]") {
   const auto stays = [](const Compared& both) {
     const auto error = [&](double eps) { return refined_deviations(both, eps, {1}).front(); };
-    return holds(order_stays({order_between(1e-4, error(1e-4), 1e-5, error(1e-5))}));
+    return holds(within(order_between(1e-4, error(1e-4), 1e-5, error(1e-5)), 1.47, 1.53));
   };
   const Field start = dps_impact(12);
   CHECK(stays({start}));
   CHECK(stays({start, Quartic{-1}}));
   CHECK_FALSE(stays({start, Stiff{}}));
   for (const double wrong : {1.5, 1.6}) CHECK_FALSE(stays({start, Harmonic{}, 1 / (2 * wrong)}));
-  CHECK_FALSE(holds(order_stays({})));
-  CHECK_FALSE(holds(order_stays({{1.5, 0}, {1.4, 0}})));
 }
 
 TEST_CASE("a travelling wave comes back, its ansatz does not", "[property][dps]") {

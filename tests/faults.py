@@ -55,12 +55,12 @@ def rows(path):
 
 def tables(folder):
     """The rows of all tables by name, if the folder is complete and agrees with its checksums; else nothing."""
-    if not (folder / "results.ecsv").exists():
+    if not (folder / "facts.ecsv").exists():
         return None
     out = {path.name: rows(path) for path in folder.glob("*.ecsv")}
-    listed = re.search("# - {tables: '(.*)'}", (folder / "results.ecsv").read_text())[1]
+    listed = re.search("# - {tables: '(.*)'}", (folder / "facts.ecsv").read_text())[1]
     check(set(listed.split(", ")) == {f"{name.removesuffix('.ecsv')} {zlib.crc32(text.encode()):08x}" for name, text in out.items()},
-          f"{folder}: complete, and not what the header of results.ecsv says")
+          f"{folder}: complete, and not what the header of facts.ecsv says")
     return out
 
 
@@ -149,7 +149,7 @@ def full_disk(scratch):
         one_line(run(QUICK + [folder / "out"], **more), 1, "cannot write")
         one_line(run(BAND + ["--output", folder / "band.ecsv"], **more), 1, "cannot write")
         one_line(run(MAP + ["--folder", folder / "rows"], cwd=scratch, **more), 1, "cannot write")
-        left = debris(folder, ".*.rows-*", "filling") + [path.name for path in folder.rglob("results.ecsv")]
+        left = debris(folder, ".*.rows-*", "filling") + [path.name for path in folder.rglob("facts.ecsv")]
         check(not left and not (scratch / "map.ecsv").exists(), f"left on a full disk: {left}")
 
     (scratch / "limited").mkdir()

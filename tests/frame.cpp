@@ -135,12 +135,12 @@ TEST_CASE("the function that recorded a number is known by its bare name", "[uni
   template_here(std::string("text"));
   Output output("nowhere", {});
   Report report{output, false};
-  const auto judged = [&] { judge(report, "a.word", {above("size", {2, 0.1}, 1)}); };
-  judged();
+  report.facts.add("size", {2, 0.1});
   const auto makers = report.facts.table.texts("made_by");
-  REQUIRE(makers.size() == 2);
-  CHECK(makers[0] == report.results.table.texts("made_by")[0]);
-  CHECK(makers[0] != "judge");
+  REQUIRE(makers.size() == 1);
+  CHECK(report.facts.table.texts("quantity").front() == "size");
+  CHECK(makers[0].find(':') == std::string::npos);
+  CHECK_THROWS_AS(report.facts.add("size", {3, 0.1}), std::logic_error);
 }
 
 TEST_CASE("a row that has headings makes the columns, and no other row comes among them",

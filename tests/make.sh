@@ -50,20 +50,21 @@ case $1 in
     case $source in beyond/*) all=programs_beyond ;; esac
     case " $* " in *" $name "* | *" $all "*) ;; *) continue ;; esac
     [ "$2/bin/$name" -nt "$source" ] || { cat "$STUB_PROGRAM" "$source" > "$2/bin/.$name"; chmod +x "$2/bin/.$name"; mv "$2/bin/.$name" "$2/bin/$name"; }
-  done ;;
+  done
+  printf '#!/bin/sh\n' > "$2/bin/verdicts" && chmod +x "$2/bin/verdicts" ;;
 esac
 STUB
 stub program <<'STUB'
 #!/bin/sh
 echo "${0##*/} $*" >> "$STUB_LOG"
 cd "$2"
-rm -f results.ecsv
+rm -f facts.ecsv
 sleep "${STUB_SLEEP:-0}"
 name=${0##*_}
 printf '# header\nx\n1\n' > "$name.ecsv"
 sum() { gzip -c | tail -c 8 | od -An -N4 -tx4 | tr -d ' '; }
-printf "# - {tables: '%s %s, results %s'}\ndone\n" "$name" "$(printf 'x\n1\n' | sum)" "$(echo done | sum)" > results.ecsv.new
-mv results.ecsv.new results.ecsv
+printf "# - {tables: '%s %s, facts %s'}\ndone\n" "$name" "$(printf 'x\n1\n' | sum)" "$(echo done | sum)" > facts.ecsv.new
+mv facts.ecsv.new facts.ecsv
 exit 0
 STUB
 stub srun <<'STUB'
@@ -270,7 +271,7 @@ not_drawn() {
   done
 }
 sed -i "1i # - {parameters: 'quick = yes'}" build/data/sec3_own/*.ecsv
-not_drawn "build/data/sec3_own/results.ecsv: of a quick run; remove build/data/sec3_own to"
+not_drawn "build/data/sec3_own/facts.ecsv: of a quick run; remove build/data/sec3_own to"
 sed -i 1d build/data/sec3_own/*.ecsv
 sed -i s/1/2/ build/data/sec3_own/own.ecsv
 not_drawn "build/data/sec3_own/own.ecsv: not what sec3_own wrote"

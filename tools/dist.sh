@@ -34,7 +34,7 @@ take() {
 }
 take data "the tables" "make figures"
 take figures "the figures" "make figures"
-take report/published.ecsv "published against reproduced" "make figures"
+take report/claims.ecsv "published against reproduced" "make figures"
 for index in packages tables commands; do
   take report/$index.ecsv "the list of $index" "make dist"
 done

@@ -1,11 +1,11 @@
 """Figure x34: numbers of other authors against ours, as ratios, with what their digits leave open."""
 
+from decimal import Decimal
 from pathlib import Path
 
 import draw
 import matplotlib.pyplot as plt
-from lineage.claims import agreement, printed_range
-from lineage.literature import read_literature
+from lineage.claims import read_literature
 
 # What each number is, by its id without the digits at the end, and who printed it
 SHORT = {"fragment_": "Sokolow: velocity of ball {} flying back (m/s)",
@@ -22,15 +22,14 @@ SHORT = {"fragment_": "Sokolow: velocity of ball {} flying back (m/s)",
 
 data, out = draw.arguments()
 facts = draw.table_of(f"{data}/secB_other_numbers/facts.ecsv").by("quantity", "facts")
-rows = [row for row in read_literature(Path(__file__).resolve().parents[1]).values() if printed_range(row["printed"])]
+rows = list(read_literature(Path(__file__).resolve().parents[1]).values())
 
 figure, axes = plt.subplots(figsize=(draw.TWO_COLUMNS, 4.6 * draw.MM * len(rows) + 16 * draw.MM), layout="constrained")
 for k, row in enumerate(rows):
-    theirs, _, half = printed_range(row["printed"])
-    low, high = agreement((theirs, theirs, half), row["tolerance"]) if row["tolerance"] != "at most" else (theirs - half, theirs + half)
+    theirs, half_digit = float(row["printed"]), 0.5 * 10.0 ** Decimal(row["printed"]).as_tuple().exponent
+    open_by = float(row["tolerance"].removeprefix("abs ")) if row["tolerance"].startswith("abs ") else half_digit
     ours, error = float(facts[row["id"]]["value"]), float(facts[row["id"]]["error"])
-    ends = sorted((low / theirs - 1, high / theirs - 1))
-    axes.plot(ends, [k, k], "-", color="0.75", lw=6, solid_capstyle="butt", label="open by the printed digits" if k == 0 else None)
+    axes.plot([-open_by / abs(theirs), open_by / abs(theirs)], [k, k], "-", color="0.75", lw=6, solid_capstyle="butt", label="open by the printed digits" if k == 0 else None)
     memory = row["obtained"] == "memory"
     axes.errorbar(ours / theirs - 1, k, xerr=abs(error / theirs), fmt="s" if memory else "o", ms=4.5, color="#D55E00" if memory else "#0072B2",
                   mfc="none" if memory else None, capsize=2,

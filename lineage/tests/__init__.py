@@ -30,11 +30,11 @@ def of_volume(test):
     return test
 
 
-CLAIMS = ["id", "section", "where", "quantity", "printed", "unit", "class", "tolerance", "note", "program", "status",
-          "reading", "covered_by", "reason"]
+CLAIMS = ["id", "section", "where", "quantity", "printed", "unit", "class", "tolerance", "answer", "criterion", "assumption",
+          "covered_by", "reason", "status"]
 LOCK = ["program", "id", "value", "error", "unit", "kind"]
-RESULTS = ["id", "value", "error", "unit", "made_by"]
 FACTS = ["quantity", "value", "error", "unit", "made_by"]
+FACTS_OF_DEMO = ["one", 1.0, 1e-3, "m"], ["other", 1.0, 0.0, ""], ["fact", 2.0, 0.1, ""]
 FIGURES = ["id", "label", "section", "program", "script", "class", "data", "caption"]
 HELP = """#!/bin/sh
 if [ "$1" = one ]; then cat <<'END'
@@ -83,7 +83,7 @@ def finding(value, error=0.0, unit="", kind="value", id="x"):
 
 
 class Scratch(unittest.TestCase):
-    """A small repository, in which the test stands: one chapter, two claims, two facts, one figure."""
+    """A small repository, in which the test stands: one chapter, two claims, three facts, one figure."""
 
     def setUp(self):
         self.root = Path(tempfile.mkdtemp())
@@ -91,12 +91,13 @@ class Scratch(unittest.TestCase):
         self.addCleanup(os.chdir, os.getcwd())
         os.chdir(self.root)
         self.write("src/sec1_demo.cpp", "/**\n# 1 A demonstration\n\nIt is [](num:a.one). */\n")
-        self.write("paper/published.ecsv", table(CLAIMS, [
-            ["a.one", "1", "Fig. demo", "one", "1.02", "", "converged", "rel 1e-2", "", "sec1_demo", "discrepant",
-             "", "", "they erred"],
-            ["a.two", "1", "text", "two", "yes", "", "claim", "", "", "", "open", "", "", ""]]))
+        self.write("paper/claims.ecsv", table(CLAIMS, [
+            ["a.one", "1", "Fig. demo", "one", "1.02", "", "converged", "rel 1e-2", "sec1_demo.one", "", "", "", "they erred",
+             "discrepant"],
+            ["a.two", "1", "text", "two", "yes", "", "claim", "", "", "sec1_demo.fact > 1", "of {a.one}, Section wells", "", "",
+             "holds"]]))
         self.write("paper/converged.ecsv", table(LOCK, [
-            ["sec1_demo", "a.one", 1.0000000000000002, 1e-3, "m", "value"], ["sec1_demo", "fact", 2.0, 0.1, "", "value"]]))
+            ["sec1_demo", "one", 1.0000000000000002, 1e-3, "m", "value"], ["sec1_demo", "fact", 2.0, 0.1, "", "value"]]))
         self.write("figures/figures.ecsv", table(FIGURES, [
             ["01", "demo", "1", "sec1_demo", "fig01.gp", "ER", "facts", "A line."]]))
         self.write("paper/costs.ecsv", table(["program", "seconds"], [["sec1_demo", 3.0]]))
@@ -104,8 +105,7 @@ class Scratch(unittest.TestCase):
         self.write("README.md", "<!-- discrepant -->\n<!-- /discrepant -->\n")
         self.write("CONTRIBUTING.md", "")
         self.write("DATA.md", "It is <!--num:a.one--><!--/-->.\n")
-        self.results(["a.one", 1.0, 1e-3, "m"])
-        self.facts(["other", 1.0, 0.0, ""], ["fact", 2.0, 0.1, ""])
+        self.facts(*FACTS_OF_DEMO)
 
     def write(self, name, text):
         ecsv.write_whole(self.root / name, text)
@@ -113,20 +113,25 @@ class Scratch(unittest.TestCase):
     def read(self, name):
         return ecsv.text_of(self.root / name)
 
-    def results(self, *rows):
-        self.computed("sec1_demo/results.ecsv", table(RESULTS, [[*row, "main"] for row in rows]))
+    def judged(self, verdict="discrepant"):
+        """What `verdicts` would have written."""
+        columns = ["list", "id", "where", "quantity", "printed", "value", "error", "unit", "verdict", "found", "program"]
+        self.write("build/report/claims.ecsv", table(columns, [
+            ["claims", "a.one", "Fig. demo", "one", "1.02", 1.0, 1e-3, "m", verdict, "1 +- 1e-3 m", "sec1_demo"],
+            ["claims", "a.two", "text", "two", "yes", float("nan"), float("nan"), "", "holds", "sec1_demo.fact = 2 +- 0.1 > 1",
+             "sec1_demo"]]))
 
     def facts(self, *rows):
         self.computed("sec1_demo/facts.ecsv", table(FACTS, [[*row, "main"] for row in rows]))
 
     def computed(self, name, text, data="build/data"):
-        """Writes a table as a program does, with the checksums of its run in the header of the results."""
+        """Writes a table as a program does, with the checksums of its run in the header of the facts."""
         path = self.root / data / name
         ecsv.write_whole(path, text)
-        results = path.with_name("results.ecsv")
+        facts = path.with_name("facts.ecsv")
         sums = ", ".join(f"{one.stem} {ecsv.rows_sum(ecsv.text_of(one))}" for one in sorted(path.parent.glob("*.ecsv")))
-        header = re.sub(r"# - \{tables: .*\n", "", ecsv.text_of(results))
-        ecsv.write_whole(results, header.replace("# schema", f"# - {{tables: '{sums}'}}\n# schema", 1))
+        header = re.sub(r"# - \{tables: .*\n", "", ecsv.text_of(facts))
+        ecsv.write_whole(facts, header.replace("# schema", f"# - {{tables: '{sums}'}}\n# schema", 1))
 
     def program(self):
         """A program with a command, that says so in the form of ours."""

@@ -11,9 +11,8 @@ import tempfile
 import unittest
 
 from lineage import chapters, ecsv, markdown as md, sources, tex
-from lineage.claims import read_claims
+from lineage.claims import by_name, read_claims
 from lineage.lock import read_lock
-from lineage.refresh import quotable
 from lineage.values import Finding
 from lineage.volumes import joined, volumes
 
@@ -66,17 +65,17 @@ class Sources(unittest.TestCase):
         self.assertEqual(len(there), len({s.page for s in there}))
 
     TEXT = ('void f() {\n  facts.add("trapped_" + name, s.trapped);\n  facts.add("packet_" + name,\n'
-            '            s.packet);\n  results.add("a.b", {1, 2});\n}\nCriterion c() {\n  return {above("speed_" + well, x, 0)};\n}\n')
+            '            s.packet);\n  facts.add("b", {1, 2});\n}\nvoid c() {\n  facts.add("speed_" + well, x);\n}\n')
 
     def test_a_number_has_the_line_of_the_function_that_made_it(self):
         source = sources.Source("src/p.cpp", self.TEXT)
-        for id, made_by, line in [("a.b", "f", 5), ("packet_soft", "f", 3), ("unlike", "f", 1), ("slower_speed_s", "c", 8),
+        for id, made_by, line in [("b", "f", 5), ("packet_soft", "f", 3), ("unlike", "f", 1), ("slower_speed_s", "c", 8),
                                   ("trapped_soft", "f", 2)]:
             self.assertEqual(sources.made_at(Finding("p", id, 1, made_by=made_by), [source]), (source, line), id)
-        self.assertIsNone(sources.made_at(Finding("p", "a.b", 1, made_by="none_such"), [source]))
+        self.assertIsNone(sources.made_at(Finding("p", "b", 1, made_by="none_such"), [source]))
 
     def test_commands_that_compute_one_number_exist(self):
-        known = quotable(joined(read_lock, volumes(ROOT)), read_claims(ROOT))
+        known = by_name(joined(read_lock, volumes(ROOT)), read_claims(ROOT))
         for id, (command, quantity) in joined(chapters.read_commands, volumes(ROOT)).items():
             self.assertIn(id, known)
             program, subcommand = command.split()[0].split("/")[-1], command.split()[1]
@@ -142,7 +141,7 @@ Take $a$. And *this*. And $b$. It is
 $$E = \\tfrac12 v^2
 - 1.$$ */
 int main() {
-  results.add("a.one", once(1));
+  facts.add("one", once(1));
   facts.add("fact", {2, 0.1});
 }
 """
@@ -170,7 +169,7 @@ class Repository(Scratch):
                  {"cell_type": "code", "source": ["x = 1  # one"], "outputs": [{"output_type": "stream", "text": ["a < b\n"]}]}]
         self.write("python/a_b.ipynb", json.dumps({"cells": cells}))
         self.program()
-        self.lineage("summary")
+        self.judged()
 
     def build(self, out="book"):
         """Exit code and words of Sphinx, as `make weave` calls it."""

@@ -29,7 +29,7 @@ class Inventory(Scratch):
     def test_a_table_describes_its_columns(self):
         rows = list(inventory.tables(self.root, self.root / "build/data"))
         self.assertEqual([(r["table"], r["column"]) for r in rows],
-                         [(t, c) for t in ("facts", "results") for c in ("quantity" if t == "facts" else "id", "value", "error", "unit", "made_by")])
+                         [("facts", c) for c in ("quantity", "value", "error", "unit", "made_by")])
         self.assertEqual(rows[1]["kind"] + ", " + rows[1]["description"], "float64, what value is")
 
     @unittest.skipUnless(shutil.which("dpkg-query"), "dpkg-query is not installed")
@@ -97,7 +97,7 @@ class Archive(Scratch):
 
     def test_its_first_page_leads_to_what_is_in_it_and_to_nothing_else(self):
         self.lineage("refresh")
-        self.lineage("summary")
+        self.judged()
         self.write("build/figures/fig01.pdf", "%PDF\n")
         self.write("README.md", self.read("README.md") + "It is <b>bold</b>.\n")
         self.run_in("git", "add", "-A")
@@ -113,7 +113,7 @@ class Archive(Scratch):
         self.assertNotIn("build/book/index.html", paths)
         self.assertRegex(page, "<td>one<td>1.02<td>1.000 m<td>0.001<td>discrepant</tr>")
         manifest = re.findall(r'- file: "(.*)"', ecsv.text_of(inside / "codecheck.yml"))
-        self.assertEqual(manifest, ["build/figures/fig01.pdf", "build/report/published.ecsv"])
+        self.assertEqual(manifest, ["build/figures/fig01.pdf", "build/report/claims.ecsv"])
         self.assertEqual([path for path in manifest if not (inside / path).exists()], [])
 
     def test_what_cannot_be_packed_is_one_line(self):

@@ -77,7 +77,7 @@ class Told(unittest.TestCase):
         self.assertEqual(re.findall(r"^([a-z]+):", said, re.M), ["version", "paper", "manifest"])
         manifest = re.findall(r'^  - file: "(.*)"\n    comment: "\S.*"$', said, re.M)
         figures = [f"build/figures/{path.stem}.pdf" for path in sorted((ROOT / "figures/gallery").iterdir())]
-        self.assertEqual((sorted(manifest[:-1]), manifest[-1]), (figures, "build/report/published.ecsv"))
+        self.assertEqual((sorted(manifest[:-1]), manifest[-1]), (figures, "build/report/claims.ecsv"))
         self.assertEqual(len(re.findall(r"^  authors:|^    - name: |^  title: |^  reference: \"https://doi", said, re.M)), 6)
 
     @unittest.skipUnless(importlib.util.find_spec("yaml"), "python3-yaml is not installed")

@@ -1,4 +1,4 @@
-"""The reader of tables, digits and verdicts, and what is said of files that cannot be used."""
+"""The reader of tables and digits, and what is said of files that cannot be used."""
 
 import math
 import random
@@ -8,8 +8,7 @@ import unittest
 from unittest import mock
 
 from lineage import ecsv
-from lineage.claims import Judge, alone
-from lineage.values import Finding
+from lineage.claims import quoted_in, said
 
 from . import LOCK, Scratch, finding, of_run, table
 
@@ -82,120 +81,65 @@ class Tables(unittest.TestCase):
                 (finding(500, 200), "5e2"), (finding(14), "14"), (finding(-3), "-3"), (finding(0), "0"),
                 (finding(1.5), "1.5"), (finding(1.0009999999999999), "1.001"), (finding(1753921.9), "1.75392e6"),
                 (finding(1.75e19), "1.75e19"), (finding(4.3822562009170496e-16, 0, "", "residue"), "4e-16"),
-                (finding(1, 0, "claim"), "holds"), (finding(0, 0, "claim"), "does not hold"),
                 (finding(math.nan, 1), "nan"), (finding(-math.inf), "-inf"), (finding(1, math.nan), "1")]:
             self.assertEqual(f.shown, shown)
         self.assertEqual([finding(1, e).shown_error for e in (3.7e-9, 0)], ["4e-9", "exact"])
-        self.assertEqual(finding(1, 0, "claim").shown_error, "")
 
 
-class Verdicts(unittest.TestCase):
-    def check(self, printed, tolerance, value, error, expected, unit="", kind="converged"):
-        claim = {"printed": printed, "tolerance": tolerance, "class": kind}
-        self.assertEqual(alone(claim, finding(value, error, unit)), expected, (printed, tolerance, value, error))
-
-    def test_a_printed_number(self):
-        for printed, tolerance, good, bad in [
-                ("1.5e-9", "at most", [1e-14], 1e-8), ("1e-14 to 1e-15", "order of magnitude", [3e-15, 9e-14], 3e-13),
-                ("238 to 241", "abs 15", [225, 250], 257), ("3 to 4 orders", "order of magnitude", [5e3], 5e5),
-                ("3 pi/2", "rel 1e-12", [4.71238898038469], 4.7), ("-0.53", "", [-0.5349], -0.5351), ("2", "", [2.4], 2.6),
-                ("192", "exact", [192], 192.1), ("9e-4", "rel 5e-2", [9.2e-4], 9.6e-4)]:
-            for value in good:
-                self.check(printed, tolerance, value, 0, "reproduced")
-            self.check(printed, tolerance, bad, 0, "discrepant")
-        for value, error in ((9.2e-4, 1e-4), (math.nan, 0), (9e-4, math.nan)):
-            self.check("9e-4", "rel 5e-2", value, error, "unresolved")
-        self.check("7", "", 1, 0, "unresolved", "claim")
-
-    def test_words(self):
-        for value, error, unit, expected in [
-                (1, 0, "claim", "holds"), (0, 0, "claim", "discrepant"), (0.5, 0, "claim", "unresolved"),
-                (1, 0.1, "claim", "unresolved"), (5.3e-12, 2e-12, "relative", "measured"), (1, 0, "", "measured"),
-                (math.nan, 0, "", "unresolved")]:
-            self.check("visually equal", "", value, error, expected, unit, "claim")
-        self.check("7 sites", "", 1, 0, "holds", "claim")
-        self.check("7", "", 1, 0, "holds", "claim", "claim")
-        self.assertEqual(alone({"printed": "1", "tolerance": "", "class": ""}, None), "open")
-
-    def covered(self, by, kick=4.45e-6, power="^2", accuracy=1.6e-12):
-        claim = {"program": "p", "tolerance": "rel 2e-2", "class": "converged", "reading": "", "reason": ""}
-        claims = {"a.kick": claim | {"printed": "6.19e-6", "covered_by": ""},
-                  "a.energy": claim | {"printed": "1.92e-11", "covered_by": "a.kick" + power},
-                  "a.barrier": claim | {"printed": "1.77e-11", "covered_by": "p.accuracy"}}
-        found = {"a.kick": kick, "a.energy": 9.9e-12, "a.barrier": 1.62e-11, "accuracy": accuracy}
-        return Judge(claims, [Finding("p", id, value) for id, value in found.items()]).verdict(by)
-
-    def test_what_covers_a_number_that_is_missed(self):
-        self.assertEqual([self.covered("a.kick"), self.covered("a.energy"), self.covered("a.barrier")],
-                         ["discrepant", "follows", "within"])
-        for by, changed in [("a.energy", {"power": "^1"}), ("a.energy", {"kick": 6.19e-6}),
-                            ("a.barrier", {"accuracy": 1.4e-12}), ("a.barrier", {"accuracy": math.nan})]:
-            self.assertEqual(self.covered(by, **changed), "discrepant")
-
+class Words(unittest.TestCase):
     def test_our_numbers_in_the_list_of_claims(self):
-        judge = Judge({}, [Finding("p", "q", 1.25, 1e-3)])
-        self.assertEqual(judge.said("It is {p.q}, {not a name}."), "It is 1.250, {not a name}.")
+        self.assertEqual(said("It is {p.q}, {not a name}.", {"p.q": finding(1.25, 1e-3)}), "It is 1.250, {not a name}.")
         with self.assertRaisesRegex(ecsv.Fault, "nothing is known of 'p.none'"):
-            judge.said("{p.none}")
+            said("{p.none}", {})
+
+    def test_what_a_row_mentions(self):
+        row = {"sentence": "It is [](num:a.one).", "criterion": "sec1_demo.fact > 1; sec1_demo.other < sec2_why.so", "answer": "",
+               "assumption": "with {sec1_demo.q}", "covered_by": "a.two^2"}
+        self.assertEqual(quoted_in(row), {"a.one", "sec1_demo.fact", "sec1_demo.other", "sec2_why.so", "sec1_demo.q", "a.two"})
+        self.assertEqual(quoted_in({"answer": "sec1_demo.x", "covered_by": "method"}), {"sec1_demo.x"})
 
 
 class Faults(Scratch):
     """Each is one line that names file and row, and an exit code."""
 
     def test_a_claim_given_twice(self):
-        path, text = "paper/published.ecsv", self.read("paper/published.ecsv")
+        path, text = "paper/claims.ecsv", self.read("paper/claims.ecsv")
         self.write(path, text + text.splitlines()[-1].replace('two,yes', 'again,yes') + "\n")
-        for verb in ("summary", "lock", "refresh", "macros"):
-            self.refuses(verb, "published.ecsv: row 3: two claims for 'a.two' (the first: row 2)")
+        for verb in ("show a.one", "lock", "refresh", "macros"):
+            self.refuses(verb, "claims.ecsv: row 3: two claims for 'a.two' (the first: row 2)")
 
-    def test_an_answer_given_twice(self):
-        self.results(["a.one", 1.0, 0.1, ""], ["a.one", 1.0, 0.1, ""])
-        self.refuses("summary", "sec1_demo/results.ecsv: row 2: two values for 'a.one'")
-        self.results(["a.one", 1.0, 0.1, ""])
-        self.write("src/sec2_other.cpp", "/**\n# 2 */\n")
-        self.computed("sec2_other/results.ecsv", self.read("build/data/sec1_demo/results.ecsv"))
-        self.refuses("summary", "sec2_other/results.ecsv: row 1: 'a.one' is answered by sec2_other, but", "by sec1_demo")
-        self.results(["a.none", 1.0, 0.1, ""])
-        self.refuses("lock", "row 1: 'a.none' is no claim")
-
-    def test_values_that_mean_nothing(self):
-        self.results(["a.one", 1.0, -0.1, ""])
-        self.refuses("summary", "results.ecsv: row 1: a.one: the error -0.1 is negative")
-        self.results(["a.one", 1.0, 0.1, ""])
-        text = self.read("paper/published.ecsv")
-        for tolerance in ("relative 1e-2", "rel -1e-2", "rel", "1e-2", "rel nan"):
-            self.write("paper/published.ecsv", text.replace("rel 1e-2", tolerance))
-            self.refuses("summary", f"published.ecsv: row 1: a.one: the tolerance '{tolerance}' is none", "order of magnitude")
-        self.write("paper/published.ecsv", text.replace("open", "unresolved"))
-        self.refuses("summary", "row 2: a.two: the status 'unresolved' is none")
+    def test_facts_that_mean_nothing(self):
+        self.facts(["fact", 1.0, 0.1, ""], ["fact", 1.0, 0.1, ""])
+        self.refuses("lock", "sec1_demo/facts.ecsv: row 2: two values for 'fact'")
+        self.facts(["fact", 1.0, -0.1, ""])
+        self.refuses("lock", "facts.ecsv: row 1: fact: the error -0.1 is negative")
 
     def test_files_that_are_not_whole(self):
-        path = "build/data/sec1_demo/results.ecsv"
+        path = "build/data/sec1_demo/facts.ecsv"
         good = self.read(path)
         self.write(path, "")
-        self.refuses("summary", "sec1_demo/results.ecsv: no table (it is empty)")
+        self.refuses("lock", "sec1_demo/facts.ecsv: no table (it is empty)")
         self.write(path, good[:-12])
-        self.refuses("summary", "sec1_demo/results.ecsv: row 1: ", "cut off")
+        self.refuses("lock", "sec1_demo/facts.ecsv: row 3: ", "cut off")
         # Whole, and not what the program wrote: a digit, a row less, no checksums
-        self.write(path, good.replace("a.one,1,", "a.one,2,"))
-        for verb in ("summary", "lock"):
-            self.refuses(verb, "sec1_demo/results.ecsv: not what sec1_demo wrote")
+        self.write(path, good.replace("one,1,", "one,2,"))
+        for verb in ("show a.one", "lock"):
+            self.refuses(verb, "sec1_demo/facts.ecsv: not what sec1_demo wrote")
         self.write(path, "".join(good.splitlines(True)[:-1]))
-        self.refuses("summary", "sec1_demo/results.ecsv: not what sec1_demo wrote")
+        self.refuses("lock", "sec1_demo/facts.ecsv: not what sec1_demo wrote")
         self.write(path, re.sub("# - {tables: .*\n", "", good))
-        self.refuses("summary", "results.ecsv: not what sec1_demo wrote")
+        self.refuses("lock", "facts.ecsv: not what sec1_demo wrote")
         self.write(path, good)
         self.write("paper/converged.ecsv", self.read("paper/converged.ecsv").replace("m,value", "m,vaule"))
-        self.refuses("refresh", "converged.ecsv: row 1: a.one: the kind 'vaule' is none")
+        self.refuses("refresh", "converged.ecsv: row 1: one: the kind 'vaule' is none")
         (self.root / "build/data").rename(self.root / "build/gone")
-        for verb in ("summary", "lock"):
-            self.refuses(verb, "build/data is missing: compute it first")
+        self.refuses("lock", "build/data is missing: compute it first")
         (self.root / "paper/converged.ecsv").unlink()
         self.refuses("macros", "converged.ecsv is missing")
 
     def test_tables_that_no_number_is_read_from(self):
         """Who changes one, or takes one away, stops everything that reads the run."""
-        path, verbs = "build/data/sec1_demo/speeds.ecsv", ("tables", "summary", "lock", "show a.one", "inventory")
+        path, verbs = "build/data/sec1_demo/speeds.ecsv", ("tables", "lock", "show a.one", "inventory")
         self.computed("sec1_demo/speeds.ecsv", table(["value"], [[1.0], [2.0]]))
         good = self.read(path)
         self.write(path, good.replace("\n2\n", "\n3\n"))
@@ -207,35 +151,31 @@ class Faults(Scratch):
         (self.root / path).unlink()
         for verb in verbs[1:]:
             self.refuses(verb, "build/data/sec1_demo/speeds.ecsv is missing")
-        results = self.read("build/data/sec1_demo/results.ecsv")
+        facts = self.read("build/data/sec1_demo/facts.ecsv")
         self.assertEqual(self.lineage("tables"), (0, f"  missing  {path}: its program runs again\n", ""))
-        self.assertFalse((self.root / "build/data/sec1_demo/results.ecsv").exists())
-        self.write("build/data/sec1_demo/results.ecsv", re.sub("# - {tables: .*\n", "", results))
-        self.assertIn("results.ecsv with checksums: its program runs again", self.lineage("tables")[1])
-        self.write("build/data/sec1_demo/results.ecsv", results)
+        self.assertFalse((self.root / "build/data/sec1_demo/facts.ecsv").exists())
+        self.write("build/data/sec1_demo/facts.ecsv", re.sub("# - {tables: .*\n", "", facts))
+        self.assertIn("facts.ecsv with checksums: its program runs again", self.lineage("tables")[1])
+        self.write("build/data/sec1_demo/facts.ecsv", facts)
         self.write(path, "# a header does not count\n" + good)
         self.write("apt-packages.txt", "")
         for verb in verbs:
             self.assertEqual(self.lineage(*verb.split())[0], 0, verb)
 
     def test_quick_tables_are_for_quick_folders(self):
-        for name in ("results", "facts"):
-            path = f"sec1_demo/{name}.ecsv"
-            text = of_run("yes, and = more", self.read(f"build/data/{path}"))
-            for data in ("build/data", "build/quick/data"):
-                self.computed(path, text, data)
-        for verb in ("summary", "lock", "show a.one", "inventory"):
-            self.refuses(verb, "ecsv: of a quick run; remove",
-                         "build/data/sec1_demo to have it computed again")
-        self.assertEqual(self.lineage("summary", "--data", "build/quick/data")[0], 0)
-        for name in ("results", "facts"):
-            path = f"sec1_demo/{name}.ecsv"
-            self.computed(path, self.read(f"build/data/{path}").replace("quick = yes", "quick = no, not quick = yesterday"))
-        self.assertEqual(self.lineage("summary")[0], 0)
+        path = "sec1_demo/facts.ecsv"
+        text = of_run("yes, and = more", self.read(f"build/data/{path}"))
+        for data in ("build/data", "build/quick/data"):
+            self.computed(path, text, data)
+        for verb in ("lock", "show a.one", "inventory"):
+            self.refuses(verb, "ecsv: of a quick run; remove", "build/data/sec1_demo to have it computed again")
+        self.assertEqual(self.lineage("show", "a.one", "--data", "build/quick/data")[0], 0)
+        self.computed(path, text.replace("quick = yes", "quick = no, not quick = yesterday"))
+        self.assertEqual(self.lineage("lock")[0], 0)
 
     def test_rows_that_are_broken(self):
         """A cell lost, doubled or turned into a word, in what is claimed and in what is locked."""
-        for path, row in [("paper/published.ecsv", 'a.one,1,Fig. demo,one,'), ("paper/converged.ecsv", "sec1_demo,a.one,")]:
+        for path, row in [("paper/claims.ecsv", 'a.one,1,Fig. demo,one,'), ("paper/converged.ecsv", "sec1_demo,one,")]:
             good, name = self.read(path), path.rpartition("/")[2]
             for bad, message in [(good.replace(row, row + "x,"), "row 1: "), (good.replace(row, ""), "row 1: "),
                                  (good.replace(row, '"' + row), "quotes that do not close"), (good[:-1], "cut off"),
@@ -250,7 +190,7 @@ class Faults(Scratch):
             self.refuses("gallery", f"lineage gallery: {sys.executable} has no module PIL (Debian: python3-pil; PYTHON=")
 
     def test_the_command_line(self):
-        for arguments in (["summary", "--dat"], ["show"], ["show", "a.one", "a.two"]):
+        for arguments in (["lock", "--dat"], ["show"], ["show", "a.one", "a.two"]):
             code, out, err = self.lineage(*arguments)
             self.assertEqual((code, out, err.count("\n")), (2, "", 1), err)
         self.assertEqual(self.lineage("show", "a.on")[::2],

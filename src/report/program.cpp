@@ -85,33 +85,11 @@ void Answers::add_small(const std::string& quantity, const Estimate& e, const st
   table.add({quantity, none ? Estimate{nan, nan} : e, unit, kind_of(e), meaning, why});
 }
 
-// Quantities and results keep for each row the function that recorded it
 void Quantities::add(const std::string& quantity, const Estimate& e, const std::string& unit,
                      const Origin& origin) {
-  table.add({quantity, e, unit, kind_of(e), function_of(origin)});
-}
-
-void Results::add(const std::string& id, const Estimate& e, const std::string& unit,
-                  const Origin& origin) {
-  if (!std::isfinite(e.value) || !std::isfinite(e.error) || e.error < 0)
-    throw Failure(id + ": the computed value or its error is not finite");
   for (const auto& row : table.rows)
-    if (std::get<std::string>(row[0]) == id) throw Failure(id + ": answered twice");
-  table.add({id, e, unit, kind_of(e), function_of(origin)});
-}
-
-void Results::claim(const std::string& id, bool holds, const Origin& origin) {
-  add(id, exact(holds ? 1 : 0), "claim", origin);
-}
-
-void judge(Report& report, const std::string& id, const Criterion& criterion,
-           const Origin& origin) {
-  report.results.claim(id, holds(criterion), origin);
-  const std::string prefix = id.substr(id.find('.') + 1) + "_";
-  for (const Condition& c : criterion) {
-    report.facts.add(prefix + c.name, c.value, "", origin);
-    report.facts.add(prefix + c.name + "_margin", c.margin(), "", origin);
-  }
+    if (std::get<std::string>(row[0]) == quantity) throw std::logic_error(quantity + ": twice");
+  table.add({quantity, e, unit, kind_of(e), function_of(origin)});
 }
 
 /**
@@ -142,8 +120,8 @@ Table Provenance::sign(Table table) const {
   return table;
 }
 
-void Output::finish(const Results& results) {
-  add("results", results.table);
+void Output::finish(const Quantities& facts) {
+  add("facts", facts.table);
   std::string sums;
   for (auto& [name, table] : tables_) {
     if (table.columns.empty()) throw std::logic_error(name + ": a table without a row");
@@ -317,20 +295,20 @@ int Frame::print(const Offer& of, const std::function<Table()>& compute) {
 
 /**
 Where summary and figures look for the tables of a full run, coarse ones with fresh checksums would pass for them. So
-they have a folder of their own, and another one is refused if the header of its results says that they are not
+they have a folder of their own, and another one is refused if the header of its facts says that they are not
 coarse. */
 bool holds_full_run(const std::filesystem::path& folder) try {
-  const Meta meta = read(folder / "results.ecsv").meta;
+  const Meta meta = read(folder / "facts.ecsv").meta;
   return std::any_of(meta.begin(), meta.end(), [](const auto& entry) {
     return entry.first == "parameters" &&
            (entry.second + ",").find("quick = no,") != std::string::npos;
   });
 } catch (const std::exception&) {
-  return false;  // without results, or with broken ones, it is not complete
+  return false;  // without facts, or with broken ones, it is not complete
 }
 
 /**
-A full run removes the old `results.ecsv` before it begins: as long as there is none, the folder is
+A full run removes the old `facts.ecsv` before it begins: as long as there is none, the folder is
 not complete. */
 int Frame::reproduce(const Offer& full) {
   if (out.empty()) out = folder(quick);
@@ -339,17 +317,16 @@ int Frame::reproduce(const Offer& full) {
         "--out: '" + out +
         "' holds the tables of a full run, which --quick would replace by coarse ones" +
         " (allowed: another folder, such as " + folder(true) + ")");
-  need_writable(out, "results.ecsv", "--out");
+  need_writable(out, "facts.ecsv", "--out");
   std::error_code ignored;
-  std::filesystem::remove(std::filesystem::path(out) / "results.ecsv", ignored);
+  std::filesystem::remove(std::filesystem::path(out) / "facts.ecsv", ignored);
   Output tables(out, provenance(program, command, full.parameters));
   Report report{tables, quick};
   {
     const Heartbeat alive(program.name);
     program.reproduce(report);
   }
-  tables.add("facts", report.facts.table);
-  tables.finish(report.results);
+  tables.finish(report.facts);
   return 0;
 }
 

@@ -4,7 +4,7 @@
 
 Every chapter is a program with the same manners. Without a command it computes everything its section
 shows and writes tables to `--out`; a command computes one thing with the reader's parameters and prints a
-table. What they share is in this file: provenance, results, errors and exit codes.
+table. What they share is in this file: provenance, facts, errors and exit codes.
 
 Bad input ends with exit code 2 and one line that names the option, the value and what is allowed. A
 computation that does not deliver what it promised ends with exit code 1. In neither case is a file left
@@ -20,7 +20,6 @@ behind. */
 #include <utility>
 #include <vector>
 
-#include "lattice/numerics/criterion.hpp"
 #include "lattice/numerics/estimate.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "report/parameters.hpp"
@@ -50,19 +49,20 @@ struct Origin {
 std::string function_of(const Origin& origin);
 
 /**
-Not every number answers a claim. Commands and the facts of a chapter report rows
-`quantity,value,error,unit,kind`. A quantity that is not defined (the speed of a packet that never left)
-is `nan` here, where a claim would refuse it. */
+What a chapter computes beside its tables are facts, and what a command answers has the same form, rows
+`quantity,value,error,unit,kind`. A program claims nothing: which fact answers what the article prints is said in
+`paper/claims.ecsv` and judged there (verdict.hpp). A quantity that is not defined (the speed of a packet that never left)
+is `nan`. */
 /// These columns.
 Columns quantity_columns();
 /// The column `made_by`: the function that recorded a row.
 Columns maker_column();
 
-/// The facts of a chapter, which its prose explains.
+/// The facts of a chapter, written last as `facts.ecsv`.
 struct Quantities {
   Table table{quantity_columns(), maker_column()};
 
-  /// One row; the name of the function that adds it is noted.
+  /// One row; the name of the function that adds it is noted. Throws std::logic_error for a second one of this name.
   void add(const std::string& quantity, const Estimate& e, const std::string& unit = "",
            const Origin& origin = Origin::current());
 };
@@ -85,28 +85,6 @@ struct Answers {
   /// The same for a quantity that may vanish within its error.
   void add_small(const std::string& quantity, const Estimate& e, const std::string& unit,
                  const std::string& meaning, const std::string& reason = "");
-};
-
-/**
-A claim of the article is answered by a row of `results.ecsv`: its id, the value, an
-error from at least two resolutions, and the unit. There are two kinds of answer. A number,
-given by `add`, answers a printed number and equally a word that has none (excellent,
-slightly, very close): such a word is measured, not judged. Yes or no, given by `judge`, is one
-or zero with the unit `claim` and answers a statement that a criterion of the chapter decides. */
-struct Results {
-  Table table{{label("id", "identifier in paper/published.ecsv"),
-               number("value", "converged value; 1 or 0 where the unit is claim"),
-               number("error", "absolute error estimated from two resolutions"),
-               label("unit", "unit of value and error; claim for yes or no"),
-               label("kind", "estimate, or exact where nothing could be different (error 0)"),
-               maker_column()}};
-
-  /// A number with its error; throws Failure unless both are finite, the error is no less than
-  /// zero and the claim has no answer yet.
-  void add(const std::string& id, const Estimate& e, const std::string& unit = "",
-           const Origin& origin = Origin::current());
-  /// Yes or no; throws Failure if the claim has an answer already.
-  void claim(const std::string& id, bool holds, const Origin& origin = Origin::current());
 };
 
 /**
@@ -141,10 +119,10 @@ class Output {
   const std::filesystem::path& folder() const { return folder_; }
 
   /**
-  A run is complete when its results are there, so they are written last. Their header lists all tables of the run
+  A run is complete when its facts are there, so they are written last. Their header lists all tables of the run
   with the checksums of their rows. */
-  /// Writes all tables, and then `results`.
-  void finish(const Results& results);
+  /// Writes all tables, and then `facts`.
+  void finish(const Quantities& facts);
 
  private:
   std::filesystem::path folder_;
@@ -153,27 +131,18 @@ class Output {
 };
 
 /**
-The parts of a chapter write the tables of their figures, answer their claims and note further
-numbers among the `facts`, from which text and captions quote. */
+The parts of a chapter write the tables of their figures and note numbers among the `facts`, from which text and captions
+quote. */
 struct Report {
   Output& output;
   bool quick;          ///< whether the run has coarse parameters
-  Results results{};   ///< answers to claims
-  Quantities facts{};  ///< everything else that may be quoted
+  Quantities facts{};  ///< every number that may be quoted or decides a claim
 
   /// A new table of the output, to be filled; without columns its first row has them.
   Table& table(const std::string& name, const Columns& columns = {}) {
     return output.add(name, {columns});
   }
 };
-
-/**
-A yes-or-no statement of the article is decided by a criterion (criterion.hpp). The answer goes to the
-results, and every condition with its margin to the facts, so that no verdict stands alone. */
-/// Answers claim `id`. The facts are named after the part of the id that follows its dot, with the name of the
-/// condition appended.
-void judge(Report& report, const std::string& id, const Criterion& criterion,
-           const Origin& origin = Origin::current());
 
 /**
 ## Commands

@@ -7,10 +7,9 @@ at rest and that some quantities grow along it; in soft wells it turns back. */
 
 #include <cmath>
 #include <cstddef>
-#include <string>
 #include <vector>
 
-#include "lattice/numerics/criterion.hpp"
+#include "lattice/numerics/estimate.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
 #include "lattice/orbits/continuation.hpp"
 
@@ -24,16 +23,10 @@ inline Estimate fold_of(const Shooting<double>& problem, const Orbit<double>& st
 /**
 At a bifurcation from the chain at rest the amplitude vanishes as $\omega_b \to 1$, and by Eq. (20) like
 $(\omega_b-1)^2$. So we take the exponent between two frequencies close to one, and its change from a pair of
-frequencies farther away is its error. A family counts as one that begins at rest if the exponent is 2 within
-0.05, a bound of ours: a breather that begins at a finite amplitude has the exponent zero. */
+frequencies farther away is its error. A breather that begins at a finite amplitude has the exponent zero. */
 inline double growth_exponent(const Orbit<double>& lower, const Orbit<double>& upper) {
   return std::log(upper.amplitude / lower.amplitude) /
          std::log((upper.omega - 1) / (lower.omega - 1));
-}
-
-/// The exponent of the amplitude in omega_b - 1 is the two of Eq. (20).
-inline Condition begins_at_rest(const Estimate& exponent) {
-  return below("exponent_off", {std::abs(exponent.value - 2), exponent.error}, 0.05);
 }
 
 /// The energy by which an exact site-centred breather at omega_b = 1.1 + detuning differs from that at 1.1, scaled to
@@ -51,27 +44,41 @@ inline double hidden_energy(double residual, double detuning) {
 }
 
 /**
+A quantity increases along a sequence if in modulus each value exceeds the one before and none has another sign, since
+what changes its sign vanishes in between: the smallest ratio of neighbours is above one. */
+/// The smallest ratio of neighbours, nan for less than two values.
+inline Estimate least_ratio(const std::vector<Estimate>& values) {
+  if (values.size() < 2) return {std::nan(""), std::nan("")};
+  Estimate least = quotient(values[1], values[0]);
+  for (std::size_t k = 2; k < values.size(); ++k)
+    least = smaller(least, quotient(values[k], values[k - 1]));
+  return least;
+}
+
+/**
 A curve that crosses zero again and again does not increase from point to point, but it may do so as a whole. Then
 its *arches*, the pieces between two changes of sign, become higher and higher, and it ends at its highest point.
 An arch is as high as the largest of its values; a curve of one arch has to increase from point to point. */
-inline Criterion increasing_on_the_whole(const std::vector<Estimate>& values) {
-  std::vector<Estimate> heights;
-  Estimate before{};
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const Estimate size{std::abs(values[k].value), values[k].error};
-    const bool same_arch = k > 0 && values[k].value * values[k - 1].value > 0;
-    if (same_arch)
-      heights.back() = larger(heights.back(), size);
-    else
-      heights.push_back(size);
-    if (k + 1 < values.size()) before = larger(before, size);
+struct Arches {
+  Estimate growth;  ///< least ratio of an arch to the one before, or of a single arch's values
+  Estimate end_over_before;  ///< the last value over the highest before it
+
+  explicit Arches(const std::vector<Estimate>& values) {
+    std::vector<Estimate> heights, sizes;
+    Estimate before{};
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const Estimate size{std::abs(values[k].value), values[k].error};
+      if (k > 0 && values[k].value * values[k - 1].value > 0)
+        heights.back() = larger(heights.back(), size);
+      else
+        heights.push_back(size);
+      if (k + 1 < values.size()) before = larger(before, size);
+      sizes.push_back(size);
+    }
+    growth = least_ratio(heights.size() < 2 ? sizes : heights);
+    end_over_before = quotient(sizes.back(), before);
   }
-  if (heights.size() < 2) return increasing(values);
-  const Estimate end{std::abs(values.back().value), values.back().error};
-  Criterion out = named("arches", increasing(heights));
-  out.push_back(above("end_over_highest_before", quotient(end, before), 1));
-  return out;
-}
+};
 
 /**
 One curve is smaller than another as a whole if the mean of its modulus is. The mean of every second value tells how
@@ -85,12 +92,6 @@ inline Estimate mean_size(const std::vector<Estimate>& values) {
     return Estimate{sum.value / count, sum.error / count};
   };
   return compare(mean(2), mean(1));
-}
-
-/// The mean size of `curve` is below that of `other`; compared at the same places.
-inline Condition smaller_on_the_whole(const std::string& name, const std::vector<Estimate>& curve,
-                                      const std::vector<Estimate>& other) {
-  return below(name, quotient(mean_size(curve), mean_size(other)), 1);
 }
 
 /**

@@ -9,12 +9,11 @@ followed here from the same start, and what counts is the largest deviation of a
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include "lattice/dps/evolve.hpp"
 #include "lattice/integrators/accuracy.hpp"
-#include "lattice/numerics/criterion.hpp"
+#include "lattice/numerics/estimate.hpp"
 
 namespace lattice {
 
@@ -78,19 +77,6 @@ inline std::vector<Estimate> refined_deviations(const Compared& both, double eps
   const auto fine = deviations(both, eps, error_resolutions[1], horizons);
   std::vector<Estimate> out;
   for (std::size_t k = 0; k < fine.size(); ++k) out.push_back(compare(coarse[k], fine[k]));
-  return out;
-}
-
-/**
-A well leaves the DpS equation unchanged if the order of the error stays 3/2, within 0.03 as the claim for
-linear wells has it. In wells of another frequency at rest, or with another time constant, the two motions drift apart
-in the leading order; a $\tau_0$ that is wrong by 0.03 per cent is enough to fail at $\epsilon = 10^{-5}$. */
-/// Every order is 3/2.
-inline Criterion order_stays(const std::vector<Estimate>& orders) {
-  Criterion out;
-  for (const Estimate& order : orders)
-    out.push_back(below("order_off_" + std::to_string(out.size() + 1),
-                        {std::abs(order.value - 1.5), order.error}, 0.03));
   return out;
 }
 

@@ -36,7 +36,8 @@ struct FullMap {
 /**
 To see the drift along this mode we make the article's iterations one by one: shoot over the whole period,
 solve, step. */
-/// For the site-centred breather of frequency `omega_b`, from the quasi-continuum profile.
+/// For the site-centred breather of frequency `omega_b`, from the quasi-continuum profile. Directions below `how.rank`
+/// are left alone.
 FullMap solve_full_map(double omega_b, int steps, const NewtonRule<double>& how = rule<double>(0));
 
 }  // namespace lattice

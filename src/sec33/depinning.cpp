@@ -61,9 +61,9 @@ Pinning pinning_of(const Chain& chain, Centre centre, const State<double>& start
   const double cosine = z.dot(A * x) / z.dot(x), b = z.dot(B * z) / z.dot(x), part = x.dot(g);
   const double share = b * part * part / (period * x.dot(z));
   const double miss = 2 * (1 - std::abs(cosine)) / (period * period);
-  if (centre == Centre::bond) return {miss, share};
+  if (centre == Centre::bond) return {miss, share, part};
   // Around a site half a period is taken twice, which doubles the angle
-  return {2 * (1 + std::abs(cosine)) * miss, 2 * cosine * share};
+  return {2 * (1 + std::abs(cosine)) * miss, 2 * cosine * share, part};
 }
 
 // The kinetic energy of the slow motion has to pay for the barrier

@@ -41,6 +41,7 @@ oscillation and changes the action. */
 struct Pinning {
   double frequency2 = 0;  ///< Omega^2; negative for an unstable breather
   double share = 0;       ///< phi
+  double cosine = 0;      ///< of the shift x and the direction g of the kick
 };
 
 /// The eigenvector whose eigenvalue is nearest to `value`, by inverse iteration from `guess`. The shift

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -222,45 +221,10 @@ double largest_drift(const std::vector<Trial>& trials, Course Trial::*run) {
   return drift;
 }
 
-// What section 3.3 says about stability and growth
-Condition surely_stable(const std::string& name, const Margin& found) {
-  return below(name, found.safe(), 0);
-}
-
-Criterion linear_growth(const Estimate& weakest, const Estimate& variation) {
-  return {above("weakest", weakest, 0), below("variation", variation, 1e-8)};
-}
-
-// Noise must free at least half of the breathers, and earlier than without the pinning pair
-Criterion moved_by_instability(const std::vector<Trial>& trials,
-                               const std::vector<Trial>& controls) {
-  // A breather is torn if the two tolerances give it different fates
-  std::int64_t torn = 0;
-  for (const Trial& trial : trials) torn += moved(trial.good) != moved(trial.rough);
-
-  // What has not passed the site by the end of its run passes it later; seed by seed and in the median
-  const auto passes = [](const std::vector<Trial>& list, Course Trial::*run) {
-    std::vector<double> out;
-    for (const Trial& trial : list) {
-      const Course& course = trial.*run;
-      out.push_back(moved(course) ? course.reaches(1) : course.t.back());
-    }
-    return out;
-  };
-  std::array<std::size_t, 2> later{};
-  std::array<double, 2> delay{};
-  for (const std::size_t fine : {0U, 1U}) {
-    const auto run = fine ? &Trial::good : &Trial::rough;
-    auto free = passes(trials, run), held = passes(controls, run);
-    for (std::size_t k = 0; k < free.size(); ++k) later[fine] += held[k] > free[k];
-    for (auto* list : {&free, &held}) std::sort(list->begin(), list->end());
-    delay[fine] = held[held.size() / 2] / free[free.size() / 2];
-  }
-  const auto moving =
-      compare(tally(trials, &Trial::rough).moved, tally(trials, &Trial::good).moved);
-  return {above("trials", moving, (double(trials.size()) - 1) / 2),
-          above("later", compare(later[0], later[1]), 0.75 * double(trials.size()) - 0.5),
-          above("delay", compare(delay[0], delay[1]), 2), below("torn", exact(double(torn)), 0.5)};
+std::size_t torn(const std::vector<Trial>& trials) {
+  return std::size_t(std::count_if(trials.begin(), trials.end(), [](const Trial& trial) {
+    return moved(trial.good) != moved(trial.rough);
+  }));
 }
 
 Estimate largest_spread(const std::vector<Trial>& trials) {
@@ -272,15 +236,27 @@ Estimate largest_spread(const std::vector<Trial>& trials) {
   return compare(rough, good);
 }
 
-// A robust breather does not fall apart, and stays where an unstable one leaves
-Criterion structurally_robust(const std::vector<Trial>& stable, const std::vector<Trial>& unstable,
-                              const Estimate& spread) {
-  const auto left = [](const std::vector<Trial>& trials) {
-    return compare(tally(trials, &Trial::rough).left, tally(trials, &Trial::good).left);
+// When each passes the next site, seed by seed and in the median
+Delay delay_of(const std::vector<Trial>& controls, const std::vector<Trial>& trials) {
+  const auto passes = [](const std::vector<Trial>& list, Course Trial::*run) {
+    std::vector<double> out;
+    for (const Trial& trial : list) {
+      const Course& course = trial.*run;
+      out.push_back(moved(course) ? course.reaches(1) : course.t.back());
+    }
+    return out;
   };
-  return {below("left", left(stable), 0.1 * double(stable.size())),
-          above("beside", left(unstable), 0.9 * double(unstable.size())),
-          below("spread", spread, 2)};
+  std::array<std::size_t, 2> later{};
+  std::array<double, 2> ratio{};
+  for (const std::size_t fine : {0U, 1U}) {
+    const auto run = fine ? &Trial::good : &Trial::rough;
+    auto free = passes(trials, run), held = passes(controls, run);
+    for (std::size_t k = 0; k < free.size(); ++k) later[fine] += held[k] > free[k];
+    for (auto* list : {&free, &held}) std::sort(list->begin(), list->end());
+    ratio[fine] = held[held.size() / 2] / free[free.size() / 2];
+  }
+  return {quotient(compare(later[0], later[1]), exact(double(trials.size()))),
+          compare(ratio[0], ratio[1])};
 }
 
 }  // namespace lattice

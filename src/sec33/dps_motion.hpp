@@ -20,7 +20,7 @@ a complete elliptic integral, for which the arithmetic-geometric mean suffices. 
 #include <vector>
 
 #include "lattice/dps/evolve.hpp"
-#include "lattice/numerics/criterion.hpp"
+#include "lattice/numerics/estimate.hpp"
 #include "lattice/standing/spectrum.hpp"
 
 namespace lattice {
@@ -178,30 +178,20 @@ trusted is decided by the largest drift of energy and norm among them. */
 double largest_drift(const std::vector<Trial>& trials, Course Trial::*run);
 
 /**
-## The statements of section 3.3
-
-Stability is a sign, and `Margin::safe` (spectrum.hpp) must have it beyond its error. That the growth rate is
-linear in $\mu$ is tested by its ratio to $\mu$, which may vary by a fraction of $10^{-8}$. The instability
-moves breathers if at least half of those under noise move, both tolerances giving each the same fate, and if
-the `controls`, whose noise lacks the pinning pair, move later: for at least three quarters of the seeds, and in
-the median after twice the time. A structure is robust if it stays whole, that is if no breather spreads over twice
-as many sites under noise of any kind, and if there is noise under which less than a tenth leave their places,
-though more than nine tenths of the `unstable` breathers leave theirs. The bounds are ours. */
-/// Around a bond, from its margin.
-Condition surely_stable(const std::string& name, const Margin& found);
-
-/// Around a site, from the safe margin closest to zero and the largest variation of the rate over mu.
-Criterion linear_growth(const Estimate& weakest, const Estimate& variation);
-
-/// From trials at both tolerances and the control of each.
-Criterion moved_by_instability(const std::vector<Trial>& trials,
-                               const std::vector<Trial>& controls);
+A run must not hang on its tolerance, and the structure of a breather that leaves its place may last all the same. */
+/// Trials that move at one tolerance and not at the other.
+std::size_t torn(const std::vector<Trial>& trials);
 
 /// By which factor the breathers of these trials spread at most, at both tolerances.
 Estimate largest_spread(const std::vector<Trial>& trials);
 
-/// From trials of stable and unstable breathers under equal noise, and the largest spread under any noise.
-Criterion structurally_robust(const std::vector<Trial>& stable, const std::vector<Trial>& unstable,
-                              const Estimate& spread);
+/**
+Is it the pinning pair that moves a breather? Then its control, whose noise lacks that pair, passes the next site later.
+What has not passed it by the end of its run passes it no earlier. */
+struct Delay {
+  Estimate later{};  ///< share of the seeds of which the control passes later
+  Estimate ratio{};  ///< of the median times
+};
+Delay delay_of(const std::vector<Trial>& controls, const std::vector<Trial>& trials);
 
 }  // namespace lattice

@@ -65,48 +65,13 @@ int added_at_edge(Centre centre, const Spot& spot, const Orbit<double>& orbit,
 // How near +1 are the first two pairs, and where on the circle are the others?
 Quadruplet quadruplet(const Spectrum& all, double omega_b) {
   Quadruplet q{from_one(all.pairs[0]).value, from_one(all.pairs[1]).value};
-  for (std::size_t k = 1; k < all.pairs.size(); ++k)
-    q.others_stable = q.others_stable && !all.pairs[k].is_unstable();
+  for (std::size_t k = 1; k < all.pairs.size(); ++k) q.off_circle += all.pairs[k].is_unstable();
   q.at_edge = at_edge(all.pairs, omega_b);
   return q;
 }
 
 Estimate from_one(const Pair& pair) {
   return {std::abs(multiplier(pair.kappa, 1) - 1.0), pair.multiplier_error()};
-}
-
-// The article's words about the multipliers, with bounds of our own
-Criterion four_near_one(const Quadruplet& chain, const Quadruplet& longer) {
-  const bool stable = chain.others_stable && longer.others_stable;
-  const int added = longer.at_edge - chain.at_edge;
-  return {below("fourth", compare(longer.fourth, chain.fourth), 0.01),
-          above("fifth", compare(longer.fifth, chain.fifth), 0.1),
-          above("others_stable", exact(stable), 0.5),
-          below("not_at_edge", exact(std::abs(20 - added)), 0.5)};
-}
-
-Criterion four_near_one_everywhere(const Estimate& fourth, const Estimate& share,
-                                   const Estimate& others, int not_at_edge) {
-  return {below("fourth", fourth, 0.01), below("share_of_fifth", share, 0.1),
-          below("others", others, 1e-3), below("not_at_edge", exact(not_at_edge), 0.5)};
-}
-
-Criterion small_instability(const Estimate& excess) {
-  return {below("largest", excess, 1e-3)};
-}
-
-Criterion bond_alone_stable(const Estimate& site, const Estimate& bond, bool others_stable) {
-  return {above("site", site, 0), below("bond", bond, 0),
-          above("others_stable", exact(others_stable), 0.5)};
-}
-
-Criterion depends_on_well(const std::array<Estimate, 2>& weak,
-                          const std::array<Estimate, 2>& strong,
-                          const std::array<Estimate, 2>& opposite, bool others_stable) {
-  Criterion out = named("weak", bond_alone_stable(weak[0], weak[1], others_stable));
-  append(out, named("strong", bond_alone_stable(strong[1], strong[0], others_stable)));
-  append(out, named("opposite", bond_alone_stable(opposite[0], opposite[1], others_stable)));
-  return out;
 }
 
 // One value of kappa: the orbit, followed from the last one, and its pinning pair

@@ -9,11 +9,9 @@ $\kappa < 0$ the pair is on the unit circle, and the breather is stable if all o
 the plane of $\omega_b$ and $s$ the sign changes at a point. This file finds it: by regula falsi in double precision,
 and a last step in extended precision. */
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
-#include "lattice/numerics/criterion.hpp"
 #include "lattice/numerics/estimate.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
@@ -62,10 +60,11 @@ Spectrum spectrum(const Shooting<double>& problem, const Orbit<double>& orbit);
 /**
 The article says that four multipliers lie near $+1$, the others on the unit circle, and that these
 accumulate at $e^{\pm2\pi i/\omega_b}$. The time-translation pair makes two of the four; a `Quadruplet` records how far
-from $+1$ the others come and how many multipliers sit at the point of accumulation. */
+from $+1$ the others come, how many pairs are elsewhere off the circle, and how many multipliers sit at the point of
+accumulation. */
 struct Quadruplet {
   double fourth = 0, fifth = 0;  ///< distance from +1 of the fourth and the fifth multiplier
-  bool others_stable = true;     ///< no pair but the first leaves the circle by more than its error
+  int off_circle = 0;            ///< pairs but the first that leave it by more than their error
   int at_edge = 0;               ///< multipliers at the accumulation, within 1e-9 in kappa
 };
 
@@ -81,37 +80,6 @@ int added_at_edge(Centre centre, const Spot& spot, const Orbit<double>& orbit,
 
 /// How far the multipliers of a pair are from +1.
 Estimate from_one(const Pair& pair);
-
-/**
-A fifth multiplier near one fails the statement, and so does a pair off the circle or an accumulation
-elsewhere: ten more sites must add their twenty multipliers at the edge. Near one means within 0.01, and the
-fifth must be farther away than 0.1; these bounds are ours. Over many breathers the worst of them decides. There the
-fifth must be ten times as far as the fourth, since the point of accumulation goes to one with $\omega_b$; the
-others may leave the circle by no more than $10^{-3}$, and the added multipliers are asked for again. An
-instability is small if the multiplier exceeds one by less than $10^{-3}$. Two breathers are told apart by the signs of
-their $\kappa$; one of them is stable only if no other pair leaves the circle. */
-/// From a chain and one that is ten sites longer.
-Criterion four_near_one(const Quadruplet& chain, const Quadruplet& longer);
-
-/// From the largest distance of the fourth, also as a share of that of the fifth, the largest excess of the others,
-/// and how many of the added multipliers are not at the edge.
-Criterion four_near_one_everywhere(const Estimate& fourth, const Estimate& share,
-                                   const Estimate& others, int not_at_edge);
-
-/// From the largest excess of a multiplier over one.
-Criterion small_instability(const Estimate& excess);
-
-/// From the kappa of both breathers, and whether all other pairs are on the circle: the one around a site unstable, that
-/// around a bond stable.
-Criterion bond_alone_stable(const Estimate& site, const Estimate& bond, bool others_stable);
-
-/**
-The stability depends on the strength of the anharmonicity if a stronger one of the same sign reverses the verdict on
-both breathers, and on its sign if one that is as strong and has the other sign does not. */
-/// From the kappa around a site and around a bond in three wells, and whether all other pairs are on the circle.
-Criterion depends_on_well(const std::array<Estimate, 2>& weak,
-                          const std::array<Estimate, 2>& strong,
-                          const std::array<Estimate, 2>& opposite, bool others_stable);
 
 /**
 ## A zero of $\kappa$

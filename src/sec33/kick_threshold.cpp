@@ -45,6 +45,9 @@ Prediction predict_threshold(const RestingBreather& at, const Estimate& barrier)
   out.frequency = pair([](const Pinning& p) { return std::sqrt(p.frequency2); });
   out.threshold = pair([&](const Pinning& p) { return freeing_kick(barrier.value, p); });
   out.threshold.error += 0.5 * out.threshold.value * std::abs(barrier.error / barrier.value);
+  const Estimate cosine = pair([](const Pinning& p) { return std::abs(p.cosine); });
+  out.along_mode = {out.threshold.value * cosine.value,
+                    out.threshold.error * cosine.value + out.threshold.value * cosine.error};
   return out;
 }
 

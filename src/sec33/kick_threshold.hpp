@@ -63,6 +63,8 @@ there is neither a frequency nor a threshold. */
 struct Prediction {
   Estimate threshold{}, share{}, frequency{},
       barrier{};  ///< c_c, phi, Omega, and the barrier at equal area
+  Estimate
+      along_mode{};  ///< c_c of a kick along the shift x, of length one, instead of the gradient
   /// Whether there is a threshold.
   bool exists() const { return frequency.value > 0; }
 };

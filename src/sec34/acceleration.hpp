@@ -9,7 +9,6 @@ the two halves of the stretch relative to the whole slope, says how constant it 
 #include <vector>
 
 #include "lattice/impact/turning.hpp"
-#include "lattice/numerics/criterion.hpp"
 #include "lattice/numerics/estimate.hpp"
 
 namespace lattice {
@@ -38,8 +37,9 @@ Velocities velocities(const Path& smoothed, std::size_t first, std::size_t last,
 Acceleration acceleration_of(const Voyage& coarse, const Voyage& fine, Stretch stretch);
 
 /**
-A list of accelerations rises in modulus if no later one is smaller than an earlier one beyond the errors of both, and
-the last exceeds the first by more than these. */
-Criterion rises(const std::vector<Estimate>& list);
+Neighbours in a list of accelerations may be closer than their errors. The list does not fall in modulus if no later one is
+smaller than an earlier one beyond the errors of both. */
+/// The largest fall of the modulus from one to a later one, less the errors of both.
+double largest_fall(const std::vector<Estimate>& list);
 
 }  // namespace lattice

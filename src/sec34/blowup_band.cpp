@@ -1,6 +1,7 @@
 #include "sec34/blowup_band.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace lattice {
 
@@ -16,6 +17,20 @@ EscapeBand band_of(const std::vector<Escape>& trials) {
       band.last_survivor = std::max(band.last_survivor, trial.velocity);
   }
   return band;
+}
+
+// Speed and way of the beads in an impact, at two resolutions
+Confinement confinement(const Impact& impact, const ContactAware& rough, const ContactAware& fine) {
+  std::array<double, 2> speed{};
+  std::array<ImpactRun, 2> run;
+  for (std::size_t i : {0, 1})
+    run[i] = strike(i ? fine : rough, impact, [&](const State<double>& now, const auto&) {
+      for (double v : now.v) speed[i] = std::max(speed[i], std::abs(v) / impact.velocity);
+    });
+  const Estimate furthest = compare(run[0].reach, run[1].reach);
+  return {compare(speed[0], speed[1]), quotient(furthest, exact(impact.velocity * impact.time)),
+          compare(run[0].run.energy_drift, run[1].run.energy_drift),
+          std::min(run[0].end.t, run[1].end.t) / impact.time, furthest};
 }
 
 }  // namespace lattice

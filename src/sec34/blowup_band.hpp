@@ -1,6 +1,6 @@
 #pragma once
 /**
-# The band of the blow-up
+# The blow-up, and its absence
 
 Close to the threshold of section 3.4 impacts that throw a bead out of its soft well lie among others that do not. Each
 velocity is followed with two steps up to a stated time, before anything can return from the far end. */
@@ -33,5 +33,20 @@ struct EscapeBand {
 
 /// The band of a scan at equal distances.
 EscapeBand band_of(const std::vector<Escape>& trials);
+
+/**
+A blow-up is a displacement that becomes infinite in finite time. Where no energy is negative, as in pendulum wells,
+that of the impact bounds the speed of every bead by $v_0$ and its way by $v_0t$: a bead that is thrown off an end
+goes away, but no faster than that. A bead that leaves a soft quartic well gains speed without bound. */
+struct Confinement {
+  Estimate speed;     ///< largest of any bead, over the impact's
+  Estimate way;       ///< largest displacement, over v_0 times the time of the run
+  Estimate drift;     ///< of the energy, relative
+  double lasted;      ///< share of its time after which the run ended
+  Estimate furthest;  ///< largest displacement
+};
+
+/// An impact followed to its end with two steps.
+Confinement confinement(const Impact& impact, const ContactAware& rough, const ContactAware& fine);
 
 }  // namespace lattice

@@ -50,9 +50,9 @@ inline void report_scales(Report& report, const StruckArray& blow) {
   const Scales& s = blow.scales;
   const CantileverArray& a = blow.array;
   report.output.add("scales", scales_table(blow));
-  report.results.add("cantilever.tau_h", exact(s.tau_h(blow.velocity) * 1e3), "ms");
-  report.results.add("cantilever.tau_c", exact(s.tau_c() * 1e3), "ms");
-  report.results.add("cantilever.lambda", exact(s.lambda(blow.velocity)));
+  report.facts.add("tau_h", exact(s.tau_h(blow.velocity) * 1e3), "ms");
+  report.facts.add("tau_c", exact(s.tau_c() * 1e3), "ms");
+  report.facts.add("lambda", exact(s.lambda(blow.velocity)));
 
   // What the drawing needs
   Table& drawn = report.table(

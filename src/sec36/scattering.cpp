@@ -56,25 +56,6 @@ Fractions fractions(const ScatteringSetup& at, double ratio) {
           both(net, &Division::transmitted), {now[1].sum() - 1, std::abs(now[0].sum() - 1)}};
 }
 
-Criterion almost_total(const Estimate& reflected) {
-  return within(reflected, 0.95, 1);
-}
-
-// The worst defect decides, its error included; without defects nothing holds
-Criterion almost_total(const std::vector<Estimate>& reflected) {
-  if (reflected.empty()) return {};
-  Estimate least = reflected.front(), most = least;
-  for (const Estimate& r : reflected) {
-    if (r.value - r.error < least.value - least.error) least = r;
-    if (r.value + r.error > most.value + most.error) most = r;
-  }
-  return {above("least", least, 0.95), below("most", most, 1)};
-}
-
-Criterion partial(const Estimate& transmitted) {
-  return within(transmitted, 0.1, 0.9);
-}
-
 // The frequency of a bead, from a whole number of its turns
 double frequency_of(const Watched& bead) {
   const auto turns = upward_crossings(bead.t, bead.v);
@@ -110,19 +91,6 @@ Stay stay(const StruckArray& blow, double ratio, ImpactRun run, const Resolution
   for (double& e : out.density) e /= double(bead.t.size());
   out.frequency = frequency_of(bead);
   return out;
-}
-
-// Trapped energy stays, is more than a passing packet leaves behind, and sits at the defect
-Criterion trapped_at(std::size_t defect, const std::array<Stay, 2>& stay,
-                     const std::array<Stay, 2>& without) {
-  const auto off = [&](const Stay& s) {
-    const auto begin = s.density.begin() + std::ptrdiff_t(defect) - 4;
-    return std::abs(std::max_element(begin, begin + 9) - begin - 4);
-  };
-  const auto there = [](const std::array<Stay, 2>& s) { return compare(s[0].at(75), s[1].at(75)); };
-  return {above("kept", compare(stay[0].kept(), stay[1].kept()), 0.95),
-          above("over_wake", quotient(there(stay), there(without)), 1),
-          below("top_from_defect", compare(off(stay[0]), off(stay[1])), 1.5)};
 }
 
 }  // namespace lattice

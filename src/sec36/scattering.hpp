@@ -19,7 +19,6 @@ energies. */
 #include <cstddef>
 #include <vector>
 
-#include "lattice/numerics/criterion.hpp"
 #include "lattice/numerics/estimate.hpp"
 #include "sec3/array_impact.hpp"
 
@@ -113,16 +112,6 @@ The run with the smaller step gives the values, its difference from the other on
 Fractions fractions(const ScatteringSetup& at, double ratio);
 
 /**
-A reflection is almost total if more than 95 per cent of what arrives is reflected, and partial if between a
-tenth and nine tenths of it is transmitted; the bounds are ours. */
-/// From the net reflected energy.
-Criterion almost_total(const Estimate& reflected);
-/// The same of every defect in a range of sizes: the least and the most of their net reflected energies decide.
-Criterion almost_total(const std::vector<Estimate>& reflected);
-/// From the net transmitted energy.
-Criterion partial(const Estimate& transmitted);
-
-/**
 ## What stays
 
 The article finds that a small part of the energy remains loosely trapped near the defect. To see what it
@@ -158,13 +147,5 @@ both runs are sampled at the same instants, because a passing packet changes the
 from one sample to the next. The frequency is read from samples two steps apart, so that its error covers
 their distance as well. */
 Stay stay(const StruckArray& blow, double ratio, ImpactRun run, const Resolution& r);
-
-/**
-Energy is held firmly if at least 95 per cent of it stays from 75 to 100 ms, if there is more of it than
-in the wake that a packet leaves in an array without a defect, and if it is densest at the defect or next
-to it. */
-/// From runs with two steps, the finer one second; `defect` counts sites from zero.
-Criterion trapped_at(std::size_t defect, const std::array<Stay, 2>& stay,
-                     const std::array<Stay, 2>& without);
 
 }  // namespace lattice

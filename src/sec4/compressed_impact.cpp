@@ -21,15 +21,6 @@ PacketSample packet_sample(double t, const std::vector<double>& e) {
           participation(packet)};
 }
 
-// Top and width must lie within the sites of the fit, and the fit must be a good one
-Criterion sech_like(const Snapshot& coarse, const Snapshot& fine) {
-  const auto off = [](const Snapshot& shot) { return std::abs(shot.sech.centre - shot.centre); };
-  const double reach = double(envelope_reach);
-  return {below("top", compare(off(coarse), off(fine)), reach),
-          below("width", compare(coarse.sech.width, fine.sech.width), reach),
-          below("residual", compare(coarse.sech.residual, fine.sech.residual), 0.1)};
-}
-
 // The wave on which the packet stands, well away from its centre
 double tail_amplitude(const Snapshot& shot, int side) {
   const std::vector<double>& a = shot.envelope.amplitude;
@@ -39,13 +30,6 @@ double tail_amplitude(const Snapshot& shot, int side) {
     squares += at * at;
   }
   return std::sqrt(squares / 41) / shot.sech.height;
-}
-
-Criterion tail_on_both_sides(const Snapshot& coarse, const Snapshot& fine) {
-  const auto on = [&](int side) {
-    return compare(tail_amplitude(coarse, side), tail_amplitude(fine, side));
-  };
-  return {above("behind", on(-1), 0.01), above("ahead", on(1), 0.01)};
 }
 
 // The envelope about a site, and the sech that fits it best
@@ -95,35 +79,6 @@ CompressedRun strike_compressed(const Impact& impact, const std::vector<double>&
   if (first < impact.time && !out.run.escaped())
     go_on(Splitting{blanes_moan_6_14(), steps.late}, impact, out, impact.time, watch);
   return out;
-}
-
-// A breather keeps its share of the energy and moves on; a train thins out everywhere
-Criterion lasting_breather(const Traits& coarse, const Traits& fine) {
-  return {above("packet_exponent", fine.with(coarse, &Traits::share_exponent), -1.0 / 6),
-          above("steadiness", fine.with(coarse, &Traits::steadiness), 0.5)};
-}
-
-Criterion sech_breather(const std::string& name, const CompressedRun& coarse,
-                        const CompressedRun& fine) {
-  Criterion all = named(name, lasting_breather(traits(coarse.samples), traits(fine.samples)));
-  for (std::size_t k = 0; k < fine.shown.size(); ++k)
-    append(all, named("sech_t_" + std::to_string(std::lround(fine.shown[k].state.t)),
-                      sech_like(coarse.shown[k], fine.shown[k])));
-  return all;
-}
-
-Criterion mere_train(const Traits& coarse, const Traits& fine) {
-  return {below("packet_exponent", fine.with(coarse, &Traits::share_exponent), -1.0 / 6),
-          below("boundary_exponent", fine.with(coarse, &Traits::boundary_exponent), -0.5)};
-}
-
-// Without compression a packet may turn back, and a surface mode stay at the struck end
-Criterion returning_packet(const Traits& coarse, const Traits& fine) {
-  return {below("steadiness", fine.with(coarse, &Traits::steadiness), 0.5)};
-}
-
-Criterion lasting_surface_mode(const Traits& coarse, const Traits& fine) {
-  return {above("boundary_exponent", fine.with(coarse, &Traits::boundary_exponent), -0.5)};
 }
 
 // Power laws of the shares over the last three quarters of the run

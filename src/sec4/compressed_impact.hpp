@@ -17,7 +17,6 @@ which the motion falls off super-exponentially. */
 #include <vector>
 
 #include "lattice/impact/impact.hpp"
-#include "lattice/numerics/criterion.hpp"
 #include "lattice/numerics/estimate.hpp"
 #include "sec4/envelope.hpp"
 
@@ -53,10 +52,8 @@ too; a window about it sees one flank of the packet and these waves, and the sec
 cent, and misses by more. So where the top is not in the inner half of the window about the centre, the window moves
 there.
 
-We say that a sech explains the envelope if it deviates by less than a tenth of its height (root mean
-square over 21 sites), and if its top and its width lie within these sites. The front of a wave train has a
-crest too, and over 21 sites a broad enough sech fits anything smooth; so the share of the energy must decide
-first (`sech_breather`). */
+The front of a wave train has a crest too, and over 21 sites a broad enough sech fits anything smooth; so a good fit
+says little unless the packet keeps its energy. */
 struct Snapshot {
   State<double> state;
   double centre;      ///< of the window of the fit, in sites from one
@@ -64,18 +61,11 @@ struct Snapshot {
   Sech sech;          ///< fitted about the top of the envelope
 };
 
-/// From the snapshots of two runs: a sech explains the envelope.
-Criterion sech_like(const Snapshot& coarse, const Snapshot& fine);
-
 /**
 The late packet stands on a tail. Its amplitude on either side is the root mean square of the envelope between
-40 and 80 sites from the packet's centre, where nothing is left of the sech, relative to the sech's height. It
-is there if it exceeds a hundredth, which is what a drawing still shows, and the difference of the two runs. */
+40 and 80 sites from the packet's centre, where nothing is left of the sech, relative to the sech's height. */
 /// Amplitude of the tail behind (`side` = -1) or ahead (+1) of the packet.
 double tail_amplitude(const Snapshot& shot, int side);
-
-/// From the late snapshots of two runs.
-Criterion tail_on_both_sides(const Snapshot& coarse, const Snapshot& fine);
 
 /// The snapshot of `state`, its sech fitted around the packet.
 Snapshot snapshot(const Chain& chain, const State<double>& state);
@@ -108,39 +98,17 @@ CompressedRun strike_compressed(const Impact& impact, const std::vector<double>&
 
 /**
 What is a breather, and what a wave train? A breather keeps its energy: the share of the packet goes like
-$t^0$. The front of a linear wave train spreads like $t^{1/3}$, and its share falls like $t^{-1/3}$. We
-draw the line half-way, at the exponent $-1/6$, fitted over the last three quarters of a run. In the same
+$t^0$. The front of a linear wave train spreads like $t^{1/3}$, and its share falls like $t^{-1/3}$. In the same
 way a surface mode keeps its share of the first five sites, while a train thins out there like $1/t$ or
-faster; the line is $-1/2$. A packet that comes back moves backwards for some time: `steadiness` is the
-least advance in any 100 units of time over the mean one, and below a half we say that it returns. */
+faster. A packet that comes back moves backwards for some time: `steadiness` is the least advance in any 100
+units of time over the mean one. */
 struct Traits {
   /// Shares at the end, of packet and boundary, with their exponents; speed of the centre.
   double share, share_exponent, boundary, boundary_exponent, speed, steadiness;
-
-  /// One trait with its error from a coarser run.
-  Estimate with(const Traits& coarse, double Traits::*of) const {
-    return compare(coarse.*of, this->*of);
-  }
 };
 
-/// From the traits of two runs: a breather, which keeps its energy and does not return.
-Criterion lasting_breather(const Traits& coarse, const Traits& fine);
-
-/// The breather of the hard wells: it lasts, and at each time that was shown a sech explains its envelope.
-/// What concerns the whole run is named after it.
-Criterion sech_breather(const std::string& name, const CompressedRun& coarse,
-                        const CompressedRun& fine);
-
-/// A wave train, which keeps energy neither in a packet nor at the boundary.
-Criterion mere_train(const Traits& coarse, const Traits& fine);
-
-/// A packet that returns, which the run without compression in hard wells must show.
-Criterion returning_packet(const Traits& coarse, const Traits& fine);
-/// A surface mode, which the one in soft wells must show.
-Criterion lasting_surface_mode(const Traits& coarse, const Traits& fine);
-
 /**
-All of these come from straight lines through the last three quarters of the samples. A run must last more
+The exponents come from straight lines through the last three quarters of the samples. A run must last more
 than 140 units of time, because the advance is taken over a hundred. */
 Traits traits(const std::vector<PacketSample>& samples);
 

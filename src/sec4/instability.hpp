@@ -8,10 +8,8 @@ too, eigenvalues whose computation knows nothing of the coefficient $\beta$ of t
 the two we need the limit $a \to 0$. A quantity that is even in $a$ has an expansion in $a^2$: two
 amplitudes remove the first correction, and the next pair gives the error. */
 
-#include <array>
 #include <cstddef>
 
-#include "lattice/numerics/criterion.hpp"
 #include "lattice/numerics/estimate.hpp"
 #include "sec4/nls.hpp"
 
@@ -53,29 +51,17 @@ Three of them are tried, around the scale $\sqrt{|h|a^2/(2|\omega''|)}$ of the f
 double slow_growth(const PhaseOfWave& at, double a, std::size_t harmonics = 12);
 
 /**
-## The statements of section 4.1
-
-Four statements about the instability are decided by conditions (criterion.hpp). The coefficient $\beta$ is
-confirmed if nothing that was measured is off by a thousandth. $\Phi$ is much smaller in linear wells if
-its largest value is positive there and below a tenth of the others'. It changes its sign at the inflection
-$q_c$ if bisection finds this place in every well and $\cos q_c = v_1(1-\cos q_c)^2$ holds there. */
-/// From the largest relative distances of beta and of the growth from their formulas.
-Criterion confirmed_beta(const Estimate& shift, const Estimate& growth);
-
-/// From the largest Phi in soft, linear and hard wells, on a coarse and a fine grid of wavenumbers.
-Criterion small_in_linear_wells(const std::array<double, 3>& coarse,
-                                const std::array<double, 3>& fine);
-
-/// For the place `q` in chains of compression `d` with each of the wells.
-Criterion sign_changes_at(double q, double d, const std::array<double, 3>& wells);
-
-/**
 At the edges of the band instability sets in where $s$ passes zero ($q = 0$) or a threshold ($q = \pi$). Two
 identities, $\Phi(0) = -\frac32 s$ and $\Phi(\pi) = \frac32(s-s_\pi)$ with $s_\pi$ the threshold, are tested
-over a range of wells, and exact waves of amplitude 0.005 for $s$ at 0.05 on either side: with six and with
-twelve harmonics modulations must grow on the unstable side, at the rate of the NLS equation within two per
-cent, and not at all on the other, but for rounding. */
+over a range of wells, and exact waves of amplitude 0.005 for $s$ at 0.05 on either side of both, with six and with
+twelve harmonics. */
+struct BandEdges {
+  Estimate formula,  ///< by how much the identities are missed
+      growth,  ///< by which fraction the growth on the unstable side is not that of the NLS equation
+      stable_side;  ///< the largest growth on the other side
+};
+
 /// For the threshold at q = pi in a chain of compression `d`.
-Criterion opens_at_edges(double d, double threshold);
+BandEdges band_edges(double d, double threshold);
 
 }  // namespace lattice

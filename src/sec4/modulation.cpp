@@ -135,53 +135,23 @@ std::vector<double> unstable_band(const ModulatedPhonon& phonon, std::size_t eve
 }
 
 // The state of the wave at the end, in numbers; the slope of the centre's path is its speed
-Formed formed(const Modulated& m) {
-  const std::size_t sites = m.density.size();
-  const double mean = total(m.density) / double(sites);
-  const Line line = fit_line(m.t, m.centre);
-  return {*std::max_element(m.density.begin(), m.density.end()) / mean,
-          participation(m.density),
-          line.slope,
-          line.slope_error,
-          sites,
-          packet_width(m.density)};
-}
-
-Estimate ring_speed(const Formed& coarse, const Formed& fine) {
-  return {fine.speed, fine.speed_error + std::abs(fine.speed - coarse.speed)};
-}
-
-// Energy gathered in a peak, on a part of the ring, that moves
-Criterion formed_breather(const Formed& coarse, const Formed& fine) {
-  const auto share = [](const Formed& f) { return f.participation / double(f.sites); };
-  return {above("peak_over_mean", compare(coarse.peak_over_mean, fine.peak_over_mean), 5),
-          below("share_of_sites", compare(share(coarse), share(fine)), 0.5),
-          above("speed", ring_speed(coarse, fine), 0)};
-}
-
-// The same of the packet alone
-Criterion formed_packet(const Formed& coarse, const Formed& fine) {
-  return {above("peak_over_mean", compare(coarse.peak_over_mean, fine.peak_over_mean), 5),
-          below("packet_width", compare(coarse.width, fine.width), double(fine.sites) / 4),
-          above("speed", ring_speed(coarse, fine), 0)};
-}
-
-// The same measure of a peak, for a wave that has stayed uniform
-Criterion uniform_still(const Formed& coarse, const Formed& fine) {
-  return {below("peak_over_mean", compare(coarse.peak_over_mean, fine.peak_over_mean), 5)};
-}
-
-// Compared at the same stage of the instability, from its own wavenumber in each well
-Criterion slower_and_wider(const RingCourse& linear, const RingCourse& soft,
-                           const RingCourse& hard) {
-  const Estimate wider = larger(soft.width(), hard.width());
-  const Estimate later{linear.gathered, 50}, earlier{std::max(soft.gathered, hard.gathered), 50};
-  return {above("gathers_later", quotient(later, earlier), 1),
-          above("width_over_others", quotient(linear.width(), wider), 1)};
+Formed formed(const Modulated& coarse, const Modulated& fine) {
+  const auto both = [&](auto of) { return compare(of(coarse.density), of(fine.density)); };
+  const auto peak = [](const std::vector<double>& e) {
+    return *std::max_element(e.begin(), e.end()) / (total(e) / double(e.size()));
+  };
+  const auto share = [](const std::vector<double>& e) {
+    return participation(e) / double(e.size());
+  };
+  const Line rough = fit_line(coarse.t, coarse.centre), best = fit_line(fine.t, fine.centre);
+  return {both(peak),
+          both(share),
+          {best.slope, best.slope_error + std::abs(best.slope - rough.slope)},
+          both(packet_width)};
 }
 
 // One pulse on its way round the ring, then two, and in the end two that stand apart
-Criterion pulse_splits(const RingCourse& course, double round) {
+PulseSplits pulse_splits(const RingCourse& course, double round) {
   double since = std::nan(""), alone = 0, split = std::nan(""), apart = std::nan("");
   for (const auto& [coarse, fine] : course.samples) {
     if (!(fine.t >= course.gathered)) continue;
@@ -196,10 +166,8 @@ Criterion pulse_splits(const RingCourse& course, double round) {
     if (!std::isnan(split) && std::isnan(apart) && two && coarse.gathered && fine.gathered)
       apart = fine.t;
   }
-  const double interval = 50, last = course.samples.back()[1].t;
-  const auto at = [&](double t) { return Estimate{std::isnan(t) ? 2 * last : t, interval}; };
-  return {above("one_pulse_for", {alone, interval}, round), below("splits_at", at(split), last),
-          below("apart_at", at(apart), last)};
+  const double interval = 50;
+  return {{alone, interval}, {split, interval}, {apart, interval}};
 }
 
 }  // namespace lattice

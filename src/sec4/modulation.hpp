@@ -20,7 +20,6 @@ of the appendix, and two steps tell the error. */
 #include <numbers>
 #include <vector>
 
-#include "lattice/numerics/criterion.hpp"
 #include "lattice/numerics/estimate.hpp"
 #include "sec4/compressed_impact.hpp"
 #include "sec4/dispersion.hpp"
@@ -117,45 +116,24 @@ RingCourse ring_course(const ModulatedPhonon& phonon, double longest,
 std::vector<double> unstable_band(const ModulatedPhonon& phonon, std::size_t every);
 
 /**
-Two statements of section 4.2 are decided from such courses. In linear wells the instability is slower and its
-breather less localized than in the others if the energy takes longer to gather, and if the packet is wider where it
-is narrowest. The pulse splits if, in both runs and while these agree, the second window holds half of the first or
-more after the pulse has gone round the ring once as one, with the group velocity $c$ of its phonon. This alone could
-be a pulse that spreads; so later the energy is to be gathered and shared in the same way. */
-/// From the courses in linear wells and in two others.
-Criterion slower_and_wider(const RingCourse& linear, const RingCourse& soft,
-                           const RingCourse& hard);
-
-/// From the course in soft wells, with the time that a pulse needs to go round the ring.
-Criterion pulse_splits(const RingCourse& course, double round);
-
-/**
-What has become of the wave is judged by a few numbers: the largest energy density over the mean, how many
-sites share the energy, and the speed of the centre with the error of its fit. */
-struct Formed {
-  double peak_over_mean, participation, speed, speed_error;
-  std::size_t sites;  ///< of the ring
-  double width;       ///< of the packet at half height
+When does a pulse split? The second window holds half of the first or more, in both runs, after the pulse has gone
+round the ring once as one, with the group velocity $c$ of its phonon. This alone could be a pulse that spreads; so
+later the energy is to be gathered and shared in the same way. */
+struct PulseSplits {
+  Estimate one_pulse_for;        ///< the longest time for which it was one pulse before
+  Estimate splits_at, apart_at;  ///< nan if it does not
 };
 
-/// The numbers by which a run is judged.
-Formed formed(const Modulated& m);
-
-/// Speed of the centre from two runs, with the errors of the fit and of the step.
-Estimate ring_speed(const Formed& coarse, const Formed& fine);
+/// From a course, with the time that a pulse needs to go round the ring.
+PulseSplits pulse_splits(const RingCourse& course, double round);
 
 /**
-We say that a travelling breather has formed if the largest energy density is more than five times the
-mean, if less than half of the sites share the energy (188 of 200 at the start of the article's run), and
-if the centre moves to the right at a speed larger than its error. Where no density reaches five times the
-mean, the wave has stayed uniform. */
-/// From runs with two steps.
-Criterion formed_breather(const Formed& coarse, const Formed& fine);
-
-/// The same with the packet's own width, below a quarter of the ring, in the place of the share of sites.
-Criterion formed_packet(const Formed& coarse, const Formed& fine);
-
-/// From runs with two steps: no breather has formed.
-Criterion uniform_still(const Formed& coarse, const Formed& fine);
+What has become of the wave is seen from a few numbers of two runs: the largest energy density over the mean, the
+share of the sites that share the energy (188 of 200 at the start of the article's run), the speed of the centre, with
+the error of its fit, and the width of the packet at half height. */
+struct Formed {
+  Estimate peak_over_mean, share_of_sites, speed, width;
+};
+Formed formed(const Modulated& coarse, const Modulated& fine);
 
 }  // namespace lattice

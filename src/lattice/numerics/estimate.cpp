@@ -29,12 +29,13 @@ Estimate relative_distance(const Estimate& e, double expected) {
   return {std::abs(e.value / expected - 1), e.error / std::abs(expected), e.is_exact};
 }
 
+// What is not a number comes out of either, so that it cannot hide among the members of which the worst is taken
 Estimate larger(const Estimate& a, const Estimate& b) {
-  return a.value + a.error < b.value + b.error ? b : a;
+  return std::isnan(a.value + a.error) || b.value + b.error <= a.value + a.error ? a : b;
 }
 
 Estimate smaller(const Estimate& a, const Estimate& b) {
-  return b.value - b.error < a.value - a.error ? b : a;
+  return std::isnan(a.value + a.error) || a.value - a.error <= b.value - b.error ? a : b;
 }
 
 }  // namespace lattice

@@ -127,20 +127,6 @@ double alignment(const Vector<double>& a, const Vector<double>& b) {
   return std::abs(a.dot(b)) / (a.norm() * b.norm());
 }
 
-// What is said of breathers in words
-Criterion symmetric_by_nature(double left, double wide) {
-  return {below("broken", compare(0.0, wide), 1e-9),
-          below("share_of_double", compare(0.0, wide / left), 0.1)};
-}
-
-Criterion super_exponential(double before, double last) {
-  return {below("from_three_halves", {std::abs(last - 1.5), std::abs(last - before)}, 0.005)};
-}
-
-Criterion worse_when_large(const Estimate& small, const Estimate& large) {
-  return {above("worse", {large.value - small.value, large.error + small.error}, 0)};
-}
-
 // The motion that the symmetry of a breather relates to itself has the signs of all positions changed
 static bool is_even(const Well& well) {
   for (const double place : {1e-3, 0.05, 0.7}) {

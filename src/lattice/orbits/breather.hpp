@@ -14,8 +14,6 @@ branch (continuation.hpp), so that we know to which family a breather belongs. *
 #include <string>
 #include <vector>
 
-#include "lattice/numerics/criterion.hpp"
-#include "lattice/numerics/estimate.hpp"
 #include "lattice/orbits/continuation.hpp"
 #include "lattice/orbits/shooting.hpp"
 
@@ -141,26 +139,5 @@ struct Barrier {
 template <class T>
 Barrier<T> barrier(const Shooting<T>& site_problem, const Orbit<T>& site, const Orbit<T>& bond,
                    const NewtonRule<T>& rule = {});
-
-/**
-## What is said of breathers in words
-
-Three statements of the article are decided by conditions (criterion.hpp), with bounds of our choice. A
-breather has a symmetry by nature if it returns after a perturbation of $10^{-3}$ that breaks it: down to a
-millionth of that in extended precision, and to at most a tenth of what double precision leaves, since rounding
-shrinks with the precision and a missing symmetry does not. */
-/// What is `left` of the asymmetry in double precision and in a `wide` type, relative to the amplitude.
-Criterion symmetric_by_nature(double left, double wide);
-
-/**
-A tail decays super-exponentially if the exponent $\ln|y_{n+1}|/\ln|y_n|$ is $3/2$ within 0.005 at the last
-place where it can be formed, its change since the place before counted as its error. It is one for an
-exponential tail. An approximation is worse at the larger of two frequencies if its error there exceeds the
-other by more than both are uncertain. */
-/// From the exponent at the last place and at the one before.
-Criterion super_exponential(double before, double last);
-
-/// From the errors of an approximation at a small and at a large frequency.
-Criterion worse_when_large(const Estimate& small, const Estimate& large);
 
 }  // namespace lattice

@@ -1,0 +1,80 @@
+"""One number, statement or finding by its name: `make show ID=pn.omega11`."""
+
+import difflib
+import math
+import re
+
+from . import ecsv
+from .chapters import chapter_of, explained_by, read_commands, read_costs, run_of, shown_cost
+from .claims import (agrees, by_name, in_plain, program_of, programs_of, read_claims, read_facts, read_findings, read_second,
+                     read_verdicts, runs_of, said)
+from .lock import read_lock
+from .refresh import command_of, read_figures
+from .volumes import joined, volumes
+
+
+def figures_of(claim, figures):
+    """The figures that the claim's place in the article names by their labels."""
+    words = set(re.findall(r"\w+", claim["where"]))
+    return [id for id, f in figures.items() if f["label"] and f["label"] in words]
+
+
+def of_number(name, finding, claims, numbers, verdict, root):
+    """What there is to say of a number or a statement: pairs of a word and a text."""
+    all, claim = volumes(root), claims.get(name)
+    figures, alone = joined(read_figures, all), joined(read_commands, all).get(name)
+    if claim:
+        yield "claim", f"{claim['quantity']} ({claim['where']})"
+        yield "printed", (claim["printed"] or "a statement") + (f" {claim['unit']}" if claim["unit"] else "")
+    if finding:
+        yield "converged", finding.shown + finding.shown_unit
+        yield "error", finding.shown_error
+    if claim:
+        yield "verdict", verdict["verdict"]
+        for condition in verdict["found"].split("; ") if claim["criterion"] else ():
+            yield "condition", condition
+        for word, key in (("assuming", "assumption"), ("why", "reason")):
+            if claim[key]:
+                yield word, said(claim[key], numbers)
+    program = finding.program if finding else program_of(claim)
+    shown = (figures_of(claim, figures) if claim else []) or [i for i, f in figures.items() if f["program"] == program]
+    yield "figure", ", ".join(f"{id} ({command_of(id)})" for id in shown) or "none"
+    yield "command", f"{alone[0]} (prints it as {alone[1]})" if alone else run_of(program)
+    costs = joined(read_costs, all)
+    for one in explained_by(name, claims) if claim else [program]:
+        yield "chapter", f"{chapter_of(root, one)} ({run_of(one)}, {shown_cost(costs.get(one, math.nan))} s on two cores)"
+    if finding and agrees(name, finding, second := joined(read_second, all)):
+        there, method = second[name]
+        yield "second", f"{there.shown}{there.shown_unit} (error {there.shown_error}): {method}"
+
+
+def of_finding(row, numbers, verdict):
+    """The same of a finding of ours."""
+    yield "we found", in_plain(row["sentence"], numbers)
+    yield "evidence", row["kind"]
+    for word in ("range", "tried", "second"):
+        yield word, in_plain(row[word], numbers)
+    for text in verdict["found"].split("; "):
+        yield "condition", text
+
+
+def show(root, data, name):
+    """The verb: a line for each; the fresh value where the program has run, the locked one elsewhere."""
+    all, claims = volumes(root), read_claims(root)
+    programs = [program for volume in all for program in programs_of(volume)]
+    ran = {program for program, _ in runs_of(data, programs)}
+    locked = {key: f for key, f in joined(read_lock, all).items() if key[0] not in ran}
+    numbers = by_name(locked | read_facts(data, programs), claims)
+    findings = joined(read_findings, all)
+    names = sorted(numbers.keys() | claims.keys() | findings.keys())
+    if name not in names:
+        near = difflib.get_close_matches(name, names, 3) or sorted(n for n in names if n.split(".")[-1] == name)
+        raise ecsv.Unknown(f"ID: there is no number '{name}'" + (f" (near it: {', '.join(near)})" if near else
+                          " (allowed: a claim such as pn.omega11, a fact such as sec31_dps_limit.tau_0_by_quadrature)"))
+    finding, verdict = numbers.get(name), joined(read_verdicts, all).get(name)
+    print(name)
+    told = of_finding(findings[name], numbers, verdict) if name in findings else of_number(name, finding, claims, numbers, verdict, root)
+    for word, text in told:
+        print(f"  {word:9}  {text}")
+    if finding:
+        print(f"  {'from':9}  {'build/data, computed here' if finding.row else 'paper/converged.ecsv (not computed here yet)'}")

@@ -1,0 +1,43 @@
+#include "sec34/packet.hpp"
+
+#include <stdexcept>
+
+namespace lattice {
+
+double energy_change(const Track& track, double to) {
+  const std::size_t end = track.until(to);
+  std::size_t begin = 0;
+  while (begin < end && track.centre[begin] < fit_from) ++begin;
+  if (end < begin + 6) throw std::runtime_error("no packet passes site 20");
+  const std::size_t half = (begin + end) / 2;
+  const auto mean = [&](std::size_t from, std::size_t until) {
+    double sum = 0;
+    for (std::size_t i = from; i < until; ++i) sum += track.energy[i];
+    return sum / double(until - from);
+  };
+  const double first = mean(begin, half), second = mean(half, end);
+  return second / first - 1;
+}
+
+// The strongest window behind the packet, at least one width clear of it
+double residue(const std::vector<double>& e, std::size_t peak) {
+  const std::size_t m = packet_half_width;
+  double most = 0;
+  for (std::size_t n = m; n + 4 * m < peak; ++n) most = std::max(most, window_sum(e, n));
+  return most / window_sum(e, peak);
+}
+
+// The lower of two peaks, at the end and around the packet, over the highest wave in between
+double prominence(const std::vector<double>& v, std::size_t peak, std::size_t near) {
+  const auto height = [&](std::size_t from, std::size_t to) {
+    double most = 0;
+    for (std::size_t n = from; n < std::min(to, v.size()); ++n)
+      most = std::max(most, std::abs(v[n]));
+    return most;
+  };
+  const std::size_t m = packet_half_width, behind = peak > m ? peak - m : 0;
+  const double between = height(near + m, behind), packet = height(behind, peak + m + 1);
+  return std::min(height(0, near), packet) / between;
+}
+
+}  // namespace lattice
