@@ -24,6 +24,7 @@ from .volumes import joined, volumes
 
 DOCUMENTS = ("paper", "supplement", "theorem")
 PROOF = "sec5_kernel_equation"  # the chapter whose prose has the proof: the block that ends with a square
+SHORT = {"within its own accuracy": "within", "reproduced, assuming": "assuming"}  # where a column is narrow
 HEAD = "% Written by `python3 -m lineage macros`; do not edit.\n"
 GREEK = {"pi", "eps", "epsilon", "omega", "tau", "mu", "phi", "lambda", "beta", "Phi", "Gamma", "delta"}
 WORDED = re.compile(
@@ -125,10 +126,11 @@ def paper_texts(claims, numbers, verdicts, figures, meta, findings):
     counts.update({word: sum(verdicts[id]["verdict"] == word for id in claims) for word in meanings()})
     out = {("pub", id): worded(c["printed"]) for id, c in claims.items()}
     out.update({("claimed", id): worded(c["quantity"]) for id, c in claims.items()})
-    out.update({("verdict", id): verdicts[id]["verdict"] for id in claims})
+    out.update({("verdict", id): SHORT.get(word := verdicts[id]["verdict"], word) for id in claims})
     for name, f in numbers.items():
         out["num", name], out["err", name] = value(f.shown), value(f.shown_error)
         out["both", name], out["about", name] = both(f), about(f)
+    out.update({("both", id): "--" for id, c in claims.items() if not c["answer"]})  # conditions decide
     nums = {name: text for (kind, name), text in out.items() if kind == "num"}
     for id, row in findings.items():
         if lost := [name for name in NUMBERS.findall(row["sentence"]) if name not in nums]:
@@ -261,7 +263,7 @@ def claim_rows(claims, numbers, verdicts):
         here = both(f) + (f" {unit(f.unit)}" if f.unit and c["unit"] in ("", f.unit) else "") if f else ""
         words = re.sub(r"\bSection ([a-z]+)", r"Section~\\ref{\1}", worded(said(c["assumption"], numbers)))  # by its label
         noted = rf" \emph{{({words})}}" if words else ""
-        cells = [escaped(id), worded(c["quantity"]) + noted, printed, here, verdict]
+        cells = [escaped(id), worded(c["quantity"]) + noted, printed, here, SHORT.get(verdict, verdict)]
         out += r"\claim" + "".join(f"{{{cell}}}" for cell in cells) + "\n"
     return out
 

@@ -162,7 +162,7 @@ class Paper(Scratch):
         self.write("paper/claims.ecsv", self.read("paper/claims.ecsv").replace("1.02", "1.00"))
         self.write("paper/paper.tex", r"\wide{01}")
         self.assertEqual(self.lineage("macros")[0], 0)
-        self.assertIn(r"\claim{a.one}{one}{1.00}{\ensuremath{1.000(1)} m}{reproduced, assuming}",
+        self.assertIn(r"\claim{a.one}{one}{1.00}{\ensuremath{1.000(1)} m}{assuming}",
                       self.read("build/paper/claims.tex"))
 
     def test_what_the_paper_leaves_out_is_named(self):
