@@ -174,9 +174,9 @@ summary:
 	@cd $(D)/report/cost && cat $(chapters) | awk '{ s += $$1 } END { printf "computing  : %.0f s in %d programs\n", s, NR }'
 	@$(if $(home),,echo "report     : $(D)/report/claims.ecsv, make show ID=...")
 
-# Judges what there is.
+# Judges what there is; before anything is computed, verdicts are those that are recorded.
 verdicts:
-	@$(judge)
+	@[ ! -x $(B)/bin/verdicts ] || [ ! -d $(D)/data ] || $(judge) > /dev/null
 
 ## book: build the book from sources, data and figures into build/book
 book: install-book
@@ -184,10 +184,9 @@ book: install-book
 	@$(MAKE) weave
 
 ## weave: the same from the data and figures that are there, in seconds
-weave:
+weave: verdicts
 	@sh book/live/build.sh $(B)/live
-	@$(judge) > /dev/null
-	@[ ! -f $(D)/data/sec5_growth/facts.ecsv ] || $(MAKE) volume=beyond verdicts > /dev/null
+	@[ ! -f $(D)/data/sec5_growth/facts.ecsv ] || $(MAKE) volume=beyond verdicts
 	@rm -rf $(D)/book.part $(D)/book.pages $(D)/book.read && mkdir -p $(D)/book.pages
 	@$(sphinx) -m sphinx -q -n -W --keep-going -D literate_build=$(D) -c book -d $(D)/book.read $(D)/book.pages $(D)/book.part
 	@rm -rf $(D)/book $(D)/book.read && mv $(D)/book.part $(D)/book
@@ -262,7 +261,7 @@ paper: install-paper
 	@$(MAKE) typeset
 
 ## typeset: the same from the figures that are there, in seconds
-typeset:
+typeset: verdicts
 	@$(lineage) macros --out $(D)/paper
 	@for it in $(basename $(notdir $(wildcard $(foreach d,paper supplement theorem,paper/$(d).tex beyond/paper/$(d).tex)))); do \
 	  echo "  typeset  $(D)/$$it.pdf"; \
@@ -286,12 +285,12 @@ hashes: install-deps
 	@$(lineage) --root ./$(home) hashes --data $(B)/data --quick $(B)/quick/data
 
 ## refresh: write the locked values into the prose of src/, and renew the tables of README.md
-refresh:
+refresh: verdicts
 	@$(lineage) refresh --costs $(B)/report/cost
 	@[ ! -d beyond ] || $(lineage) --root beyond refresh --costs $(B)/report/cost
 
 ## show: one number, as in  make show ID=pn.omega11
-show:
+show: verdicts
 	@$(lineage) show "$(ID)" --data $(B)/data
 
 ## gallery: the small pictures of the README: those that are missing, and those of figures that were drawn since

@@ -64,13 +64,12 @@ def is_number(printed):
 
 
 def read_verdicts(root, report=None):
-    """The rows that `verdicts` has written for this volume, by id; before it has run, what the list of claims records."""
+    """The rows that `verdicts` has written for this volume, by id; of what it has not judged yet, what the list of claims records."""
     name = "claims.ecsv" if Path(root) == article(root) else "claims_beyond.ecsv"
     path = Path(report or article(root) / "build/report") / name
-    if path.exists():
-        return ecsv.read(path, ("id", "verdict", "found")).by("id", "verdicts")
+    written = ecsv.read(path, ("id", "verdict", "found")).by("id", "verdicts") if path.exists() else {}
     rows = (read_claims(root) if name == "claims.ecsv" else {}) | read_findings(root) | read_literature(root)
-    return {id: {"verdict": row.get("status", "holds"), "found": row.get("criterion", "")} for id, row in rows.items()}
+    return {id: {"verdict": row.get("status", "holds"), "found": row.get("criterion", "")} for id, row in rows.items()} | written
 
 
 # Numbers by name

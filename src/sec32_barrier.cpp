@@ -46,7 +46,7 @@ each we need the energy $\mathcal H$ and the area
 $$\mathcal A = \int_0^{2\pi/\omega_b}\sum_n\dot y_n^2\,dt .$$
 Why the area? A breather that drifts slowly along the chain keeps its action, not its frequency, and an
 effective Hamiltonian for its position compares states of equal action; $\mathcal A$ is $2\pi$ times
-that action. The article plots the difference at equal frequency instead, and without its sign. */
+that action. */
 constexpr std::array<double, 3> wells{-1.0 / 6, 0, 1};
 const std::array<std::string, 3> names{"soft", "linear", "hard"};
 
@@ -130,23 +130,25 @@ void report_barriers(Report& report, const std::vector<BreatherPairs>& families)
                  std::abs(r.equal_frequency.value) / r.energy[1].value, r.wide});
   if (report.quick) return;
 
-  // The zeros; those at equal frequency are numbered, well by well
+  // The zeros; those at equal frequency also well by well
   Table& changes = report.table(
       "sign_changes", {number("s", "anharmonicity of the well"),
                        count("kind", "1 at equal frequency, 2 at equal area"),
                        estimate("omega", "where the barrier changes its sign", "", "its error")});
-  std::array<int, 3> found{};
-  Estimate from_130 = exact(1);
+  std::array<std::vector<Estimate>, 3> found;
   for (const Zero& z : find_zeros(families)) {
     const bool frequency = z.gap == &BreatherPair::equal_frequency;
     changes.add({wells[z.well], frequency ? 1 : 2, z.omega});
-    if (!frequency) continue;
-    report.facts.add("zero_" + names[z.well] + std::to_string(++found[z.well]), z.omega);
-    if (z.well == 1) from_130 = smaller(from_130, {std::abs(z.omega.value - 1.3), z.omega.error});
+    if (frequency) found[z.well].push_back(z.omega);
   }
   for (std::size_t w = 0; w < wells.size(); ++w)
-    report.facts.add("zeros_" + names[w], exact(found[w]), "at equal frequency");
-  report.facts.add("zero_distance_130", from_130);
+    report.facts.add("zeros_" + names[w], exact(double(found[w].size())), "at equal frequency");
+  const auto& [soft, linear, hard] = found;
+  report.facts.add("zero_soft14", soft.at(13));
+  report.facts.add("zero_linear1", linear.at(0));
+  report.facts.add("zero_linear5", linear.at(4));
+  report.facts.add("zero_hard1", hard.at(0));
+  report.facts.add("zero_distance_130", {std::abs(linear[4].value - 1.3), linear[4].error});
 }
 
 /**
@@ -174,13 +176,9 @@ void report_growth(Report& report, const std::vector<BreatherPairs>& families) {
     amplitudes = smaller(amplitudes, least_ratio(amplitude));
     arches = smaller(arches, here.growth);
     end_over_before = smaller(end_over_before, here.end_over_before);
-    for (const auto& [end, pair] :
-         {std::pair{"start_", families[w].front()}, {"end_", families[w].back()}}) {
-      report.facts.add(end + ("barrier_" + names[w]), size(pair.equal_frequency));
-      report.facts.add(end + ("relative_" + names[w]),
-                       size(quotient(pair.equal_frequency, pair.energy[1])));
-    }
+    report.facts.add("end_barrier_" + names[w], size(barrier.back()));
   }
+  report.facts.add("start_barrier_linear", size(families[1].front().equal_frequency));
   report.facts.add("amplitude_least_growth", amplitudes);
   report.facts.add("arches_least_growth", arches);
   report.facts.add("end_over_highest_before", end_over_before);
@@ -286,7 +284,7 @@ void report_key(Report& report, const BreatherPairs& pairs) {
   const std::size_t count = std::size(key_frequencies);
   const auto pair = [&](std::size_t w, std::size_t k) { return pairs[w * count + k]; };
   for (std::size_t w = 0; w < wells.size(); ++w)
-    for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t k = 1; k < count; ++k) {
       const std::string name = "_" + names[w] + "_" + key_frequencies[k].second;
       report.facts.add("equal_frequency" + name, pair(w, k).equal_frequency);
       report.facts.add("equal_area" + name, pair(w, k).equal_area);

@@ -449,7 +449,8 @@ void report_other_wells(Report& report) {
   Estimate off{};
   for (std::size_t i = 0; i < families.size(); ++i) {
     const auto& [exponent, end] = families[i];
-    report.facts.add("end_s_" + wells[i / 2].second + "_" + name_of(both_centres[i % 2]), end);
+    if (!end.is_exact)
+      report.facts.add("end_s_" + wells[i / 2].second + "_" + name_of(both_centres[i % 2]), end);
     off = larger(off, {std::abs(exponent.value - 2), exponent.error});
   }
   report.facts.add("growth_exponent_off", off);

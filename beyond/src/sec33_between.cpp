@@ -95,7 +95,7 @@ std::vector<OnChart> report_multipliers(Report& report, const Chart& site, const
 
 `sec33_floquet` tests the article's statement on two lines, where it is true: four multipliers near $+1$, all others on
 the circle, twenty more at the point of accumulation for ten more sites. Here are the nodes that violate a bound anywhere.
-The one that decides is computed once more, with two tolerances. */
+The worst are computed once more, with two tolerances. */
 /// How many of the twenty are elsewhere, where most of them are.
 int most_missing(const std::vector<OnChart>& nodes) {
   std::vector<int> missing(nodes.size());
@@ -106,25 +106,6 @@ int most_missing(const std::vector<OnChart>& nodes) {
   });
   return *std::max_element(missing.begin(), missing.end());
 }
-
-/// A statement about many nodes is decided by the worst of them.
-struct Worst {
-  Estimate fourth, others, largest;
-
-  explicit Worst(const std::vector<OnChart>& nodes) {
-    using Pairs = std::vector<Pair>;
-    const auto worst = [&](auto of) {
-      const auto less = [&](const OnChart& a, const OnChart& b) {
-        return of(a.node->pairs).value < of(b.node->pairs).value;
-      };
-      const auto& [centre, node] = *std::max_element(nodes.begin(), nodes.end(), less);
-      return of(spectrum<double>(problem_at(centre, node->spot), node->orbit).pairs);
-    };
-    fourth = worst([](const Pairs& p) { return from_one(p[0]); });
-    others = worst([](const Pairs& p) { return excess(p, 1); });
-    largest = worst([](const Pairs& p) { return excess(p); });
-  }
-};
 
 /**
 In hard wells the pinning pair leaves the neighbourhood of $+1$, along the real axis around a bond and along the circle
@@ -168,10 +149,15 @@ void report_range(Report& report, const std::vector<OnChart>& seen, double spaci
   beyond("very_large", 0.01, largest);
 
   // The worst of all nodes, and what longer chains add in the outermost wells
-  const Worst worst(seen);
-  report.facts.add("range_fourth", worst.fourth);
-  report.facts.add("range_others", worst.others);
-  report.facts.add("range_largest", worst.largest);
+  const auto worst = [&](auto of) {
+    const auto less = [&](const OnChart& a, const OnChart& b) {
+      return of(a.node->pairs).value < of(b.node->pairs).value;
+    };
+    const auto& [centre, node] = *std::max_element(seen.begin(), seen.end(), less);
+    return of(spectrum<double>(problem_at(centre, node->spot), node->orbit).pairs);
+  };
+  report.facts.add("range_others", worst([](const Pairs& p) { return excess(p, 1); }));
+  report.facts.add("range_largest", worst(largest));
   std::vector<OnChart> ends;
   Estimate linear{};
   for (const OnChart& at : seen) {

@@ -220,11 +220,9 @@ void report_law(Report& report) {
   for (std::size_t i = 0; i < law.root.size(); ++i)
     if (const double off = std::abs(law.chi[i] / law.at(law.root[i]) - 1); off > scatter.value)
       scatter = {off, law.error[i]};
-  const double sum = std::accumulate(law.root.begin(), law.root.end(), 0.0);
   report.facts.add("law_kappa_1", law.line.estimate());
   report.facts.add("law_kappa_0", law.chi_0());
   report.facts.add("law_largest_deviation", scatter, "relative");
-  report.facts.add("law_mean_root", exact(sum / double(law.root.size())));
   report.facts.add("power_large_impacts", fit_line(log_v, log_s).estimate());
 }
 
@@ -340,8 +338,7 @@ void reproduce(Report& report) {
 We cannot show that a packet never turns, only that it does not turn before a given site. So there is no
 boundary here, only contours. They move to smaller $\chi$ as the site moves out, and from the three that we
 have we cannot say whether they approach a limit. For $\chi$ far above the contour the motion near the struck
-end is erratic and the fate of single points depends on the last digit; where two steps disagree, they
-are marked as undecided.
+end is erratic and the fate of single points depends on the last digit.
 
 ## Try it
 

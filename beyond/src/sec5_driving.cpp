@@ -102,7 +102,6 @@ Estimate in_micrometres(const ArraySetup& setup, const Estimate& a) {
 
 std::vector<Fold> report_folds(Report& report, const ArraySetup& setup) {
   report.facts.add("top", dps_threshold(Drive::By::piston));
-  report.facts.add("top_strain", dps_threshold(Drive::By::base));
   std::vector<Fold> folds = fold_points(setup, report.quick);
   parallel_for(folds.size(), [&](std::size_t i) {
     folds[i].amplitude = fold_of(setup, folds[i].by, folds[i].omega);
@@ -368,15 +367,8 @@ void report_chart(Report& report, const ArraySetup& setup) {
   compute_chart(sweep, setup, report.quick, {});
   const Table table = sweep.table();
   const auto kind = table.numbers("kind"), rough = table.numbers("kind_rough");
-  // How many points are of a kind, and how many more or fewer by the shorter runs
-  const auto of_kind = [&](double k) {
-    return compare(double(std::count(rough.begin(), rough.end(), k)),
-                   double(std::count(kind.begin(), kind.end(), k)));
-  };
   std::size_t undecided = 0;
   for (std::size_t i = 0; i < kind.size(); ++i) undecided += kind[i] != rough[i];
-  report.facts.add("chart_trains", of_kind(1));
-  report.facts.add("chart_irregular", of_kind(2));
   report.facts.add("chart_undecided", exact(double(undecided)));
   const auto far = table.numbers("far"), a = table.numbers("amplitude");
   std::size_t reached = 0;

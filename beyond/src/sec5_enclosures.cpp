@@ -204,12 +204,6 @@ The amplitudes are [0.0107480](num:sec5_enclosures.amplitude_site) (site) and
 resolve. Not proved is anything about Floquet multipliers. */
 const std::pair<int, int> omega_b{11, 10};
 
-Fineness fineness_of(bool quick) {
-  Fineness fine;
-  if (quick) fine.samples /= 2, fine.harmonics /= 2;
-  return fine;
-}
-
 Table bound_table(const Column& which) {
   return {{which, number("kappa", "norm of the inverse minus one"),
            number("delta", "how badly the matrix is inverted"),
@@ -224,9 +218,10 @@ Table bound_table(const Column& which) {
 void report_chain(Report& report) {
   Table& bounds = report.output.add("bounds", bound_table(label("centre", "site or bond")));
   std::vector<ChainBreather> found(2);
+  Fineness fine;
+  if (report.quick) fine.samples /= 2, fine.harmonics /= 2;
   parallel_for(2, [&](std::size_t i) {
-    found[i] =
-        enclose_chain(centres[i].first, omega_b.first, omega_b.second, fineness_of(report.quick));
+    found[i] = enclose_chain(centres[i].first, omega_b.first, omega_b.second, fine);
   });
   for (std::size_t i = 0; i < 2; ++i) {
     const ChainBreather& b = found[i];
@@ -256,21 +251,15 @@ the two signs therefore do not overlap, although they agree to ten digits. The e
 [0.446249](num:sec5_enclosures.wave_peak_plus) and [0.457322](num:sec5_enclosures.wave_peak_minus), within
 [1.78063e-12](num:sec5_enclosures.wave_radius_plus) or [1.94232e-12](num:sec5_enclosures.wave_radius_minus) at all times;
 each is alone within [1.52588e-5](num:sec5_enclosures.wave_unique_radius_plus). [](finding:travelling.two_waves) */
-WaveFineness wave_fineness_of(bool quick) {
-  WaveFineness fine;
-  if (quick) fine.per_turn /= 4;
-  return fine;
-}
-
 constexpr std::pair<int, const char*> signs[] = {{1, "plus"}, {-1, "minus"}};
 
 void report_kernel_waves(Report& report) {
   Table& bounds =
       report.output.add("wave_bounds", bound_table(label("sign", "of the central velocity")));
   std::vector<EnclosedWave> found(2);
-  parallel_for(2, [&](std::size_t i) {
-    found[i] = enclose_wave(signs[i].first, wave_fineness_of(report.quick));
-  });
+  WaveFineness fine;
+  if (report.quick) fine.per_turn /= 4;
+  parallel_for(2, [&](std::size_t i) { found[i] = enclose_wave(signs[i].first, fine); });
   for (std::size_t i = 0; i < 2; ++i) {
     const EnclosedWave& w = found[i];
     const std::string name = signs[i].second;
@@ -278,7 +267,6 @@ void report_kernel_waves(Report& report) {
                 w.unique.radius, w.exists.radius});
     report.facts.add("wave_energy_" + name, estimate_of(w.energy));
     report.facts.add("wave_peak_" + name, estimate_of(w.peak), "largest compression");
-    report.facts.add("wave_action_" + name, estimate_of(w.action), "integral of d_+^(5/2)");
     report.facts.add("wave_radius_" + name, exact(w.exists.radius), "compression");
     report.facts.add("wave_unique_radius_" + name, exact(w.unique.radius), "compression");
   }

@@ -379,7 +379,6 @@ void report_type_two(Report& report) {
   report.facts.add("turns_type_two",
                    compare(coarse.shift_time() / two_pi, fine.shift_time() / two_pi),
                    "shift time over 2 pi");
-  report.facts.add("energy_type_two", compare(coarse.energy(), fine.energy()));
 }
 
 /**
@@ -438,13 +437,10 @@ void report_waves(Report& report, const std::vector<TwoGridWave>& all) {
   facts.add("energy_plus", plus(&KernelWave::energy));
   facts.add("energy_minus", minus(&KernelWave::energy));
   facts.add("quotient_plus", plus(&KernelWave::quotient));
-  facts.add("action_plus", plus(&KernelWave::action));
   const auto apart = [&](std::size_t i) {
     return plus.grids[i].action() - minus.grids[i].action();
   };
   facts.add("action_difference", compare(apart(0), apart(1)));
-  facts.add("contacts_plus", exact(double(plus.fine().contacts())));
-  facts.add("contacts_minus", exact(double(minus.fine().contacts())));
   double residual = 0;
   for (const TwoGridWave& w : all) residual = std::max(residual, w.fine().residual());
   facts.add("residual", {residual, residual}, "largest, relative to the peak");

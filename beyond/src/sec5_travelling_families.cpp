@@ -74,13 +74,11 @@ void follow(Family& f, double step) {
 ## What is left behind (figure x19)
 
 What becomes of a member that is no exact orbit? We set it free in a resting chain, and behind it each bead keeps
-oscillating. The contact on its left has pushed it with a pulse $f(t)$, and a time $T$ later that on its right has
-pushed it back with $-f(t-T)$, if the pulses repeat themselves after $T$. A free bead turns with $e^{-it}$ and keeps the
-amplitude $|\int e^{it}(f(t)-f(t-T))\,dt| = |1-e^{iT}|\,|g(1)|$ with $g(1) = \int e^{it}f\,dt$. A member that sheds
-loses energy, and its pulses repeat themselves only nearly, so that this can only give the order of magnitude, and we
-measure how well it does. The integral needs no quadrature: when the sum $Z$ is taken over the beads on the right of the
-contact only, nothing but the pulse changes $e^{it}Z$, so that the integral is the difference of this quantity between
-the end and the beginning. */
+oscillating. If the pulses in the contacts repeat themselves after $T$, it does so with the amplitude
+$|1-e^{-iT}|\,|g(1)|$ (chapter on exact travelling breathers). A member that sheds loses energy, and its pulses repeat
+themselves only nearly, so that this can only give the order of magnitude, and we measure how well it does. The integral
+$g(1)$ needs no quadrature: it is the change of $e^{it}Z$, with the sum $Z$ taken over the beads on the right of the contact
+only. */
 struct Left {
   double beads = 0, pulse = 0;  ///< both relative to the amplitude
 };

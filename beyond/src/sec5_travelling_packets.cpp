@@ -82,8 +82,7 @@ std::vector<double> logs(std::vector<double> x) {
 
 /// What is read off one course.
 struct CourseReading {
-  double exponent, angle_exponent, energy_lost, contact_lost, contact_early, contact_late, speed,
-      energy, contact;
+  double exponent, energy_lost, contact_lost, contact_early, contact_late, speed, energy, contact;
   double early_growth, growth, early_pulse,
       pulse;           ///< of 1/angle per site; |g|, near site 300 and at the end
   double angle, turn;  ///< at the end, the latter of the internal phase
@@ -108,7 +107,6 @@ CourseReading read_off(const LongRun& c, std::size_t half = 6) {
   for (std::size_t i = 0; i < 6; ++i) early += c.contact[4 + i] / 6;
   for (std::size_t i = 0; i < half; ++i) late += c.contact[last - i] / double(half);
   return {late_line(logs(c.site), logs(c.left), last - decade).slope,
-          late_line(logs(c.site), logs(c.angle), last - decade).slope,
           lost(c.energy),
           lost(c.contact),
           early,
@@ -161,13 +159,12 @@ $n^{-1/(1+2p)}$ and the tail like $n^{-(1+p)/(1+2p)}$, more slowly than $1/n$. O
 has the exponent [-0.72067](num:sec5_travelling_packets.tail_exponent_v66); but neither $p$ nor $b$, which is $g^2/2$
 divided by the growth of $1/\vartheta$ per site, is constant there, so that this is no law. */
 // What belongs to the last decade as it is has the difference of the two runs as its error
-void report_tail(Quantities& facts, const std::string& name, const FinalState& state) {
+void report_tail(Quantities& facts, const FinalState& state) {
   const auto fact = [&](const std::string& what, double CourseReading::*of,
                         const std::string& unit = "") {
-    facts.add(what + name, compare(state.coarse.*of, state.fine.*of), unit);
+    facts.add(what + "_v66", compare(state.coarse.*of, state.fine.*of), unit);
   };
   fact("tail_exponent", &CourseReading::exponent);
-  fact("angle_exponent", &CourseReading::angle_exponent);
   fact("angle_growth_early", &CourseReading::early_growth,
        "of its inverse, per site, sites 200 to 431");
   fact("angle_growth", &CourseReading::growth, "of its inverse, per site, at the end");
@@ -283,11 +280,9 @@ void report_packets(Report& report, std::size_t rows) {
       p.coarse = long_run(p.velocity, {}, rows);
   });
   const ExactLine line = exact_line();
-  for (const TwoCourses& p : runs) {
-    const std::string name = "_v" + short_text(100 * p.velocity);
-    report_tail(report.facts, name, FinalState(p));
-    report_end(report.facts, name, FinalState(p), line);
-  }
+  report_tail(report.facts, FinalState(runs[0]));
+  for (const TwoCourses& p : runs)
+    report_end(report.facts, "_v" + short_text(100 * p.velocity), FinalState(p), line);
   report_courses(report, runs);
   report_line(report, line);
 }

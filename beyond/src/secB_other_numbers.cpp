@@ -136,7 +136,6 @@ void report_pulse(Report& report) {
   report.facts.add("pulse_energy", {fine.energy * V * V, 2 * fine.energy * V * amplitude.error},
                    "energy of the impact");
   const double speed = std::pow(V / fine.crest, 0.2);
-  report.facts.add("pulse_speed", {speed, 0.2 * speed * amplitude.error / V}, "sites per time");
   report.facts.add("sampled_width", compare(sampled_width(0.04, speed), sampled_width(0.02, speed)),
                    "sites");
 }
@@ -245,12 +244,6 @@ void report_exponents(Report& report) {
                {"rate_bond", "frequency of the translational pair over mu around a bond",
                 row.bond.rate}});
 
-  // No sign changes from one exponent to the next
-  std::size_t changes = 0;
-  for (Vanishing what :
-       {Vanishing::margin_site, Vanishing::margin_bond, Vanishing::norm_difference})
-    changes += sign_changes(what, rows).size();
-  report.facts.add("exchanges_in_alpha", exact(double(changes)));
   const auto at = [&](double alpha) {
     return *std::find_if(rows.begin(), rows.end(),
                          [&](const OfExponent& row) { return row.alpha == alpha; });

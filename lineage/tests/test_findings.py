@@ -12,18 +12,11 @@ GOOD = ["pull", "Up to t = 10 it is [](num:a.one) and $x_1 > 0$.", "observed", "
         "sec1_demo.one > 0.5; sec1_demo.fact > sec1_demo.one", "0.9 by hand", "01"]
 
 
-def row(**changed):
-    return [changed.get(name, cell) for name, cell in zip(COLUMNS, GOOD)]
-
-
 class Findings(Scratch):
     def setUp(self):
         super().setUp()
         self.write("src/sec1_demo.cpp", "/**\n# 1 A demonstration\n\nIt is [](num:a.one). [](finding:pull) */\n")
-        self.found()
-
-    def found(self, *rows):
-        self.write("paper/findings.ecsv", table(COLUMNS, rows or [GOOD]))
+        self.write("paper/findings.ecsv", table(COLUMNS, [GOOD]))
 
     def test_it_is_shown_with_its_conditions(self):
         out = self.lineage("show", "pull")[1]

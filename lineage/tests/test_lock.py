@@ -94,5 +94,7 @@ class Show(Scratch):
         self.judged("reproduced")
         self.assertIn("verdict    reproduced\n", self.lineage("show", "a.one")[1])  # what `verdicts` says, not what is recorded
         self.assertIn("condition  sec1_demo.fact = 2 +- 0.1 > 1\n", self.lineage("show", "a.two")[1])
+        self.write("paper/claims.ecsv", (text := self.read("paper/claims.ecsv")) + text.splitlines()[-1].replace("a.two", "a.new") + "\n")
+        self.assertIn("verdict    holds", self.lineage("show", "a.new")[1])  # not judged yet
         (self.root / "build/data/sec1_demo/facts.ecsv").unlink()
         self.assertIn("not computed here yet", self.lineage("show", "sec1_demo.fact")[1])

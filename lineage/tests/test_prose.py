@@ -5,7 +5,6 @@ import shutil
 import subprocess
 import tempfile
 import unittest
-from dataclasses import replace
 
 from lineage import chapters, ecsv, lock, metadata, refresh, tex
 from lineage.claims import program_of
@@ -58,15 +57,23 @@ class Refreshing(Scratch):
         self.assertIn("```\norbit  mid\n\nmid    low\n\nlow\n```", self.read("CONTRIBUTING.md"))
 
     def test_only_what_is_stale_is_written(self):
+        self.write("paper/claims.ecsv", self.read("paper/claims.ecsv").replace("they erred", "it is {sec1_demo.fact}"))
         self.assertEqual(self.lineage("refresh", "--check")[0], 1)
         self.assertEqual(self.lineage("refresh")[0], 0)
         self.assertIn("It is [1.000](num:a.one).", self.read("src/sec1_demo.cpp"))
-        self.assertIn("| `a.one` | 1.02 | 1.000 | they erred | [`build/bin/sec1_demo`](src/sec1_demo.cpp) (3 s) |",
+        self.assertIn("| `a.one` | 1.02 | 1.000 | it is 2.0 | [`build/bin/sec1_demo`](src/sec1_demo.cpp) (3 s) |",
                       self.read("README.md"))
         self.assertEqual(self.lineage("refresh", "--check"), (0, "", ""))
         self.write("build/report/cost/sec1_demo", "9.1\n")
         self.assertIn("renewed", self.lineage("refresh")[1])
         self.assertIn("(9 s)", self.read("README.md"))
+
+    def test_the_tables_of_a_page_have_the_verdicts_that_were_given(self):
+        self.judged("follows")
+        self.write("README.md", self.read("README.md") + "<!-- summary -->\n<!-- /summary -->\n")
+        self.assertEqual(self.lineage("refresh")[0], 0)
+        self.assertEqual(re.findall(r"^\| (\w+) \| (\d+) \| \w", page := self.read("README.md"), re.M), [("holds", "1"), ("follows", "1")])
+        self.assertNotIn("`a.one`", page)  # no longer discrepant
 
     def test_a_cost_is_renewed_when_it_has_really_moved(self):
         """And every program has one, whether it draws a figure or not."""
@@ -164,6 +171,7 @@ class Paper(Scratch):
         self.assertEqual(self.lineage("macros")[0], 0)
         self.assertIn(r"\claim{a.one}{one}{1.00}{\ensuremath{1.000(1)} m}{assuming}",
                       self.read("build/paper/claims.tex"))
+        self.assertIn(r"\define{tally}{reproduced, assuming}{1}", self.read("build/paper/numbers.tex"))
 
     def test_what_the_paper_leaves_out_is_named(self):
         whole = "\\wide[0.6]{01}\n\\gone{a.one}{they erred}\n\\newcommand\\gone[2]{\\num{#1}} (Fig.~01).\n"

@@ -70,8 +70,10 @@ void print(const std::string& title, const std::vector<Judged>& rows) {
     if (many > 0) std::printf("  %-24s %3d\n", verdict, int(many));
     for (const Judged& r : rows)
       if (has(r) && !agrees)
-        std::printf("    %-22s printed %s, ours %s\n", r.claim->id.c_str(),
-                    r.claim->printed.empty() ? "words" : r.claim->printed.c_str(), r.found.c_str());
+        std::printf(
+            "    %-22s %s%s\n", r.claim->id.c_str(),
+            r.claim->printed.empty() ? "" : ("printed " + r.claim->printed + ", ours ").c_str(),
+            r.found.c_str());
   }
 }
 

@@ -2,16 +2,12 @@
 /**
 # Mean forces
 
-Section 2 of the article shows that a chain of beads that only repel cannot vibrate periodically and
-locally. Its argument is an average, which this file computes. Integrate the equation of motion of bead
-$n$ over a time $T$ and divide by $T$:
+The argument of section 2 is an average. Integrate the equation of motion of bead $n$ over a time $T$ and
+divide by $T$:
 $$\frac{\mu_n}{T}\bigl[\dot y_n\bigr]_0^T = \bar F_{n-1} - \bar F_n - \overline{W'(y_n)},\qquad
   \bar F_n = \frac1T\int_0^T f_n\,dt,$$
 with the push $f_n \ge 0$ of bead $n$ on bead $n+1$. In a periodic motion the left side vanishes over a
-period. Neighbouring mean pushes then differ by the mean force of the well, and without wells they are all
-equal: they cannot decay along the chain unless all are zero.
-
-The means are integrated along with the motion, by the adaptive integrator of GSL: a route that shares
+period. The means are integrated along with the motion, by the adaptive integrator of GSL: a route that shares
 nothing with the one by which our orbits are found. */
 
 #include <algorithm>

@@ -2,10 +2,8 @@
 /**
 # 2 Periodic motions of chains without wells
 
-The theorem of section 2 allows motions that are not localized, and on these its identity can be tested.
-This part of the chapter of sec2_nonexistence.cpp finds some: a wave on a uniform ring, where symmetry
-alone makes the mean force the same everywhere, and standing waves of chains whose masses, stiffnesses
-and exponents differ from place to place, where only the theorem does. */
+Motions that are not localized, on which the identity of section 2 can be tested: a wave on a uniform ring, and
+standing waves of chains whose masses, stiffnesses and exponents differ from place to place. */
 
 #include <cmath>
 #include <cstddef>

@@ -78,7 +78,7 @@ static bool confirmed(const Search& search, const Vector<double>& x, End end) tr
 
 /**
 A motion that fails this test is not dismissed: it is counted as doubtful. */
-End run_search(const Series& series, unsigned long seed, int steps) {
+static End run_search(const Series& series, unsigned long seed, int steps) {
   const auto [search, start] = draw(series, seed, steps);
   NewtonRule<double> rule = motions::free_rule();
   rule.most = 200;

@@ -2,12 +2,9 @@
 /**
 # Random searches for periodic motions
 
-A breather of the free chain would be a periodic motion of a few beads. To look for one without prejudice we draw starts
-at random and let Newton's method turn each into a periodic motion, or fail. Three beads in the middle get random
-positions, and for even seeds random velocities too; odd seeds begin at rest.
-
-A search should be cheap, so it moves the chain by leapfrog steps (fixed_leapfrog.hpp), for which the theorem holds as
-well. The leapfrog chain is not the chain itself, so every motion that was found must survive the exact flow. */
+We draw starts at random and let Newton's method turn each into a periodic motion, or fail. Three beads in the middle get
+random positions, and for even seeds random velocities too; odd seeds begin at rest. The chain moves by leapfrog steps
+(fixed_leapfrog.hpp), which is not quite the chain itself, so every motion that was found must survive the exact flow. */
 
 #include <array>
 #include <cstddef>
@@ -37,9 +34,6 @@ motion that is not localized; or to a doubtful case, which somebody would have t
 enum class End { rest, localized, extended, doubtful, failed };
 /// Their names, in the order of the table.
 inline constexpr std::array end_names{"rest", "localized", "extended", "doubtful", "failed"};
-
-/// One search, which its series and its seed determine, with this many leapfrog steps in a period.
-End run_search(const Series& series, unsigned long seed, int steps);
 
 /**
 The counts depend on the length of the step and on the sample. Their error is the difference between two steps plus the

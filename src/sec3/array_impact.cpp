@@ -4,7 +4,6 @@
 
 namespace lattice {
 
-// What the article quotes of a packet, in SI units
 Pulse pulse_of(const Watched& w, const Scales& s) {
   const auto push = strongest_push(w.t, w.force);
   if (!push) throw NoPacket("the packet did not pass the site at which it is watched");
@@ -13,7 +12,6 @@ Pulse pulse_of(const Watched& w, const Scales& s) {
           push->period * s.tau_c()};
 }
 
-// One run shows both what the watched cantilever does and how the packet moves
 WatchedRun pass(const StruckArray& blow, std::size_t n, double until, const Resolution& r) {
   const Impact impact = blow.impact(1, until, r.sample);
   Watched at;
@@ -26,7 +24,6 @@ WatchedRun pass(const StruckArray& blow, std::size_t n, double until, const Reso
   return {strike(ContactAware{r.step}, impact, watch), std::move(at)};
 }
 
-// Speed and duration as one would read them off the force at the watched contact
 double mean_speed(const WatchedRun& run, const StruckArray& blow, std::size_t n) {
   return double(n) / pulse_of(run.at, blow.scales).arrival;
 }

@@ -43,10 +43,8 @@ inline double hidden_energy(double residual, double detuning) {
   return std::abs(other.energy - orbit.energy) * residual / left;
 }
 
-/**
-A quantity increases along a sequence if in modulus each value exceeds the one before and none has another sign, since
-what changes its sign vanishes in between: the smallest ratio of neighbours is above one. */
-/// The smallest ratio of neighbours, nan for less than two values.
+/// The smallest ratio of neighbours: above one if the modulus grows at every step and the sign stays; nan for less than
+/// two values.
 inline Estimate least_ratio(const std::vector<Estimate>& values) {
   if (values.size() < 2) return {std::nan(""), std::nan("")};
   Estimate least = quotient(values[1], values[0]);
@@ -80,9 +78,7 @@ struct Arches {
   }
 };
 
-/**
-One curve is smaller than another as a whole if the mean of its modulus is. The mean of every second value tells how
-well it is known. */
+/// The mean modulus of a curve; that of every second value tells how well it is known.
 inline Estimate mean_size(const std::vector<Estimate>& values) {
   const auto mean = [&](std::size_t step) {
     Estimate sum{};

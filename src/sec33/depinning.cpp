@@ -8,7 +8,6 @@
 
 namespace lattice {
 
-// Well beyond the hill it is free; if it turns back before, it is pinned
 Mobility mobility_of(const Creep& path) {
   const double far = path.farthest();
   if (far > 0.6) return Mobility::free;
@@ -44,7 +43,6 @@ PeriodMap period_map(const Chain& chain, Centre centre, State<double> state, dou
   return map;
 }
 
-// The slow plane of a pinned breather, and how much of a kick goes into it
 Pinning pinning_of(const Chain& chain, Centre centre, const State<double>& start, double period,
                    const EventTolerance<double>& rule) {
   const PeriodMap map = period_map(chain, centre, start, period, rule);
@@ -66,12 +64,10 @@ Pinning pinning_of(const Chain& chain, Centre centre, const State<double>& start
   return {2 * (1 + std::abs(cosine)) * miss, 2 * cosine * share, part};
 }
 
-// The kinetic energy of the slow motion has to pay for the barrier
 double freeing_kick(double barrier, const Pinning& pinning) {
   return std::sqrt(2 * std::abs(barrier / pinning.share));
 }
 
-// How fast a free breather passes the top of the hill
 double hill_speed(const Creep& path, double hill, double reach) {
   std::vector<std::size_t> near;
   for (std::size_t k = 0; k < path.X.size(); ++k)
@@ -92,7 +88,6 @@ double hill_speed(const Creep& path, double hill, double reach) {
   return (a[3] > 0 ? a[1] - a[2] * a[2] / (3 * a[3]) : a[1]) / half;
 }
 
-// The square of the speed on the hill is linear in that of the kick; follow it to zero
 double threshold_from(double c1, double v1, double c2, double v2) {
   const double square = (c1 * c1 * v2 * v2 - c2 * c2 * v1 * v1) / (v2 * v2 - v1 * v1);
   if (!(square > 0)) throw std::invalid_argument("these two speeds show no threshold");

@@ -13,7 +13,6 @@
 
 namespace lattice {
 
-// The fourth power counts the core of the breather and hardly sees the noise around it
 double quartic_centre(Centre centre, const Field& v) {
   double sum = 0, moment = 0;
   for (std::size_t i = 0; i < v.size(); ++i) {
@@ -34,7 +33,6 @@ double sites_filled(const Field& v) {
 PinnedBreather::PinnedBreather(Centre c, double frequency, std::size_t sites)
     : PinnedBreather(stationary<double>(c, frequency, sites)) {}
 
-// The derivative of the centre along the pinning mode gives the mode its scale and its sign
 PinnedBreather::PinnedBreather(const Stationary<double>& state)
     : centre(state.centre),
       mu(state.mu),
@@ -128,12 +126,10 @@ double measured_rate(const PinnedBreather& site, double size, const Accuracy& ac
   return fit_line(t, share).slope;
 }
 
-// A breather that only falls into the next trough swings back before it has moved a whole site
 bool moved(const Course& course, double by) {
   return course.reaches(1) <= by;
 }
 
-// The threshold between pinned and free, close to where the pendulum expects it
 double bisect_push(const PinnedBreather& bond, const Accuracy& accuracy, int steps) {
   const auto freed = [&](double push) {
     Field v = bond.u;
@@ -155,9 +151,7 @@ double bisect_push(const PinnedBreather& bond, const Accuracy& accuracy, int ste
 // Real or complex noise, of one sign or both, absolute or in proportion to the breather
 Field Noise::operator()(const Field& u, std::size_t seed) const {
   Random random(seed);
-  const auto draw = [&] {
-    return amplitude * (positive ? random.uniform(0, 1) : random.uniform(-1, 1));
-  };
+  const auto draw = [&] { return amplitude * random.uniform(positive ? 0 : -1, 1); };
   Field w;
   for (const auto& u_n : u) {
     const double re = draw(), im = imaginary ? draw() : 0;
@@ -166,7 +160,6 @@ Field Noise::operator()(const Field& u, std::size_t seed) const {
   return w;
 }
 
-// To first order only the component along the pinning pair matters; a control goes without it
 Field perturbed(const PinnedBreather& breather, const Noise& noise, bool pinned, Trial& trial) {
   Field w = noise(breather.u, trial.seed);
   if (!pinned) breather.pair.add(-breather.pair.of(w), w);
@@ -211,14 +204,6 @@ PushCount count_pushes(const std::vector<Trial>& trials, Course Trial::*run, dou
     out.told += pushed == moved(trial.*run);
   }
   return out;
-}
-
-// Pinning is a minute share of the energy, so the worst drift among the runs decides
-double largest_drift(const std::vector<Trial>& trials, Course Trial::*run) {
-  double drift = 0;
-  for (const Trial& trial : trials)
-    drift = std::max({drift, (trial.*run).energy_drift, (trial.*run).norm_drift});
-  return drift;
 }
 
 std::size_t torn(const std::vector<Trial>& trials) {

@@ -107,10 +107,8 @@ double bisect_push(const PinnedBreather& bond, const Accuracy& accuracy, int ste
 /**
 ## Breathers under noise
 
-The article adds uniformly distributed noise to the breather. For complex numbers this is not definite: the noise may
-be complex or real, of both signs or positive, absolute or a share of $u_n$. The difference matters, since a push
-counts far more than a shift, so the kind of noise is a parameter. One seed gives the same perturbation on every
-machine. */
+Noise may be complex or real, of both signs or positive, absolute or a share of $u_n$, and the difference matters, since
+a push counts far more than a shift. One seed gives the same perturbation on every machine. */
 struct Noise {
   const char* name;
   bool imaginary, positive, relative;  ///< complex; of positive parts only; as a share of u_n
@@ -136,16 +134,14 @@ struct Trial {
 Field perturbed(const PinnedBreather& breather, const Noise& noise, bool pinned, Trial& trial);
 
 /**
-The effect of noise is a matter of counting cases. A breather has left when its centre is half a site
-away, and it has moved when it has passed the next rest position of its own kind; one that only falls
-into the well beside it swings back before that. Cases are counted at both tolerances, because a count is
-exact only if both give the same.
+The effect of noise is a matter of counting cases, at both tolerances, because a count is exact only if
+both give the same.
 
 The speed of a trial is the mean over the first site that its breather crosses after leaving, if it does. A
 departure that has not happened counts as infinitely late, so that the median is not biased by the end of
 the run. */
 struct Census {
-  std::size_t left = 0, moved = 0;             ///< trials, by those definitions
+  std::size_t left = 0, moved = 0;             ///< trials that passed half a site, and a whole one
   std::vector<double> departures{}, speeds{};  ///< sorted; a departure that is missing is infinite
 
   /// The median departure.
@@ -170,12 +166,6 @@ struct PushCount {
 
 /// Counts both, for the push `freeing`.
 PushCount count_pushes(const std::vector<Trial>& trials, Course Trial::*run, double freeing);
-
-/**
-A pinned breather and a free one differ by a minute share of the energy, so whether these runs can be
-trusted is decided by the largest drift of energy and norm among them. */
-/// The largest relative drift.
-double largest_drift(const std::vector<Trial>& trials, Course Trial::*run);
 
 /**
 A run must not hang on its tolerance, and the structure of a breather that leaves its place may last all the same. */

@@ -20,7 +20,6 @@ std::vector<Group> groups_of_trials(bool quick) {
   return out;
 }
 
-// Each trial at both tolerances
 void run_trials(std::vector<Group>& groups, const Breathers& breathers) {
   std::vector<std::pair<const Group*, Trial*>> all;
   for (Group& group : groups)

@@ -9,14 +9,12 @@
 
 namespace lattice {
 
-// Displacements grow like the square of omega_b - 1; scaled so, an orbit is a guess for the next
 Orbit<double> follow(const Shooting<double>& problem, const Orbit<double>& from,
                      const NewtonRule<double>& how) {
   const double growth = (problem.omega - 1) / (from.omega - 1);
   return newton(problem, Vector<double>(growth * growth * from.x), how);
 }
 
-// The Floquet pairs at two tolerances; their difference is the error
 template <class T>
 Spectrum spectrum(const Shooting<double>& problem, const Orbit<double>& orbit) {
   const auto in_t = in_precision<T>(problem);
@@ -62,7 +60,6 @@ int added_at_edge(Centre centre, const Spot& spot, const Orbit<double>& orbit,
   return at_edge(more, spot.omega_b, close) - at_edge(pairs, spot.omega_b, close);
 }
 
-// How near +1 are the first two pairs, and where on the circle are the others?
 Quadruplet quadruplet(const Spectrum& all, double omega_b) {
   Quadruplet q{from_one(all.pairs[0]).value, from_one(all.pairs[1]).value};
   for (std::size_t k = 1; k < all.pairs.size(); ++k) q.off_circle += all.pairs[k].is_unstable();
@@ -74,7 +71,6 @@ Estimate from_one(const Pair& pair) {
   return {std::abs(multiplier(pair.kappa, 1) - 1.0), pair.multiplier_error()};
 }
 
-// One value of kappa: the orbit, followed from the last one, and its pinning pair
 double quick_kappa(Centre centre, const Spot& spot, Orbit<double>& orbit,
                    const NewtonRule<double>& how) {
   const auto problem = problem_at(centre, spot);
@@ -125,7 +121,6 @@ Exchange polish_zero(Centre centre, const Cut& cut, Exchange found) {
   return found;
 }
 
-// Opposite signs of kappa at the two ends: in between the pinning pair passes +1
 template <class T>
 Exchange exchange(Centre centre, const Cut& cut, double low, double high, Orbit<double> orbit) {
   const TrialKappa below{low, quick_kappa(centre, cut.at(low), orbit)};

@@ -99,13 +99,20 @@ struct MeanPlace {
   }
 };
 
+/// Watches a run that is followed to its end.
+struct ToTheEnd {
+  bool operator()(const Creep&, const State<double>&, const std::vector<double>&) const {
+    return true;
+  }
+};
+
 /**
 `creep` follows a kicked breather for about `duration`, a whole number of means. `watch(creep, state,
 density)` sees every mean and may end the run by returning false. Samples are `sample` apart, usually
 `creep_sample`. */
-template <class Stepper, class Watch>
+template <class Stepper, class Watch = ToTheEnd>
 Creep creep(const Stepper& stepper, const Chain& chain, const State<double>& start, double sample,
-            double duration, Watch watch) {
+            double duration, Watch watch = {}) {
   const std::size_t means = std::size_t(duration / (sample * double(samples_of_a_mean)) + 0.5);
   TimeGrid grid{sample * double(samples_of_a_mean * means), samples_of_a_mean * means};
   grid.steps =
@@ -120,15 +127,6 @@ Creep creep(const Stepper& stepper, const Chain& chain, const State<double>& sta
   mean.path.run = run;
   mean.path.end = std::move(end);
   return std::move(mean.path);
-}
-
-/**
-Most runs are followed to their end. */
-template <class Stepper>
-Creep creep(const Stepper& stepper, const Chain& chain, const State<double>& start, double sample,
-            double duration) {
-  return creep(stepper, chain, start, sample, duration,
-               [](const Creep&, const State<double>&, const auto&) { return true; });
 }
 
 }  // namespace lattice

@@ -8,7 +8,6 @@
 
 namespace lattice {
 
-// Newton's method finds the breather in harmonic wells, on a chain that holds its tail
 RestingBreather resting_breather(Centre centre, Phase phase, double omega_b, std::size_t sites) {
   const bool site = centre == Centre::site;
   const Fitted found = fit_chain(centre, omega_b, 0, site ? sites | 1 : sites,
@@ -28,7 +27,6 @@ BreatherPair barriers_at(double omega_b) {
   return pair;
 }
 
-// Find the pinning mode from two tolerances of the tangent map, whose difference is its error
 Prediction predict_threshold(const RestingBreather& at, const Estimate& barrier) {
   std::array<Pinning, 2> found;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -51,7 +49,6 @@ Prediction predict_threshold(const RestingBreather& at, const Estimate& barrier)
   return out;
 }
 
-// Free the breather with three kicks and see how fast it passes the top of the barrier
 FreeingKick freeing_kick_of(const RestingBreather& at, const Prediction& guess,
                             const ContactAware& stepper) {
   const double limit = 10 / guess.frequency.value, least = guess.threshold.value;
@@ -75,7 +72,6 @@ FreeingKick freeing_kick_of(const RestingBreather& at, const Prediction& guess,
   return out;
 }
 
-// All breathers at once, with both schemes; their difference is the error of the integration
 std::vector<FreeingKick> freeing_kicks(const std::vector<RestingBreather>& at,
                                        const std::vector<Prediction>& guess,
                                        const ContactAware& coarse, const ContactAware& fine) {
@@ -89,7 +85,6 @@ std::vector<FreeingKick> freeing_kicks(const std::vector<RestingBreather>& at,
   return found;
 }
 
-// Bracket the threshold: a little less leaves the breather pinned, a little more sets it free
 void confirm(const RestingBreather& at, const Prediction& guess, const ContactAware& stepper,
              FreeingKick& found) {
   std::array<double, 2> margins{};

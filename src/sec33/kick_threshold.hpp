@@ -30,14 +30,9 @@ struct RestingBreather {
   double period = 0, energy = 0;  ///< of the breather before the kick
 
   /// The path after a kick of size `c`, until `watch` stops it or `time` is over.
-  template <class Stepper, class Watch>
-  Creep after(double c, const Stepper& stepper, double time, Watch watch) const {
+  template <class Stepper, class Watch = ToTheEnd>
+  Creep after(double c, const Stepper& stepper, double time, Watch watch = {}) const {
     return creep(stepper, chain, kicked(rest, c), creep_sample(period), time, watch);
-  }
-  /// The same to the end of `time`.
-  template <class Stepper>
-  Creep after(double c, const Stepper& stepper, double time) const {
-    return creep(stepper, chain, kicked(rest, c), creep_sample(period), time);
   }
 };
 

@@ -17,13 +17,6 @@ In Python this is `lattice.travelling`. */
 
 namespace lattice {
 
-/**
-Do small disturbances grow? The derivative of the flow over $T$, read one site further, is the *shifted
-map* (travelling.hpp), and its eigenvalues are the multipliers per shift. Two of them are one: they
-belong to a shift in time and a change of speed. The pair $\lambda$, $1/\lambda$ of the internal phase
-also lies close to one, so it is judged by $\kappa = (\lambda+\lambda^{-1}-2)/4$: the phase is pinned if
-$\kappa < 0$, and a disturbance grows if $\kappa > 0$. All other multipliers are judged by their
-moduli. */
 /// kappa of the phase and the largest modulus of the multipliers that do not lie near one.
 template <class T>
 std::pair<double, double> phase_and_rest(const Shooting<T>& problem, const Orbit<T>& orbit,

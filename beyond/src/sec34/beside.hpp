@@ -2,8 +2,8 @@
 /**
 # Waves beside a breather at rest
 
-A bond-centred breather rests in the middle of a quiet chain. From its sixth neighbour on, fifteen sites on one side of it
-oscillate with the amplitude 0.15 and random phases. Does it move, and where to? */
+The last experiment of sec34_boomeron_why.cpp: does a bond-centred breather in a quiet chain move, if sites on one side of
+it oscillate at random phases? */
 
 #include <vector>
 

@@ -2,16 +2,9 @@
 /**
 # A packet without its waves
 
-Why do packets turn round in hard wells (section 3.4)? They leave waves behind, and whether these are the
-reason can be tried: take them away and see whether the packet still turns. There are three ways to do so,
-alone or together.
-
-     behind    xxxxxxxxxxxxxxx|<-- d -->(packet)      whatever lies further behind is damped
-     end       |x~~~~~~~~~~~~~~~~~~~~~~~(packet)      the first bead is damped
-     cut                                (packet)      it goes on alone on a quiet chain
-
-The second leaves all waves and only weakens their reflection at the struck end. After a cut there are no
-older waves and no end nearby, and what the packet meets from then on is its own fresh wake. */
+A packet leaves waves behind, and whether these turn it can be tried: take them away and see (sec34_boomeron_why.cpp). What
+lies further than a distance behind it is damped; or the first bead is, which leaves all waves and only weakens their
+reflection at the struck end; or the packet is cut out and put on a quiet chain, where it meets only its own fresh wake. */
 
 #include <cstddef>
 #include <functional>

@@ -34,7 +34,7 @@ std::vector<Place> follow_branch(const Orbit<double>& start, int direction, int 
       if (std::abs(way.back().s) > 3 || way.back().turns < 0.5) break;
     }
   } catch (const NewtonFailed&) {
-    // Newton's method fails where beads of the tail only just touch; the branch is shown up to there.
+    // the branch is shown up to there
   }
   return way;
 }

@@ -135,7 +135,6 @@ $y_{n+1} = (g-2)y_n-y_{n-1}$, where $g$ is a slope of $P^{2/3}$, about $\frac83$
 some seventy degrees from contact to contact, so the profile increases again before it has left, or is
 constant. */
 /// Whether a profile with this r_0 > 1/16 certainly increases somewhere before it has left the constant one.
-/// From y_n = phi(r_n) - 1/64 follows y_(n+1) = (g - 2) y_n - y_(n-1), g being a slope of P^(2/3).
 template <class T>
 bool turns_back(Centre centre, const Interval<T>& r_0);
 

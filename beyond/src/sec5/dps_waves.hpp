@@ -9,14 +9,10 @@ In the chain it has the frequency $1-\epsilon^{1/2}\Omega$, which is above the b
 
 ## What a modulation does
 
-The chapter on modulational instability (sec5_growth.cpp) finds for it, with $c = \cos q$ and $C = \cos Q$,
-$$\sigma = \rho\,(-ie\pm\sqrt{k^2-a^2}),\qquad
-  a = \tfrac52cC-\tfrac12-2c,\quad e = -\tfrac52\sin q\sin Q,\quad k = \tfrac12(c-C).$$
-For $c\ge0$ no modulation grows exponentially. For $c<0$ there is a band with the edge $\cos Q_* = (1+3c)/(5c-1)$. It
-holds the *short* modulations $Q_*<Q\le\pi$ if $-\frac15<c<0$, fastest at $Q = \pi$, and the *long* ones $0<Q<Q_*$ if
-$c<-\frac15$, fastest halfway between $1$ and $\cos Q_*$. The square of the largest growth is $-4\rho^2c(1+5c)$, at
-most $\rho^2/5$, in the first case and $-\frac{\rho^2}4(1+5c)(1-c)^2/(1-5c)$ in the second. This rises up to
-$\frac23\rho^2$ at $c = -1$, and $\rho$ rises with it: the wave $q = \pi$ is the fastest. Long modulations grow like $Q$. */
+The chapter (sec5_growth.cpp) derives the growth rates $\sigma$, with the matrix entries $a$, $e$ and $k$, and the band of
+modulations that grow. With $c = \cos q$ the fastest one is $Q = \pi$ if $-\frac15<c<0$, and halfway between $1$ and
+$\cos Q_*$ in the cosine if $c<-\frac15$. The square of the largest growth is $-4\rho^2c(1+5c)$, at most $\rho^2/5$, in
+the first case and $-\frac{\rho^2}4(1+5c)(1-c)^2/(1-5c)$ in the second, which rises up to $\frac23\rho^2$ at $c = -1$. */
 
 #include <cmath>
 #include <complex>

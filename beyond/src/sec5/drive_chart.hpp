@@ -3,9 +3,7 @@
 # A chart over frequency and amplitude of a drive
 
 A piston drives an array of 300 beads at seven frequencies and ten amplitudes, in units of the asymptotic threshold; the
-amplitude rises during a twelfth of the run. A run is *quiet* if nothing passes the detector, its emission is *periodic* (a
-train) if the intervals between packets differ by less than a tenth, and *irregular* otherwise. Each point has a second
-run, half as long and with twice the step. The points are independent of each other, and parts of them can be computed
+amplitude rises during a twelfth of the run. The points are independent of each other, and parts of them can be computed
 alone (sweep.hpp). */
 
 #include <filesystem>

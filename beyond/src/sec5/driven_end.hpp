@@ -19,10 +19,9 @@ $$D_{n-1} = D_n + u_n,\qquad u_{n-1} = u_n - D_{n-1}|D_{n-1}|^{-1/3}.$$
 With it James (Math. Models Methods Appl. Sci. 21, 2011, arXiv:1008.1153) found the static breathers, and James and
 Starosvetsky (Localized Excitations in Nonlinear Complex Systems, Springer 2014) proved that they exist. It starts
 in the tail, where $u_{n-1} = -u_n|u_n|^{-1/3}$, so that the solutions that decay are a curve with one parameter.
-A piston stands in for bead 0, $a = 2\epsilon|u_0|$; a base pulls the first bead with $a = 4\delta\epsilon|D_0|$,
-because there is no contact 0. Beyond the first maximum of $|u_0|$ or $|D_0|$ along the curve the solution that
-grows from rest with the drive has ended. These two numbers are all, and as $\delta\to0$
-$$a_{\rm piston} = 8\tau_0^2\,\delta^2\,\max|u_0|,\qquad a_{\rm base} = 16\tau_0^2\,\delta^3\,\max|D_0|.$$ */
+A piston stands in for bead 0, whose displacement it prescribes; a base pulls the first bead with the force that the
+contact 0 would have. Beyond the first maximum of $|u_0|$ or $|D_0|$ along the curve the solution that grows from rest
+with the drive has ended. These two numbers fix the law of the threshold (sec5_driving.cpp). */
 
 #include <cstddef>
 #include <functional>

@@ -2,17 +2,11 @@
 /**
 # What the packets of a drive are
 
-An array that is shaken hard enough sends out packets, and so does one that is struck. Are they travelling breathers?
-A travelling breather of the DpS equation has $A_n(t+T) = e^{i\varphi}A_{n-1}(t)$ with the shift time $T$ and the phase
-$\varphi$ by which it turns from site to site. The two numbers determine it: its amplitude scales like $T^{-2}$, and all
-else depends on $\varphi$ only. In the chain $y_n = 2\epsilon\,\mathrm{Re}(A_ne^{it})$ repeats itself if
-$e^{i(T+\varphi)} = 1$: the family that begins at $T = 2\pi k$ has $\varphi = 2\pi k-T$, one curve for each $k$. A packet
-may lie between these curves; energy and width are interpolated there (packet_members.hpp).
-
-We measure both numbers from bead to bead. Whenever the packet's centre passes a bead we note the time and the seven
-$z_ne^{it}$, $z_n = y_n+i\dot y_n$, about it: $T$ is the mean time from one bead to the next, and $\varphi$ the mean angle
-by which these seven numbers have turned back. Energy and width are means over the way, the width being the participation
-number of the energies of the seven sites. */
+Are the packets of an array that is shaken or struck travelling breathers? Such a breather has a shift time $T$ and a phase
+$\varphi$ from site to site, and these determine all else (packet_members.hpp). The families of the chain are one curve
+$\varphi = 2\pi k-T$ for each $k$; a packet may lie between these curves, where energy and width are interpolated. $T$ is
+measured as the mean time from one bead to the next, $\varphi$ as the mean angle by which the seven $z_n$ about the centre
+have turned back. */
 
 #include <limits>
 #include <string>

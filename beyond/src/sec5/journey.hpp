@@ -7,15 +7,9 @@ Each contact has its strongest push, at a time that counts as the packet's arriv
 of the time between the pushes before and after. A sensor on a bead sees its velocity, so we keep the largest
 one of every bead.
 
-What should we expect? In the DpS limit (dps.hpp) friction of the beams can be removed altogether. With the
-energy rate $\nu$ the amplitudes obey $2i\tau_0\dot A_n = \dots - i\tau_0\nu A_n$ in units of $\epsilon$, and
-$A_n = e^{-\nu t/2}B_n$ leaves the equation without friction for $B_n$, with its right-hand side times
-$e^{-\nu t/4}$, because that is of degree $3/2$. Hence $B_n$ is a field without friction at the time of a
-slower clock,
-$$s(t) = \int_0^t e^{-\nu t'/4}\,dt' = \frac4\nu\bigl(1-e^{-\nu t/4}\bigr) < \frac4\nu.$$
-So much is exact for the DpS field. What is the same for $A_n$ and $B_n$ follows the clock as it is, like the
-centre of the energy. What is read from a *maximum* in time does not: the strongest push is that of
-$e^{-\nu t/2} = (1-\nu s/4)^2$ times the undamped one, which comes earlier. */
+In the DpS limit friction of the beams only slows down a clock (sec5_experiment.cpp): but for the factor $e^{-\nu t/2}$,
+with the energy rate $\nu$, the field is one without friction at the time
+$$s(t) = \int_0^t e^{-\nu t'/4}\,dt' = \frac4\nu\bigl(1-e^{-\nu t/4}\bigr) < \frac4\nu.$$ */
 
 #include <cstddef>
 #include <vector>
@@ -79,11 +73,7 @@ double seen_until(const Journey& journey, double resolution);
 The law takes every maximum of a journey without losses to the time at which the slow clock shows it, with
 the weight $(1-\nu s/4)^2$ for a speed and its power $\frac32$ for a force, and lets the strongest one win. It has
 no free parameter. As maxima are a period apart, the time of the strongest push is that of a parabola through
-the logarithms of three of them.
-
-In the limit a packet never stops by this measure. Far ahead of it $B_n\propto s^{p_n}$ with
-$p_n = \frac32p_{n-1}+1$; the product with the weight is largest at $1-\nu s/4 = 2/(p_n+2)$, and $p_n+2$ grows by
-$\frac32$ from site to site: what is left, ever weaker, needs $4\ln\frac32$ lifetimes for each. */
+the logarithms of three of them. */
 /// The journey with the energy rate nu that the slow clock predicts from one without losses.
 Journey slowed(const Journey& undamped, double nu);
 

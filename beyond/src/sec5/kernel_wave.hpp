@@ -2,11 +2,8 @@
 /**
 # Waves of the kernel equation
 
-In a travelling breather $y_n(t) = q(t-nT)$ of linear wells every contact sees the same compression
-$d(t) = q(t) - q(t-T)$ and the same force $f = d_+^\alpha$, and
-$$\ddot q + q = f(t+T) - f(t).$$
-If $T = 2\pi k$ this is solved by $q(t) = -\int_0^T \sin\sigma\,f(t+\sigma)\,d\sigma$, whatever $f$ is,
-and the lattice becomes one equation for one function (chapter on the kernel equation),
+The chapter (sec5_kernel_equation.cpp) shows that travelling breathers of linear wells with $T = 2\pi k$ obey one equation
+for the compression $d$ of a contact, with the force $f = d_+^\alpha$,
 $$d = K * d_+^\alpha,\qquad K(\sigma) = -\sin|\sigma| \ \text{ for } |\sigma| \le T.$$
 
 For even $d$ and any $T$ let $X(t) = \int_{|t|}^\infty \sin(s-|t|)\,f(s)\,ds$ and $V = \int f\cos
@@ -45,12 +42,9 @@ struct KernelWave {
   /// d_+^alpha at the nodes.
   Vector<double> force() const;
 
-  /**
-  The *action* is $A = \int d_+^{\alpha+1}dt$; Hamilton's action of one site over all times is
-  $\frac{\alpha-1}{2(\alpha+1)}A$. Where the kernel equation is solved, $Q = A^{-(\alpha-1)/(\alpha+1)}$. */
-  /// A.
+  /// The action A, the integral of d_+^(alpha + 1).
   double action() const;
-  /// Q.
+  /// Q, which is A^(-(alpha - 1) / (alpha + 1)) where the kernel equation is solved.
   double quotient() const;
   /// V, the component of the force at the frequency of the wells.
   double component() const;

@@ -3,9 +3,7 @@
 # Noisy waves that have broken up
 
 A plane wave with noise of one per cent runs on a ring of 64 sites of the DpS equation, and from a sixth of the run on its
-breathers are collected (dps_tracks.hpp). Such runs are chaotic: with another tolerance other breathers are found, and
-only means have a meaning. Their errors are the standard error over the seeds of the noise and the difference of two
-tolerances. */
+breathers are collected (dps_tracks.hpp). */
 
 #include <vector>
 
@@ -19,7 +17,6 @@ struct Leftover {
   int waves;  ///< on the ring; zero stands for random amplitudes
   unsigned long seed;
   std::vector<BreatherTrack> found{};
-  double drift = 0;  ///< of the conserved quantities
 
   /// Runs for `duration` and collects what lives for at least `least`.
   void run(double duration, double least, double tolerance);
@@ -27,7 +24,7 @@ struct Leftover {
   double at_a_time(double watched) const;
 };
 
-/// Means over the seeds of a quantity from two tolerances.
+/// The mean over the seeds of a quantity, with the standard error and the difference of two tolerances as its error.
 Estimate over_seeds(const std::vector<std::vector<double>>& values);
 
 /// What is left of one wave at two tolerances: how many breathers live at a time in each run, and of each breather whether it

@@ -3,9 +3,8 @@
 # A long run at little cost
 
 How a packet's tail falls shows only over many sites, but most of them need not be computed. Waves behind the packet
-do not catch up with it: without precompression there is no sound, and a disturbance of size $\delta$
-runs at a speed of order $\delta^{1/2}$. So we keep a frame of sites around the packet and move it on:
-beads far behind are dropped, beads at rest come in ahead.
+do not catch up with it, so we keep a frame of sites around the packet and move it on: beads far behind are dropped,
+beads at rest come in ahead.
 
 To see what is left behind we look at the bead eleven sites behind the largest one, which is out of the
 packet's reach; with the next one behind it, it gives the angle of the phase. Energy, contact energy and speed of the

@@ -2,16 +2,12 @@
 /**
 # Travelling breathers
 
-The article sees localized waves that travel along the chain and calls their exact counterpart an open
-problem (section 5). An exact travelling breather repeats itself one site further on after the *shift time*
-$T$, $y_n(t+T) = y_{n-1}(t)$, and leaves nothing behind. In linear wells one sum decides what is possible.
-The forces between neighbours cancel in $Z = \sum_n(y_n+i\dot y_n)$, so that $Z(t) = e^{-it}Z(0)$ if it
-converges absolutely; and a shift by one site does not change $Z$. Hence
-$$(e^{-iT}-1)\,Z = 0:\qquad T = 2\pi k \text{ (type I)} \quad\text{or}\quad Z = 0 \text{ (type II)}.$$
-The equations of `travelling_reversible` (symmetry.hpp) without the first one had a solution for every $T$
-that we tried; these solutions form a *family*. With $Z(0) = iV$, $V = \sum\dot y_n$, the equation that
-was left out reads $V\sin(T/2) = 0$. So along a family a single number, $V$, shows where it passes through
-an exact orbit. */
+An exact travelling breather repeats itself one site further on after the *shift time* $T$, $y_n(t+T) = y_{n-1}(t)$. In
+linear wells $(e^{-iT}-1)Z = 0$ for $Z = \sum_n(y_n+i\dot y_n)$ (sec5_travelling_breathers.cpp), so that it has
+$T = 2\pi k$ (type I) or $Z = 0$ (type II). The equations of `travelling_reversible` (symmetry.hpp) without the first one
+had a solution for every $T$ that we tried; these solutions form a *family*. With $Z(0) = iV$, $V = \sum\dot y_n$, the
+equation that was left out reads $V\sin(T/2) = 0$ (sec5_travelling_families.cpp): along a family a single number, $V$,
+shows where it passes through an exact orbit. */
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,7 @@
 /**
 # The line of the orbits of type I
 
-If the final state of a packet is like an orbit of type I, it should lie on the line that joins these orbits. For
-seven of them we take the speed $c$ and two quantities that change little along the line: the scaled speed
+For seven orbits of type I we take the speed $c$ and two quantities that change little along the line: the scaled speed
 $cE^{-1/4}$, and the mean contact energy over a shift divided by $c^5$. The powers are those of the DpS
 limit. A polynomial through the seven gives the line at the speed of the packet; without the slowest orbit it
 gives the error of the interpolation. */

@@ -72,17 +72,6 @@ T norm_difference(const Computed<T>& site, const Computed<T>& bond) {
   return bond.norm / site.norm - T(1);
 }
 
-/// What is asked to vanish, with numbers of one type.
-template <class T>
-double value_of(Vanishing what, double alpha, std::size_t longer) {
-  if (what != Vanishing::norm_difference) {
-    const Centre centre = what == Vanishing::margin_site ? Centre::site : Centre::bond;
-    return rounded(compute<T>(centre, alpha, longer).margin);
-  }
-  return rounded(T(norm_difference(compute<T>(Centre::site, alpha, longer),
-                                   compute<T>(Centre::bond, alpha, longer))));
-}
-
 }  // namespace
 
 // At its ends the integrand is the limit of a quotient
@@ -114,40 +103,6 @@ std::vector<OfExponent> scan_exponents(const std::vector<double>& alphas) {
   parallel_for("exponents", rows.size(),
                [&](std::size_t i) { rows[i] = breathers_of_exponent(alphas[i]); });
   return rows;
-}
-
-Estimate vanishing_of(Vanishing what, const OfExponent& row) {
-  if (what == Vanishing::norm_difference) return row.norm_difference;
-  return (what == Vanishing::margin_site ? row.site : row.bond).margin;
-}
-
-// Rows without a certain sign are passed over
-std::vector<Estimate> sign_changes(Vanishing what, const std::vector<OfExponent>& rows) {
-  std::vector<Estimate> out;
-  const OfExponent* before = nullptr;
-  for (const OfExponent& row : rows) {
-    const Estimate here = vanishing_of(what, row);
-    if (!(std::abs(here.value) > here.error)) continue;
-    if (before && here.value * vanishing_of(what, *before).value < 0)
-      out.push_back(located([&](double alpha) { return value_of<long double>(what, alpha, 10); },
-                            [&](double alpha) { return value_of<Quadruple>(what, alpha, 0); },
-                            before->alpha, row.alpha));
-    before = &row;
-  }
-  return out;
-}
-
-Estimate located(const std::function<double(double)>& coarse,
-                 const std::function<double(double)>& fine, double lo, double hi) {
-  const auto zero = [&](const std::function<double(double)>& f) {
-    const bool rises = f(hi) > 0;
-    for (double low = lo, high = hi;;) {
-      const double middle = (low + high) / 2;
-      if (!(low < middle) || !(middle < high)) return middle;
-      ((f(middle) > 0) == rises ? high : low) = middle;
-    }
-  };
-  return compare(zero(coarse), zero(fine));
 }
 
 }  // namespace lattice

@@ -14,7 +14,6 @@ $f^{1/\alpha} \approx f\,[1-(\alpha-1)\ln f]$ Eq. (14) tends to a logarithmic eq
 $u_n \propto (-1)^ne^{-(\alpha-1)x^2}$ with $x$ counted from the centre. */
 
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 #include "lattice/model/sites.hpp"
@@ -60,22 +59,5 @@ OfExponent breathers_of_exponent(double alpha, std::size_t longer = 0);
 
 /// The same for each of `alphas`, on all cores and in their order.
 std::vector<OfExponent> scan_exponents(const std::vector<double>& alphas);
-
-/**
-Stability is exchanged where a margin changes its sign, and a breather may be expected to move freely where the norms
-are equal. Such exponents are bracketed by the rows of a scan and then located twice, by halving the bracket with
-numbers of two precisions and on chains of two lengths. */
-/// What is asked to vanish.
-enum class Vanishing { margin_site, margin_bond, norm_difference };
-
-/// It, of one row.
-Estimate vanishing_of(Vanishing what, const OfExponent& row);
-
-/// All exponents at which it changes its sign between two neighbouring rows in which its sign is certain.
-std::vector<Estimate> sign_changes(Vanishing what, const std::vector<OfExponent>& rows);
-
-/// Where `coarse` and `fine` change sign between `lo` and `hi`, by halving until no number is left between.
-Estimate located(const std::function<double(double)>& coarse,
-                 const std::function<double(double)>& fine, double lo, double hi);
 
 }  // namespace lattice
