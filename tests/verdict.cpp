@@ -103,6 +103,21 @@ TEST_CASE("a criterion holds by more than the errors", "[unit]") {
     CHECK_THROWS_AS(on(wrong, facts), std::invalid_argument);
 }
 
+TEST_CASE("the program that judges says what it cannot use in one line", "[cli]") {
+  Scratch scratch;
+  for (const auto& [options, said] : std::vector<std::array<std::string, 2>>{
+           {"--data nowhere", "--data: 'nowhere' is no folder"},
+           {"--root . --data .", "--root: '.' has no list of claims"},
+           {"--dta .", "--dta: there is no such option; did you mean --data?"}}) {
+    const Result refused = call_in(scratch.path, "verdicts " + options);
+    CAPTURE(options, refused.errors);
+    CHECK(refused.code == 2);
+    CHECK(refused.error_lines() == 1);
+    CHECK(refused.errors.find(said) != std::string::npos);
+    CHECK_FALSE(std::filesystem::exists(scratch.path / "build"));
+  }
+}
+
 TEST_CASE("a list that could not be judged is refused with its row", "[unit]") {
   const Claims good = read_claims(SOURCE_DIR "/paper/claims.ecsv");
   CHECK(good.size() == 115);

@@ -83,9 +83,13 @@ void judge(const fs::path& root, const fs::path& data, const fs::path& to) {
   for (const fs::path& volume : {root, root / ".."})
     if (fs::exists(volume / "paper/converged.ecsv"))
       locks.push_back(volume / "paper/converged.ecsv");
+  if (!fs::is_directory(data))
+    throw UsageError("--data: '" + data.string() +
+                     "' is no folder (allowed: one with a folder of tables a program)");
   const Facts facts = read_facts(data, locks);
   std::vector<Judged> all;
   std::deque<Claims> lists;
+  std::set<std::string> absent;
   for (const auto& [list, title] :
        {std::pair{"claims", "statements"}, {"findings", "findings"}, {"literature", "others"}}) {
     const fs::path path = root / "paper" / (std::string(list) + ".ecsv");
@@ -93,8 +97,16 @@ void judge(const fs::path& root, const fs::path& data, const fs::path& to) {
     const auto rows = judged(list, lists.emplace_back(read_claims(path)), facts);
     print(title, rows);
     all.insert(all.end(), rows.begin(), rows.end());
+    for (const Judged& r : rows)
+      if (!fs::exists(data / program_of(*r.claim) / "facts.ecsv"))
+        absent.insert(program_of(*r.claim));
   }
-  if (all.empty()) throw std::runtime_error((root / "paper").string() + ": no list of claims");
+  if (all.empty())
+    throw UsageError("--root: '" + root.string() +
+                     "' has no list of claims (allowed: a folder with paper/claims.ecsv)");
+  if (!absent.empty()) std::printf("not run    : judged on locked values are");
+  for (const std::string& program : absent) std::printf(" %s", program.c_str());
+  if (!absent.empty()) std::printf("\n");
   write(to, table_of(all));
 }
 
