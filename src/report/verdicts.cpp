@@ -79,8 +79,9 @@ void print(const std::string& title, const std::vector<Judged>& rows) {
 
 /// Judges the lists of the volume in `root`; volume two stands on the facts of both.
 void judge(const fs::path& root, const fs::path& data, const fs::path& to) {
+  const bool is_article = fs::exists(root / "paper/claims.ecsv");
   std::vector<fs::path> locks;
-  for (const fs::path& volume : {root, root / ".."})
+  for (const fs::path& volume : {root, is_article ? root : root / ".."})
     if (fs::exists(volume / "paper/converged.ecsv"))
       locks.push_back(volume / "paper/converged.ecsv");
   if (!fs::is_directory(data))
