@@ -275,7 +275,7 @@ void report_profiles(Report& report, const TurnEstimate& turn) {
   for (int k : {0, 1}) {
     const Path p = smooth(voyage({k ? step : 2 * step}, {1.87, 1, 260}).path, path_smoothing);
     const auto at = [&](double t) {
-      return p.centre[std::size_t(std::lround((t - p.t[0]) / path_sampling))];
+      return p.centre.at(std::size_t(std::lround((t - p.t[0]) / path_sampling)));
     };
     centre[k] = at(238), speed[k] = (at(243) - at(233)) / 10;
     mean[k] = speed[k] * 238 / centre[k];
@@ -333,7 +333,7 @@ void report_softest(Report& report) {
   for (int k : {0, 1}) {
     const Path p = smooth(linear[k].path, path_smoothing);
     const auto at = [&](double t) {
-      return p.centre[std::size_t(std::lround((t - p.t[0]) / path_sampling))];
+      return p.centre.at(std::size_t(std::lround((t - p.t[0]) / path_sampling)));
     };
     centre[k] = at(450), speed[k] = (at(450) - at(440)) / 10;
     double most = p.centre[0];
@@ -423,7 +423,7 @@ Spread spread_at(const std::vector<Path>& paths, std::size_t k) {
   const std::size_t members = paths.size();
   std::vector<double> x;
   double mean = 0, square = 0;
-  for (const Path& p : paths) x.push_back(p.centre[k]), mean += p.centre[k] / double(members);
+  for (const Path& p : paths) x.push_back(p.centre.at(k)), mean += x.back() / double(members);
   for (double c : x) square += (c - mean) * (c - mean) / double(members - 1);
   std::sort(x.begin(), x.end());
   return {paths[0].t[k], mean, std::sqrt(square), x[members / 10], x[members - 1 - members / 10]};
