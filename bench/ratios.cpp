@@ -40,8 +40,8 @@ void find_reference(Problem& p) {
   State<double> s = p.start;
   Window window = waking(p.chain, s);
   const std::size_t steps = 102400;
-  ContactAware{0, nystrom(blanes_moan_6_14())}.advance(p.chain, s, window,
-                                                       p.compare_at / double(steps), steps);
+  EventCorrected{0, nystrom(blanes_moan_6_14())}.advance(p.chain, s, window,
+                                                         p.compare_at / double(steps), steps);
   p.reference = s.y;
 }
 
@@ -55,7 +55,7 @@ struct Range {
 
 std::vector<Method> our_methods(const Problem& p, const Range& r) {
   std::vector<Method> all{{"contact-aware", true, 4 * r.coarse, r.by_step(),
-                           [&p](double h) { return own(p, ContactAware{h}, true); }, 10}};
+                           [&p](double h) { return own(p, EventCorrected{h}, true); }, 10}};
   for (const Scheme& scheme : {verlet(), blanes_moan_4(), blanes_moan_6(), blanes_moan_6_14()})
     for (bool windowed : {true, false})
       all.push_back({scheme.name + (windowed ? ", window" : ", whole chain"), false,

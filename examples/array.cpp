@@ -10,7 +10,7 @@ int main() {
   const Scales si = CantileverArray{}.scales();
   const Impact impact{si.velocity(1), Chain{200}, si.time(60), 0.05};
   std::vector<double> t, force, v;
-  strike(ContactAware{0.1}, impact, [&](const State<double>& now, const auto&) {
+  strike(EventCorrected{0.1}, impact, [&](const State<double>& now, const auto&) {
     t.push_back(now.t), v.push_back(now.v[79]);
     force.push_back(contact_push(impact.chain, now.y.data(), 80));
   });

@@ -6,7 +6,7 @@ using namespace lattice;
 
 int main() {
   const Dps dps{60};
-  const DpsOutcome run = follow_dps(dps, dps_impact(60), 80, 400, 1e-9, Unwatched{});
-  std::cout << "speed " << packet_speed(run.track, 40).value
+  const DpsOutcome run = follow_dps(dps, dps_impact(60), 80, 400, 1e-9);
+  std::cout << "speed " << packet_speed(run.path, 40).value
             << " sites per unit of slow time, norm drift " << run.norm_drift << '\n';
 }

@@ -129,12 +129,12 @@ py::object own_in(const Any& any) {
 
 /**
 ## Tables */
-py::dict to_python(const Track& track) {
+py::dict to_python(const Path& path) {
   py::dict out;
-  out["t"] = array_of(track.t);
-  out["centre"] = array_of(track.centre);
-  out["energy"] = array_of(track.energy);
-  out["peak"] = array_of(track.peak);
+  out["t"] = array_of(path.t);
+  out["centre"] = array_of(path.centre);
+  out["energy"] = array_of(path.energy);
+  out["peak"] = array_of(path.peak);
   return out;
 }
 
@@ -146,7 +146,7 @@ py::tuple strike_chain(const Words& words, const Chain* chain) {
   if (chain && chain->sites) command.sites = chain->sites;
   const auto found = at_work([&] { return command.find(); });
   return answer(command, found) +
-         py::make_tuple(to_python(found.runs.fine.track), found.impact.chain);
+         py::make_tuple(to_python(found.runs.fine.path), found.impact.chain);
 }
 
 /// The breather of a command on the reader's chain or in the reader's well.
@@ -180,7 +180,7 @@ py::tuple one_barrier(const Words& words, const OwnWell* well, const Chain* chai
 py::tuple dps_strike(const Words& words) {
   const auto command = read<DpsStrike>(words);
   const auto found = at_work([&] { return command.find(); });
-  return answer(command, found) + py::make_tuple(to_python(found[1].track));
+  return answer(command, found) + py::make_tuple(to_python(found[1].path));
 }
 
 /**
@@ -242,8 +242,8 @@ py::tuple evolve_chain(const Chain& chain, const Numbers& y, const Numbers& v, d
   Samples samples(chain, time, sample);
   State<double> state = state_of(chain, y.data(), v.data());
   const Run run = at_work([&] {
-    return evolve_to(tolerance, chain, state, time, sample,
-                     [&](const State<double>& now) { samples.take(now); });
+    return evolve(Converged{tolerance}, chain, state, time, sample,
+                  [&](const State<double>& now) { samples.take(now); });
   });
   samples.demand_all();
   return py::make_tuple(samples.t, samples.y, samples.v, run.error, run.energy_drift);
@@ -261,14 +261,14 @@ py::tuple drive_chain(const Chain& chain, const Numbers& y, const Numbers& v, do
   std::vector<double> injected, dissipated, energies;
   State<double> state = state_of(chain, y.data(), v.data());
   const auto pair = at_work([&] {
-    return run_driven_to(tolerance, driven, state, time, sample,
-                         [&](const State<double>& now, const EnergyBudget& budget) {
-                           samples.take(now);
-                           injected.push_back(budget.work);
-                           dissipated.push_back(budget.beams);
-                           energies.push_back(energy(chain, now));
-                           return true;
-                         });
+    return evolve(Converged{tolerance}, driven, state, time, sample,
+                  [&](const State<double>& now, const EnergyBudget& budget) {
+                    samples.take(now);
+                    injected.push_back(budget.work);
+                    dissipated.push_back(budget.beams);
+                    energies.push_back(energy(chain, now));
+                    return true;
+                  });
   });
   samples.demand_all();
   // The three balance: none is better known than the others, though two runs may agree in it by chance

@@ -17,7 +17,7 @@ other chapters hang together, and what they find. It needs nothing but mechanics
 #include <vector>
 
 #include "lattice/impact/impact.hpp"
-#include "lattice/integrators/contact_rkn.hpp"
+#include "lattice/integrators/event_corrected.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "report/program.hpp"
 
@@ -76,7 +76,7 @@ periodic orbit, found by Newton's method. */
 constexpr std::size_t shown = 60;  // sites of the figure
 
 /**
-Both impacts are followed twice, with different steps whose end states agree to a millionth (accuracy.hpp). A packet is
+Both impacts are followed twice, with different steps whose end states agree to a millionth (refinement.hpp). A packet is
 the foremost eleven sites that hold at least a hundredth of the energy (observe.hpp); it is measured from site 20 on.
 The pulse moves by [0.952600](num:sec1_the_chain.pulse_speed) sites in the unit of time and the packet by
 [0.2445](num:sec1_the_chain.packet_speed), and of the impact's energy they carry
@@ -92,13 +92,14 @@ struct Struck {
 
 void strike_both(Report& report, Table& map) {
   for (const Struck& one : {Struck{"pulse", None{}}, Struck{"packet", Harmonic{}}}) {
-    const Impact impact = endless({velocity, {.well = one.well}, duration, 0.5});
-    const auto runs = strike_to(1e-6, impact);
+    const Impact impact = on_long_chain({velocity, {.well = one.well}, duration, 0.5});
+    const auto runs =
+        refined(1e-6, [&](const EventCorrected& method) { return strike(method, impact); });
 
     // How fast the foremost packet is, and what it carries when it passes site 40
-    const Track &coarse = runs.coarse.track, &fine = runs.fine.track;
-    const auto share = [](const Track& track) {
-      return track.energy_at(40) / (velocity * velocity / 2);
+    const Path &coarse = runs.coarse.path, &fine = runs.fine.path;
+    const auto share = [](const Path& path) {
+      return path.energy_at(40) / (velocity * velocity / 2);
     };
     report.facts.add(std::string(one.name) + "_speed",
                      compare(packet_speed(coarse), packet_speed(fine)), "sites per time");
@@ -106,10 +107,11 @@ void strike_both(Report& report, Table& map) {
                      "energy of the impact");
 
     // The map of figure x36
-    strike(ContactAware{0.05}, impact, [&](const State<double>& now, const std::vector<double>& e) {
-      if (std::fmod(now.t, every(report)) == 0)
-        for (std::size_t n = 0; n < shown; ++n) map.add({one.name, now.t, n + 1, e[n]});
-    });
+    strike(EventCorrected{0.05}, impact,
+           [&](const State<double>& now, const std::vector<double>& e) {
+             if (std::fmod(now.t, every(report)) == 0)
+               for (std::size_t n = 0; n < shown; ++n) map.add({one.name, now.t, n + 1, e[n]});
+           });
   }
 }
 
@@ -124,8 +126,7 @@ void keep_one(Report& report, Table& map) {
   const auto change = [&](double step) {
     State<double> state = orbit.start;
     const auto before = energy_density(problem.chain, state);
-    evolve(ContactAware{step}, problem.chain, state, periods * orbit.period(), duration,
-           Unobserved{});
+    evolve(EventCorrected{step}, problem.chain, state, periods * orbit.period(), duration);
     const auto after = energy_density(problem.chain, state);
     double most = 0;
     for (std::size_t n = 0; n < before.size(); ++n)
@@ -137,7 +138,7 @@ void keep_one(Report& report, Table& map) {
 
   // The map again, with the centre where the figure has room for it
   State<double> state = orbit.start;
-  evolve(ContactAware{0.05}, problem.chain, state, duration, every(report),
+  evolve(EventCorrected{0.05}, problem.chain, state, duration, every(report),
          [&](const State<double>& now) {
            const auto e = energy_density(problem.chain, now);
            for (std::size_t n = 0; n < e.size(); ++n) map.add({"breather", now.t, n + 1, e[n]});
@@ -151,7 +152,7 @@ Four things make these motions hard to compute, and most of this book's methods 
 
 | difficulty | what goes wrong | what we do | where |
 |---|---|---|---|
-| contact events | the force has no second derivative where a contact opens or closes: integrators of high order lose it, their tangent maps even more | event location for orbits, exact impulses for long runs | `secA_integrators`, event_driven.hpp, contact_rkn.hpp |
+| contact events | the force has no second derivative where a contact opens or closes: integrators of high order lose it, their tangent maps even more | event location for orbits, exact impulses for long runs | `secA_integrators`, event_driven.hpp, event_corrected.hpp |
 | near-degeneracy | a breather can be shifted in time for nothing and along the chain for almost nothing: Newton's matrix is nearly singular, and four multipliers lie next to $+1$, where an error $\eta$ moves them by about $\sqrt\eta$ | symmetries remove both directions; $\kappa$ in the place of $\lambda$ | `sec32_newton_breathers`, floquet.hpp, `sec33_multiplier_errors` |
 | cancellation | two energies agree to six digits or more in the linear well, and their difference is the barrier | both orbits in extended precision, their energies from two tolerances | `sec32_barrier` |
 | chaos | late fates of packets in hard wells depend on the last digit of the start | two runs that agree, or a count over many runs | `sec34_boomeron`, `sec34_boomeron_why` |

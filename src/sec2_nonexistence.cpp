@@ -25,7 +25,7 @@ small and large starts end (c); energy and mean force of a localized state (d, e
 #include <vector>
 
 #include "lattice/diagnostics/observe.hpp"
-#include "lattice/integrators/contact_rkn.hpp"
+#include "lattice/integrators/event_corrected.hpp"
 #include "lattice/integrators/integrate.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/orbits/breather.hpp"
@@ -272,13 +272,15 @@ Course course(const Well& well, double time, int halvings) {
   const Chain chain{401, well};
   State<double> state = breather_in_long_chain();
   const double all = energy(chain, state);
-  const TimeGrid p = denser_samples(time_grid(time, 0.05, 0.05), halvings);
+  EventCorrected method{0.05};
+  method.halvings = halvings;
+  const TimeGrid grid = time_grid(method, time, denser(0.05));
   Course out;
   double impulse = 0, before = 0;
   std::size_t k = 0;
-  out.run = evolve(ContactAware{p.step()}, chain, state, p, [&](const State<double>& now) {
+  out.run = evolve(method, chain, state, grid, [&](const State<double>& now) {
     const double push = contact_push(chain, now.y.data(), 201);
-    if (k > 0) impulse += (before + push) / 2 * p.interval();
+    if (k > 0) impulse += (before + push) / 2 * grid.interval();
     before = push;
     if (k++ % (std::size_t(20) << halvings) != 0) return;
     out.t.push_back(now.t);

@@ -24,6 +24,7 @@ small breather moves at little cost (section 3.3). The breathers of the chain ha
 #include "commands/one_profile.hpp"
 #include "lattice/diagnostics/observe.hpp"
 #include "lattice/model/contact.hpp"
+#include "lattice/numerics/line_fit.hpp"
 #include "lattice/quadruple/extended.hpp"
 #include "lattice/standing/stationary.hpp"
 #include "report/program.hpp"

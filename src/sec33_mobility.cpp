@@ -45,7 +45,7 @@ say which; around a site the two are mirror images.
 | article | program | meaning |
 |---|---|---|
 | $c$, $g_n$ | `c`, `kick_direction` | size and direction of the kick |
-| $e_n$, $X$ | `energy_density`, `Creep::X` | energy density and centre |
+| $e_n$, $X$ | `energy_density`, `KickedPath::centre` | energy density and centre |
 | $c_c$ | `threshold` | the kick that frees the bond-centred breather |
 | – | `Pinning` | $\Omega^2$ and $\varphi$, explained with the threshold | */
 constexpr double omega_b = 1.1, strong = 2e-4, weak = 3e-6, printed_threshold = 6.19e-6;
@@ -72,12 +72,12 @@ Breathers all_ready(std::size_t around_site, std::size_t around_bond) {
 
 A kick is tiny beside the breather: $c^2/2$ is $10^{-4}$ of its energy for the strong kick and $3\cdot10^{-8}$ for the
 weak one. So the relative drift of the energy must stay a hundred times below that. Event-corrected steps, which take
-account of the opening and closing of contacts (contact_rkn.hpp), achieve this for $10^5$ periods; the plain symplectic
+account of the opening and closing of contacts (event_corrected.hpp), achieve this for $10^5$ periods; the plain symplectic
 steps that we tried do not, as each such event costs them an error of $h^{5/2}$ with the step $h$. For the speeds a
 method of order six with five forces a step is enough; the long runs need one with fourteen stages. Each run is repeated
 with another step or another scheme, and the difference is the error. Figure x15 shows the reasons for these choices. */
 struct Resolution {
-  ContactAware glides, speeds, paths, thresholds;
+  EventCorrected glides, speeds, paths, thresholds;
 };
 
 Resolution fine(bool quick = false) {
@@ -97,20 +97,21 @@ have the same slope. And what does the breather leave behind? At 45000 instants 
 energy that is farther than five sites from the strongest site. The largest, [2.95e-9](num:moving.dispersion), is
 a bound on what has been lost, because the breather's own tail is part of it. */
 struct Glide {
-  Creep path;
+  KickedPath path;
   Table map{{number("t", "time"), count("n", "site", "site"), number("e", "energy density")}};
 };
 
-Glide glide(const RestingBreather& at, const ContactAware& stepper, double time) {
+Glide glide(const RestingBreather& at, const EventCorrected& method, double time) {
   Glide out;
   std::size_t k = 0;
-  out.path = at.after(strong, stepper, time,
-                      [&](const Creep&, const State<double>& now, const std::vector<double>& e) {
-                        for (std::size_t n = 0; k % 4 == 0 && n < e.size(); ++n)
-                          out.map.add({now.t, site_number(n, e.size()), e[n]});
-                        ++k;
-                        return true;
-                      });
+  out.path =
+      at.after(strong, method, time,
+               [&](const KickedPath&, const State<double>& now, const std::vector<double>& e) {
+                 for (std::size_t n = 0; k % 4 == 0 && n < e.size(); ++n)
+                   out.map.add({now.t, site_number(n, e.size()), e[n]});
+                 ++k;
+                 return true;
+               });
   if (out.path.share < 0.9) throw Failure("the breather breaks up after the kick");
   return out;
 }
@@ -134,11 +135,11 @@ std::array<double, 3> report_glides(Report& report) {
   std::array<double, 3> response{};
   Estimate unsteady{};
   for (std::size_t k = 0; k < 3; ++k) {
-    const Creep &rough = runs[2 * k].path, &good = runs[2 * k + 1].path;
+    const KickedPath &rough = runs[2 * k].path, &good = runs[2 * k + 1].path;
     const double to = good.run.t_end, from = to / 16, middle = (from + to) / 2;
     const std::string name = std::string("_") + cases[k].name, unit = "site per unit of time";
     const auto speed = [&](double since, double until) {
-      const Estimate a = rough.speed(since, until), b = good.speed(since, until);
+      const Estimate a = rough.speed_during(since, until), b = good.speed_during(since, until);
       return compare(Estimate{std::abs(a.value), 0}, Estimate{std::abs(b.value), b.error});
     };
     report.facts.add("speed" + name, speed(from, to), unit);
@@ -151,7 +152,7 @@ std::array<double, 3> report_glides(Report& report) {
       const Estimate one = quotient(speed(t, t + 1 / mean.value), mean);
       unsteady = larger(unsteady, {std::abs(one.value - 1), one.error});
     }
-    response[k] = std::abs(good.speed(time / 16, time).value) / strong;
+    response[k] = std::abs(good.speed_during(time / 16, time).value) / strong;
   }
   report.facts.add("unsteadiness", unsteady, "relative");
   // Both breathers meet all phases, so what the samples miss is about their difference
@@ -219,7 +220,7 @@ void report_horizon(Report& report, const Breathers& at, const TwoPaths& site) {
   parallel_for("printed kicks", 2, [&](std::size_t i) {
     (i ? printed.good : printed.rough) =
         at[1].after(printed_threshold, (i ? fine() : coarse()).thresholds, 1e5,
-                    [](const Creep& so_far, const State<double>&, const auto&) {
+                    [](const KickedPath& so_far, const State<double>&, const auto&) {
                       return so_far.farthest() < 0.5;
                     });
   });
@@ -227,18 +228,18 @@ void report_horizon(Report& report, const Breathers& at, const TwoPaths& site) {
   report.facts.add("hill_time_bond_stretched", then);
 
   // Where the site-centred breather of the weak kick is then, and how it passes a site
-  const auto by_then = [&](const Creep& p) {
+  const auto by_then = [&](const KickedPath& p) {
     std::size_t k = 0;
     while (p.t[k + 1] < then.value) ++k;
     return std::abs(p.moved(k));
   };
   report.facts.add("site_by_then", compare(by_then(site.rough), by_then(site.good)), "site");
   report.facts.add("two_sites_time", site.when(2));
-  const auto pace = [](const Creep& p, double x) {
+  const auto pace = [](const KickedPath& p, double x) {
     const double since = (x - 0.1) / p.mean_speed(x - 0.1);
     return 0.2 / ((x + 0.1) / p.mean_speed(x + 0.1) - since);
   };
-  const auto slowest = [&](const Creep& p) { return pace(p, 2) / pace(p, 1.5); };
+  const auto slowest = [&](const KickedPath& p) { return pace(p, 2) / pace(p, 1.5); };
   report.facts.add("slow_over_fast", compare(slowest(site.rough), slowest(site.good)));
 }
 
@@ -263,8 +264,8 @@ void report_weak(Report& report, const Breathers& at) {
   Table& table = report.table(
       "paths", {number("t", "time"), centre(cases[0]), centre(cases[1]), centre(cases[2])});
   const auto place = [&](const TwoPaths& p, std::size_t k) {
-    if (k >= p.good.X.size()) return Estimate{std::nan(""), std::nan("")};
-    return Estimate{p.good.X[k], std::abs(p.good.X[k] - p.rough.X[k])};
+    if (k >= p.good.centre.size()) return Estimate{std::nan(""), std::nan("")};
+    return Estimate{p.good.centre[k], std::abs(p.good.centre[k] - p.rough.centre[k])};
   };
   for (std::size_t k = 0; k < paths[0].good.t.size(); k += 8)
     table.add({paths[0].good.t[k], place(paths[0], k), place(paths[1], k), place(paths[2], k)});
@@ -273,7 +274,7 @@ void report_weak(Report& report, const Breathers& at) {
   for (std::size_t k = 1; k < 3; ++k) {
     const auto& [rough, good] = paths[k];
     const std::string name = std::string("_") + cases[k].name;
-    const auto back = [](const Creep& p) { return p.farthest() - std::abs(p.travelled()); };
+    const auto back = [](const KickedPath& p) { return p.farthest() - std::abs(p.travelled()); };
     report.facts.add("farthest" + name, compare(rough.farthest(), good.farthest()), "site");
     report.facts.add("came_back" + name, compare(back(rough), back(good)), "site");
   }
@@ -385,8 +386,8 @@ periods (kick.hpp), from the first and from the second of them.
 
 ![Mean speed against kick, and the drift of several integrators against their work.](fig:x15) */
 Estimate speed_over_a_site(const RestingBreather& at, double c, const Resolution& r) {
-  const Creep path =
-      at.after(c, r.speeds, 1e6, [](const Creep& so_far, const State<double>&, const auto&) {
+  const KickedPath path =
+      at.after(c, r.speeds, 1e6, [](const KickedPath& so_far, const State<double>&, const auto&) {
         return std::abs(so_far.travelled()) < 1.1;
       });
   return compare(path.mean_speed(1, 1), path.mean_speed(1, 0));

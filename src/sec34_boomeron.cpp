@@ -37,7 +37,7 @@ The chain is that of the chapter before, Eqs. (9), (10) and (26),
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},
   \qquad y_n(0) = 0,\quad \dot y_n(0) = v_0\,\delta_{n,1},$$
 now with $s \ge 0$, a free end at $n=1$, and so long that the packet does not see the other end. It is integrated with
-event-corrected Runge–Kutta–Nyström steps (contact_rkn.hpp), with several step lengths each time. Energy density and
+event-corrected Runge–Kutta–Nyström steps (event_corrected.hpp), with several step lengths each time. Energy density and
 centre of the packet are those of Eqs. (23) and (24) with $m=5$ and the Hertz energy $V$ of a contact; $n'$ is the site
 with the largest $e_n$ of all, because a packet on its way back need not be the front-most one:
 $$e_n = \tfrac12\dot y_n^2 + W(y_n) + V(y_{n+1}-y_n),\qquad
@@ -51,10 +51,11 @@ All is dimensionless. The packet's own oscillation, its *internal period*, takes
 | $X$, $e_n$ | `Path::centre`, `energy_density` | energy centre and density | */
 struct Case {
   const char* name;  ///< in the facts
-  Strike strike;     ///< velocity, s, length of the run, sites
+  Impact impact;     ///< of this velocity, s, length of the run, sites
 };
-const Case cases[] = {
-    {"150", {1.5, 1, 5500, 260}}, {"187", {1.87, 1, 1300}}, {"190", {1.9, 1, 1200}}};
+const Case cases[] = {{"150", turning_impact(1.5, 1, 5500, 260)},
+                      {"187", turning_impact(1.87, 1, 1300)},
+                      {"190", turning_impact(1.9, 1, 1200)}};
 
 /**
 ## The motion (figure 22)
@@ -89,7 +90,8 @@ void report_maps(Report& report, double determined_until) {
       std::fill(sum.begin(), sum.end(), 0.0);
       weight = 0, next += f.interval;
     };
-    voyage({report.quick ? 0.2 : 0.05}, {f.velocity, 1, f.to, 400}, average);
+    strike(EventCorrected{report.quick ? 0.2 : 0.05}, turning_impact(f.velocity, 1, f.to, 400),
+           average);
   }
 }
 
@@ -114,9 +116,9 @@ std::vector<TurnEstimate> report_turns(Report& report) {
   const std::vector<double> steps =
       report.quick ? std::vector<double>{0.2, 0.1} : std::vector<double>{0.1, 0.05, 0.025};
   const std::size_t count = steps.size();
-  std::vector<Voyage> voyages(std::size(cases) * count);  // by case and step
-  parallel_for(voyages.size(), [&](std::size_t i) {
-    voyages[i] = voyage({steps[i % count]}, cases[i / count].strike);
+  std::vector<ImpactRun> runs(std::size(cases) * count);  // by case and step
+  parallel_for(runs.size(), [&](std::size_t i) {
+    runs[i] = strike(EventCorrected{steps[i % count]}, cases[i / count].impact);
   });
 
   // Each moment at every step
@@ -126,17 +128,17 @@ std::vector<TurnEstimate> report_turns(Report& report) {
        number("stop_time", "time when the velocity vanishes first"),
        number("apex_site", "turning point, the furthest of the way out", "site"),
        number("apex_time", "time of the turning point"), number("return_time", "time of rebound")});
-  for (std::size_t i = 0; i < voyages.size(); ++i) {
-    const Turn turn = voyages[i].turn();
-    table.add({cases[i / count].strike.velocity, steps[i % count], turn.stop.time, turn.apex.site,
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const Turn turn = turn_of(runs[i].path);
+    table.add({cases[i / count].impact.velocity, steps[i % count], turn.stop.time, turn.apex.site,
                turn.apex.time, turn.rebound.time});
   }
 
   // The facts come from the two finer steps; at v0 = 1.5 the way out takes most of the run
   std::vector<TurnEstimate> reads;
   for (std::size_t k = 0; k < std::size(cases); ++k) {
-    const Voyage* last = &voyages[(k + 1) * count - 1];
-    reads.push_back(estimate_turn(last[-1], last[0]));
+    const ImpactRun* last = &runs[(k + 1) * count - 1];
+    reads.push_back(estimate_turn(last[-1].path, last[0].path));
     const std::string name = cases[k].name;
     report.facts.add("stop_time_" + name, reads[k].stop_time);
     report.facts.add("stop_site_" + name, reads[k].stop_site, "site");
@@ -166,7 +168,7 @@ within a factor of two the force is constant on the two ways, but not around the
 [-0.000171](num:sec34_boomeron.force_150) and in the linear well [-9e-5](num:sec34_boomeron.force_linear_well): there too a
 packet slows down, though none was seen to turn. */
 struct Deceleration {
-  Strike strike;
+  double velocity, s;
   Stretch stretch = Stretch::out;
   Acceleration seen{};
 };
@@ -180,19 +182,21 @@ value is smaller than an earlier one beyond the errors of both, and the last exc
 neighbours. */
 std::vector<Deceleration> report_accelerations(Report& report, double step) {
   std::vector<Deceleration> list;
-  for (double v : {1.1, 1.3, 1.5, 1.6, 1.7, 1.8, 1.9, 2.0}) list.push_back({{v, 1, 300}});
-  for (double s : {0.0, 0.25, 0.5, 0.75}) list.push_back({{1.9, s, 300}});
-  for (Stretch stretch : {Stretch::back, Stretch::between})
-    list.push_back({{1.9, 1, 1000}, stretch});
-  std::array<Voyage, 2> returning;
-  parallel_for(
-      2, [&](std::size_t k) { returning[k] = voyage({k ? step : 2 * step}, list.back().strike); });
+  for (double v : {1.1, 1.3, 1.5, 1.6, 1.7, 1.8, 1.9, 2.0}) list.push_back({v, 1});
+  for (double s : {0.0, 0.25, 0.5, 0.75}) list.push_back({1.9, s});
+  for (Stretch stretch : {Stretch::back, Stretch::between}) list.push_back({1.9, 1, stretch});
+  const auto path = [&](double velocity, double s, double time, double h) {
+    return strike(EventCorrected{h}, turning_impact(velocity, s, time)).path;
+  };
+  std::array<Path, 2> returning;
+  parallel_for(2, [&](std::size_t k) { returning[k] = path(1.9, 1, 1000, k ? step : 2 * step); });
   const auto row = [&](Deceleration& p) {
-    p.seen = p.stretch == Stretch::out ? acceleration_of(voyage({2 * step}, p.strike),
-                                                         voyage({step}, p.strike), p.stretch)
-                                       : acceleration_of(returning[0], returning[1], p.stretch);
-    return Cells{p.strike.s,        p.strike.velocity, p.stretch,
-                 p.seen.mean.value, p.seen.mean.error, p.seen.bend.value};
+    p.seen = p.stretch == Stretch::out
+                 ? acceleration_of(path(p.velocity, p.s, 300, 2 * step),
+                                   path(p.velocity, p.s, 300, step), p.stretch)
+                 : acceleration_of(returning[0], returning[1], p.stretch);
+    return Cells{
+        p.s, p.velocity, p.stretch, p.seen.mean.value, p.seen.mean.error, p.seen.bend.value};
   };
   report
       .table(
@@ -215,7 +219,8 @@ Estimate slowing(double step) {
     return (p.centre[j] - p.centre[i]) / (p.t[j] - p.t[i]);
   };
   const auto ratio = [&](double h) {
-    const Path p = smooth(voyage({h}, {1.5, 1, 1000}).path, path_smoothing);
+    const Path p =
+        smooth(strike(EventCorrected{h}, turning_impact(1.5, 1, 1000)).path, path_smoothing);
     return speed(p, 3) / speed(p, 0);
   };
   return compare(ratio(2 * step), ratio(step));
@@ -265,15 +270,18 @@ void report_profiles(Report& report, const TurnEstimate& turn) {
                     estimate("v", "velocity", "", "against the largest: difference of two steps")});
   const double step = report.quick ? 0.1 : 0.025;
   for (double time : {238.0, 241.0}) {
-    const State<double> coarse = voyage({2 * step}, {1.87, 1, time}).end,
-                        fine = voyage({step}, {1.87, 1, time}).end;
+    const State<double> coarse =
+                            strike(EventCorrected{2 * step}, turning_impact(1.87, 1, time)).end,
+                        fine = strike(EventCorrected{step}, turning_impact(1.87, 1, time)).end;
     for (std::size_t n = 0; n < 40; ++n) table.add({time, n + 1, compare(coarse.v[n], fine.v[n])});
   }
 
   // Where the centre is at the first of these times, and how fast
   double centre[2]{}, speed[2]{}, mean[2]{};
   for (int k : {0, 1}) {
-    const Path p = smooth(voyage({k ? step : 2 * step}, {1.87, 1, 260}).path, path_smoothing);
+    const Path p =
+        smooth(strike(EventCorrected{k ? step : 2 * step}, turning_impact(1.87, 1, 260)).path,
+               path_smoothing);
     const auto at = [&](double t) {
       return p.centre.at(std::size_t(std::lround((t - p.t[0]) / path_sampling)));
     };
@@ -297,7 +305,9 @@ void report_printed_range(Report& report) {
   std::vector<double> stop[2] = {std::vector<double>(count), std::vector<double>(count)};
   parallel_for(2 * count, [&](std::size_t i) {
     const double v = 1.865 + 0.01 * double(i / 2) / double(count - 1);
-    stop[i % 2][i / 2] = voyage({i % 2 ? 0.1 : 0.2}, {v, 1, 700}).turn().stop.time;
+    stop[i % 2][i / 2] =
+        turn_of(strike(EventCorrected{i % 2 ? 0.1 : 0.2}, turning_impact(v, 1, 700)).path)
+            .stop.time;
   });
   const auto a = std::minmax_element(stop[0].begin(), stop[0].end());
   const auto b = std::minmax_element(stop[1].begin(), stop[1].end());
@@ -317,21 +327,22 @@ site [2.566](num:sec34_boomeron.return_site_softest). After the same impact on l
 [0.954685](num:sec34_boomeron.speed_without_hardness) sites per unit of time. After the weaker impacts of figure 22 a packet in such a well may turn much farther out. */
 void report_softest(Report& report) {
   const double step = report.quick ? 0.02 : 0.01;
-  Voyage hard[2], linear[2];
+  Path hard[2], linear[2];
   parallel_for(4, [&](std::size_t k) {
-    const Strike strike{132, k < 2 ? 0.005 : 0, k < 2 ? 400.0 : 460.0, 800};
-    (k < 2 ? hard : linear)[k % 2] = voyage({k % 2 ? step : 2 * step}, strike);
+    const Impact impact =
+        k < 2 ? turning_impact(132, 0.005, 400, 800) : turning_impact(132, 0, 460, 800);
+    (k < 2 ? hard : linear)[k % 2] = strike(EventCorrected{k % 2 ? step : 2 * step}, impact).path;
   });
   const TurnEstimate turn = estimate_turn(hard[0], hard[1]);
   report.facts.add("turning_site_softest", turn.apex_site, "site");
   report.facts.add("return_time_softest", turn.return_time);
   report.facts.add("return_site_softest",
-                   compare(hard[0].turn().rebound.site, hard[1].turn().rebound.site), "site");
+                   compare(turn_of(hard[0]).rebound.site, turn_of(hard[1]).rebound.site), "site");
 
   // Where the centre is at t = 450, how fast, and the farthest that it has ever fallen back
   double centre[2], speed[2], back[2]{};
   for (int k : {0, 1}) {
-    const Path p = smooth(linear[k].path, path_smoothing);
+    const Path p = smooth(linear[k], path_smoothing);
     const auto at = [&](double t) {
       return p.centre.at(std::size_t(std::lround((t - p.t[0]) / path_sampling)));
     };
@@ -434,7 +445,8 @@ std::vector<Spread> ensemble(std::size_t members, double step, double time) {
   const std::vector<double> velocity = random_impacts(members);
   std::vector<Path> paths(members);
   parallel_for(members, [&](std::size_t i) {
-    paths[i] = smooth(voyage({step}, {velocity[i], 1, time, 300}).path, path_smoothing);
+    paths[i] = smooth(strike(EventCorrected{step}, turning_impact(velocity[i], 1, time, 300)).path,
+                      path_smoothing);
   });
   std::vector<Spread> out;
   for (std::size_t k = 0; k < paths[0].t.size(); k += 50) out.push_back(spread_at(paths, k));
@@ -473,16 +485,17 @@ independent route is GSL's adaptive method of order eight, which knows nothing o
 agree within $10^{-7}$, far below the errors of this chapter's numbers. For the whole way, where GSL
 would be slow, we use another scheme of our own, with fourteen stages. */
 void report_check(Report& report) {
-  const Strike strike{1.9, 1, 100, 60};
-  const double apart = distance_from_reference(Chain{strike.sites, Quartic{strike.s}},
-                                               struck(strike.sites, strike.velocity), strike.time,
-                                               voyage({0.0125}, strike).end, 1e-7);
+  const Impact impact = turning_impact(1.9, 1, 100, 60);
+  const double apart =
+      distance_from_reference(impact.chain, struck(60, impact.velocity), impact.time,
+                              strike(EventCorrected{0.0125}, impact).end, 1e-7);
   report.facts.add("independent_route_difference", compare(0.0, apart));
   const double step = report.quick ? 0.1 : 0.025;
-  const Voyage one = voyage({step}, cases[2].strike),
-               other = voyage({step, nystrom(blanes_moan_6_14())}, cases[2].strike);
+  const ImpactRun one = strike(EventCorrected{step}, cases[2].impact),
+                  other =
+                      strike(EventCorrected{step, nystrom(blanes_moan_6_14())}, cases[2].impact);
   report.facts.add("other_scheme_return_time",
-                   compare(one.turn().rebound.time, other.turn().rebound.time));
+                   compare(turn_of(one.path).rebound.time, turn_of(other.path).rebound.time));
   report.facts.add("energy_drift_190", compare(one.run.energy_drift, other.run.energy_drift),
                    "relative, largest");
 }

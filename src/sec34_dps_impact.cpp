@@ -57,7 +57,7 @@ $e_n$; its sum, the *norm*, is conserved. The speed is the slope of $X(t)$ fitte
 
 Every number comes from two computations. The DpS equation is solved at two tolerances by the
 adaptive method of order eight of the GNU Scientific Library (GSL). The chain is solved by a
-Runge–Kutta–Nyström method that corrects its steps at contact events (contact_rkn.hpp); its step is halved until
+Runge–Kutta–Nyström method that corrects its steps at contact events (event_corrected.hpp); its step is halved until
 the *end states* of two runs agree to `tolerance`, relative to their largest entry. The finer
 computation is also sampled twice as often, since amplitudes are maxima over samples. */
 struct Resolution {
@@ -88,13 +88,13 @@ A snapshot shows the packet at an arbitrary phase of its oscillation. The larges
 take the largest $2\epsilon|A_n|$ while the centre moves over the last site before $\tau = 250$. A parabola through the
 highest sample and its neighbours gives the maximum. */
 double amplitude_of(const DpsOutcome& out) {
-  return 2 * eps * packet_amplitude(out.track).value;
+  return 2 * eps * packet_amplitude(out.path).value;
 }
 Estimate amplitude_of(const DpsPair& runs) {
   return compare(amplitude_of(runs.coarse), amplitude_of(runs.fine));
 }
 Estimate speed_of(const DpsPair& runs) {
-  return compare(packet_speed(runs.coarse.track), packet_speed(runs.fine.track));
+  return compare(packet_speed(runs.coarse.path), packet_speed(runs.fine.path));
 }
 
 /**
@@ -150,11 +150,11 @@ DpsPair report_dps(Report& report, const Resolution& resolution) {
 
   // How the packet changes on its way, relative and in size, and the strongest window behind it
   const auto change = [&](const std::string& name, auto of) {
-    const Estimate e = compare(of(runs.coarse.track), of(runs.fine.track));
+    const Estimate e = compare(of(runs.coarse.path), of(runs.fine.path));
     report.facts.add("dps_breather_" + name, {std::abs(e.value), e.error});
   };
-  change("speed_change", [](const Track& track) { return speed_change(track); });
-  change("energy_change", [](const Track& track) { return energy_change(track); });
+  change("speed_change", [](const Path& path) { return speed_change(path); });
+  change("energy_change", [](const Path& path) { return energy_change(path); });
   const auto behind = [](const DpsOutcome& out) {
     const auto d = density(out.end);
     return residue(d, *front_packet(d));
@@ -166,7 +166,7 @@ DpsPair report_dps(Report& report, const Resolution& resolution) {
   report.facts.add("amplitude_dps", amplitude_of(runs));
   report.facts.add("dps_speed", speed_of(runs), "site per tau");
   report.facts.add("dps_packet_norm",
-                   compare(runs.coarse.track.energy.back(), runs.fine.track.energy.back()));
+                   compare(runs.coarse.path.energy.back(), runs.fine.path.energy.back()));
   report.facts.add("dps_boundary_norm", compare(left(runs.coarse), left(runs.fine)));
   report.facts.add("dps_norm_drift", compare(runs.coarse.norm_drift, runs.fine.norm_drift));
   return runs;
@@ -175,7 +175,7 @@ DpsPair report_dps(Report& report, const Resolution& resolution) {
 /**
 ## The chain (figures 17 and 18)
 
-The comparison needs the same quantities from the chain: the track of the packet; its amplitude, the largest $|y_n|$ while
+The comparison needs the same quantities from the chain: the path of the packet; its amplitude, the largest $|y_n|$ while
 its centre moves over the last site; the shape of its front on this stretch; rows of the energy density for a map; and the
 height of the packet in a snapshot, from the highest crest to the deepest trough of the eleven sites about its peak. */
 double height(const State<double>& now) {
@@ -188,7 +188,7 @@ double height(const State<double>& now) {
 struct ChainImpact {
   State<double> end;
   Run run;
-  Track track{};
+  Path path{};
   Front front{};
   double amplitude = 0, interval = 0;
   double least_height = 1, largest_height = 0;
@@ -203,18 +203,18 @@ maximum of the oscillation $\cos t$ is missed by 0.05 of phase at most.
 
 ![Chain and DpS approximation at the end of the run.](fig:17)
 ![Energy density of both.](fig:18) */
-ChainImpact chain_run(const ContactAware& stepper, std::size_t rows) {
+ChainImpact chain_run(const EventCorrected& method, std::size_t rows) {
   const Chain chain{sites};
   const double duration = tau_end / std::sqrt(eps), one_site = 1 / 0.0109;
-  const TimeGrid grid = dense_time_grid(stepper, duration, duration / double(rows * 200));
+  const TimeGrid grid = time_grid(method, duration, denser(duration / double(rows * 200)));
   ChainImpact out{struck(sites, 2 * eps), {}};  // Eq. (26)
   std::size_t k = 0;
-  out.run = evolve(stepper, chain, out.end, grid, [&](const State<double>& now) {
+  out.run = evolve(method, chain, out.end, grid, [&](const State<double>& now) {
     const auto e = energy_density(chain, now);  // e_n, Eq. (23)
     if (k++ % (grid.samples / rows) == 0) out.maps.push_back(e);
     const auto peak = front_packet(e);
     if (!peak || now.t == 0) return;
-    out.track.add(now.t, e, *peak);  // X, Eq. (24)
+    out.path.add(now.t, e, *peak);  // X, Eq. (24)
     if (now.t < duration - one_site) return;
     out.front.add(e, *peak);
     for (std::size_t n = 20; n < sites; ++n)
@@ -243,13 +243,13 @@ constexpr double instants_from = 8085, instants_to = 8095;
 constexpr std::size_t instants = 201;
 using Heights = std::vector<double>;
 
-Heights chain_heights(const ContactAware& stepper) {
+Heights chain_heights(const EventCorrected& method) {
   Heights heights;
   Impact impact{2 * eps, Chain{sites}, instants_from, 5, 1e-9, false};
-  ImpactRun run = strike(stepper, impact);
-  impact.sample = (instants_to - instants_from) / double(instants - 1);
-  go_on(stepper, impact, run, instants_to,
-        [&](const State<double>& now, const auto&) { heights.push_back(height(now)); });
+  ImpactRun run = strike(method, impact);
+  impact.every = (instants_to - instants_from) / double(instants - 1);
+  follow(method, impact, run, instants_to,
+         [&](const State<double>& now, const auto&) { heights.push_back(height(now)); });
   return heights;
 }
 
@@ -257,7 +257,7 @@ Heights dps_heights(const Tolerance& tolerance) {
   Heights heights;
   Field field = dps_impact(sites);
   const double rate = std::sqrt(eps);
-  evolve_dps(Dps{sites}, field, rate * instants_from, 1, tolerance, Unwatched{});
+  evolve_dps(Dps{sites}, field, rate * instants_from, 1, tolerance);
   evolve_dps(Dps{sites}, field, rate * (instants_to - instants_from), instants - 1, tolerance,
              [&](double tau, const Field& now) {
                heights.push_back(height(dps_state(now, eps, instants_from + tau / rate)));
@@ -316,9 +316,9 @@ double train_apart(const std::vector<double>& chain, const std::vector<double>& 
 
 // The chain is run until its end states agree, and each number takes its error from the last two runs
 void report_comparison(Report& report, const DpsPair& dps, const Resolution& resolution) {
-  const auto runs = converge(
-      resolution.tolerance,
-      [&](const ContactAware& stepper) { return chain_run(stepper, resolution.rows); }, EndState{});
+  const auto runs = refined(resolution.tolerance, [&](const EventCorrected& method) {
+    return chain_run(method, resolution.rows);
+  });
   const ChainImpact &coarse = runs.coarse, &fine = runs.fine;
 
   // Displacements of both at the end (figure 17)
@@ -361,7 +361,7 @@ void report_comparison(Report& report, const DpsPair& dps, const Resolution& res
   report.facts.add("wavetrain", compare(apart[0], apart[1]), "relative");
 
   // Amplitude, speed and width of the chain's packet
-  const Estimate speed = compare(packet_speed(coarse.track), packet_speed(fine.track));
+  const Estimate speed = compare(packet_speed(coarse.path), packet_speed(fine.path));
   const auto ahead = [&](std::size_t sites_ahead) {
     return compare(coarse.front.amplitude(sites_ahead), fine.front.amplitude(sites_ahead));
   };
@@ -403,7 +403,7 @@ std::array<std::size_t, 2> near_print(const Heights& chain, const Heights& dps) 
 
 void report_heights(Report& report, const Resolution& resolution) {
   const auto chain = [&](int halvings) {
-    return chain_heights(stepper_for(resolution.tolerance, largest_step, halvings));
+    return chain_heights(method_for(resolution.tolerance, largest_step, halvings));
   };
   const Heights coarse = chain(0), fine = chain(1),
                 dps_fine = dps_heights(resolution.dps_tolerance),
@@ -433,8 +433,8 @@ void report_other_problems(Report& report, const Resolution& resolution) {
     Field start = dps_impact(sites);
     start[0] *= factor;
     const DpsPair runs = follow_dps_to(resolution.dps_tolerance, Dps{sites, end}, start, tau_end,
-                                       resolution.dps_samples, Unwatched{});
-    const auto &coarse = runs.coarse.track, &fine = runs.fine.track;
+                                       resolution.dps_samples);
+    const auto &coarse = runs.coarse.path, &fine = runs.fine.path;
     table.add({name, amplitude_of(runs), compare(coarse.centre.back(), fine.centre.back()),
                speed_of(runs)});
     report.facts.add("amplitude_" + name, amplitude_of(runs));

@@ -50,7 +50,7 @@ $$e_n = \tfrac12\dot y_n^2 + W(y_n) + \tfrac25 (y_n-y_{n+1})_+^{5/2}, \qquad
 | article | program | meaning |
 |---|---|---|
 | $\dot y_1(0)$, $s$ | `velocity`, `s` | impact velocity, anharmonicity of the well |
-| $e_n$, $n'$, $X$ | `density`, `peak`, `track.centre` | Eqs. (23) and (24) | */
+| $e_n$, $n'$, $X$ | `density`, `peak`, `path.centre` | Eqs. (23) and (24) | */
 constexpr double fit_to = 60;                  // the packet is measured between sites 20 and 60
 constexpr double tolerance = usual_tolerance;  // within which two runs must agree
 
@@ -63,7 +63,7 @@ far end and takes the front-most. A run ends when that one has passed the stretc
 only if the last bead has not moved.
 
 Contacts open and close all the time, which spoils the order of ordinary integrators, so we use a Runge–Kutta–Nyström
-method that corrects its steps at contact events (contact_rkn.hpp). The step is halved, and the samples with it, until the
+method that corrects its steps at contact events (event_corrected.hpp). The step is halved, and the samples with it, until the
 *end states* of two successive runs agree to `tolerance`, relative to their largest entry. The error of every derived
 number is its difference between these two runs, for a speed with the error of its fit added. */
 Impact followed(double s, double velocity, double time) {
@@ -85,9 +85,11 @@ struct SweepPoint {
 
   void measure() {
     const double slow = 0.36 * std::sqrt(velocity / 2);  // speed in the DpS limit
-    const auto runs = strike_to(tolerance, followed(s, velocity, 3 * fit_to / slow));
+    const auto runs = refined(tolerance, [&](const EventCorrected& method) {
+      return strike(method, followed(s, velocity, 3 * fit_to / slow));
+    });
     if (runs.fine.run.escaped()) throw Failure("an impact below the blow-up band blows up");
-    const Track &coarse = runs.coarse.track, &fine = runs.fine.track;
+    const Path &coarse = runs.coarse.path, &fine = runs.fine.path;
     speed = compare(packet_speed(coarse, fit_to), packet_speed(fine, fit_to));
     peak = compare(coarse.largest_peak(fit_from, fit_to).value,
                    fine.largest_peak(fit_from, fit_to).value);
@@ -264,7 +266,7 @@ void report_tail(Report& report) {
   struct Followed : ImpactRun {
     Front front{};
   };
-  const auto follow = [](double velocity, const ContactAware& stepper) {
+  const auto follow = [](double velocity, const EventCorrected& method) {
     const double time = 3 * fit_to / (0.36 * std::sqrt(velocity / 2));
     Front front;
     const auto watch = [&](const State<double>&, const std::vector<double>& density) {
@@ -272,8 +274,7 @@ void report_tail(Report& report) {
       if (peak && energy_centre(density, *peak) > 40) front.add(density, *peak);
     };
     return Followed{
-        strike(stepper, {.velocity = velocity, .chain = {90}, .time = time, .until = fit_to},
-               watch),
+        strike(method, {.velocity = velocity, .chain = {90}, .time = time, .until = fit_to}, watch),
         front};
   };
   Table& shape = report.table(
@@ -282,9 +283,8 @@ void report_tail(Report& report) {
                        estimate("tail", "amplitude behind the packet over that of its peak")});
   const std::vector<double> velocities{0.05, 0.1, 0.2, 0.5, 1, 1.5, 1.9, 2.5};
   shape.fill(velocities, [&](double velocity) {
-    const auto runs = converge(
-        tolerance, [&](const ContactAware& stepper) { return follow(velocity, stepper); },
-        EndState{});
+    const auto runs =
+        refined(tolerance, [&](const EventCorrected& method) { return follow(velocity, method); });
     const Front &coarse = runs.coarse.front, &fine = runs.fine.front;
     return Cells{velocity, compare(double(coarse.width()), double(fine.width())),
                  compare(coarse.tail(), fine.tail())};
@@ -320,7 +320,7 @@ void add_forces(Table& table, double s, double velocity) {
     const auto force = contact_forces(impact.chain, now.y);
     for (std::size_t n = 0; n < shown; ++n) table.add({s, now.t, n + 1, 0.0 - force[n]});
   };
-  strike(stepper_for(tolerance, largest_step, 2), impact, watch);
+  strike(method_for(tolerance, largest_step, 2), impact, watch);
 }
 
 /**
@@ -335,25 +335,25 @@ struct Shares {
 
 Shares shares(double s, double velocity) {
   struct Shared : ImpactRun {
-    Track boundary{};  ///< that of the packet, with the share of the first five sites as its energy
+    Path boundary{};  ///< that of the packet, with the share of the first five sites as its energy
   };
-  const auto run = [&](const ContactAware& stepper) {
+  const auto run = [&](const EventCorrected& method) {
     std::vector<double> held;
     const auto watch = [&](const State<double>& now, const std::vector<double>& density) {
       if (now.t > 0 && front_packet(density)) held.push_back(boundary_share(density));
     };
-    Shared out{strike(stepper, followed(s, velocity, 900), watch)};
-    out.boundary = out.track, out.boundary.energy = held;
+    Shared out{strike(method, followed(s, velocity, 900), watch)};
+    out.boundary = out.path, out.boundary.energy = held;
     return out;
   };
-  const auto runs = converge(tolerance, run, EndState{});
+  const auto runs = refined(tolerance, run);
   const Shared &coarse = runs.coarse, &fine = runs.fine;
   const auto packet = [](const ImpactRun& out) {
-    return out.track.energy_at(fit_to) / total(out.density);
+    return out.path.energy_at(fit_to) / total(out.density);
   };
   return {compare(coarse.boundary.energy_at(fit_to), fine.boundary.energy_at(fit_to)),
           compare(packet(coarse), packet(fine)),
-          compare(packet_speed(coarse.track, fit_to), packet_speed(fine.track, fit_to))};
+          compare(packet_speed(coarse.path, fit_to), packet_speed(fine.path, fit_to))};
 }
 
 /**
@@ -375,7 +375,9 @@ void report_surface(Report& report) {
   const Shares linear = shares(0, 0.94), soft = shares(-0.7, 0.94), shown = shares(-1.0 / 6, 1.87);
 
   // One instant at which both excitations are seen
-  const auto runs = strike_to(tolerance, {1.87, {160, Quartic{-1.0 / 6}}, 587, 1});
+  const auto runs = refined(tolerance, [&](const EventCorrected& method) {
+    return strike(method, {1.87, {160, Quartic{-1.0 / 6}}, 587, 1});
+  });
   const auto &coarse = runs.coarse.end.v, &fine = runs.fine.end.v;
   Table& profile = report.table("surface_mode_snapshot",
                                 {count("n", "site", "site"), estimate("v", "velocity")});
@@ -408,7 +410,8 @@ once more by an independent method, GSL's of order eight, and must arrive at the
 void report_check(Report& report) {
   const double time = 60;
   const Impact impact{0.94, {40, Quartic{-0.7}}, time, 1};
-  const auto runs = strike_to(1e-9, impact);
+  const auto runs =
+      refined(1e-9, [&](const EventCorrected& method) { return strike(method, impact); });
   const double apart =
       distance_from_reference(impact.chain, struck(40, 0.94), time, runs.fine.end, 1e-8);
   report.facts.add("independent_route_difference", {apart, runs.error});

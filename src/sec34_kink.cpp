@@ -39,12 +39,12 @@ dimensionless, with free ends and, unless something else is said, fifty beads. A
 potential at $y = \pi$ falls into the next well instead of running away. Beads do not attract each other, so the first bead
 can also be thrown back over $y = -\pi$ and leave the chain.
 
-Every run is made with two steps of an integrator that corrects them at contact events (contact_rkn.hpp). What must agree
+Every run is made with two steps of an integrator that corrects them at contact events (event_corrected.hpp). What must agree
 are the numbers of beads counted below; where they do not, the velocity is marked and supports no statement. Close to the
 transition the outcome depends on details of many collisions, and there both steps are halved. */
-ContactAware stepper(double velocity, int halvings) {
+EventCorrected method(double velocity, int halvings) {
   const bool close = velocity > 4.4 && velocity < 5;
-  return stepper_for(1e-4, 0.1, halvings + (close ? 1 : 0));
+  return method_for(1e-4, 0.1, halvings + (close ? 1 : 0));
 }
 
 /**
@@ -101,7 +101,7 @@ struct Verdict {
   Run run{};
 };
 
-Verdict follow(const Strike& impact, const ContactAware& stepper) {
+Verdict follow(const Strike& impact, const EventCorrected& method) {
   const Impact whole{
       impact.velocity, {impact.sites, Pendulum{}}, impact.patience, first_look, may_move, false};
   Verdict verdict;
@@ -114,7 +114,7 @@ Verdict follow(const Strike& impact, const ContactAware& stepper) {
     next *= 2;
     return !verdict.settled;
   };
-  ImpactRun run = strike(stepper, whole, look);
+  ImpactRun run = strike(method, whole, look);
   verdict.end = std::move(run.end), verdict.run = run.run;
   return verdict;
 }
@@ -127,8 +127,8 @@ struct Point {
 
   void measure() {
     const Strike impact{.velocity = velocity};
-    const Verdict coarse = follow(impact, stepper(velocity, 0)),
-                  fine = follow(impact, stepper(velocity, 1));
+    const Verdict coarse = follow(impact, method(velocity, 0)),
+                  fine = follow(impact, method(velocity, 1));
     counts = fine.counts;
     decided = coarse.settled && fine.settled && fine.counts == coarse.counts;
   }
@@ -194,7 +194,7 @@ void report_transition(Report& report) {
                     count("n", "site", "site"), number("wells", "displacement in units of 2 pi")});
   for (double velocity : {2.0, 5.0}) {
     const Impact impact{velocity, {sites, Pendulum{}}, 100, 0.5, may_move, false};
-    strike(stepper(velocity, 1), impact, [&](const State<double>& now, const auto&) {
+    strike(method(velocity, 1), impact, [&](const State<double>& now, const auto&) {
       for (std::size_t n = 0; n < now.y.size(); ++n)
         examples.add({velocity, now.t, n + 1, now.y[n] / (2 * std::numbers::pi)});
     });
@@ -249,7 +249,7 @@ void report_confinement(Report& report) {
     const Impact impact{
         velocities[i], {Strike{}.sites, Pendulum{}}, report.quick ? 200.0 : 2000.0, 0.2, may_move,
         false};
-    all[i] = confinement(impact, stepper(velocities[i], 0), stepper(velocities[i], 1));
+    all[i] = confinement(impact, method(velocities[i], 0), method(velocities[i], 1));
   });
 
   // The largest of each
@@ -314,8 +314,9 @@ struct SamePlaces {
 };
 
 Table Strike::table() const {
-  const auto runs = converge(
-      SamePlaces::places, [&](const ContactAware& at) { return follow(*this, at); }, SamePlaces{});
+  const auto runs = refined(
+      SamePlaces::places, [&](const EventCorrected& at) { return follow(*this, at); },
+      SamePlaces{});
   const Verdict &coarse = runs.coarse, &fine = runs.fine;
   if (!fine.settled)
     throw Failure("the counts have not settled: --patience is too short, or the motion is erratic");

@@ -63,7 +63,7 @@ constexpr std::size_t watched_site = 80;
 
 The article prints what the packet does at $n = 80$, far from both ends. We watch the deflection of this beam and the
 force of the contact behind it at closely spaced times (pulse.hpp). The chain is integrated twice with event-corrected
-steps (contact_rkn.hpp), the second time with half the step and half the spacing; the difference is the error. The force
+steps (event_corrected.hpp), the second time with half the step and half the spacing; the difference is the error. The force
 comes in pulses, one in each internal oscillation, and the *period* is half the time between the pulses before and after
 the strongest.
 
@@ -171,13 +171,13 @@ void report_dps(Report& report, const StruckArray& blow, const WatchedRuns& runs
     const DpsOutcome out =
         follow_dps(dps, dps_impact(dps.sites), tau, k ? 2560 : 1280, k ? 1e-10 : 1e-8, watch);
     deflection[k] = 2 * eps * largest_modulus(at, amplitude);
-    speed[k] = out.track.line(20, 60)->slope * std::sqrt(eps);
+    speed[k] = out.path.line(20, 60)->slope * std::sqrt(eps);
   });
   // The same two numbers of the array, in units of xi and tau_c
   const Estimate largest =
       both(runs, [](const WatchedRun& run) { return largest_modulus(run.at.t, run.at.y); });
   const Estimate array_speed =
-      both(runs, [](const WatchedRun& run) { return run.track.line(20, 60)->slope; });
+      both(runs, [](const WatchedRun& run) { return run.path.line(20, 60)->slope; });
   const Estimate by_deflection = quotient(compare(deflection[0], deflection[1]), largest);
   const Estimate by_speed = quotient(compare(speed[0], speed[1]), array_speed);
   report.facts.add("dps_deflection_apart", {by_deflection.value - 1, by_deflection.error});
@@ -365,7 +365,7 @@ void report_outlook(Report& report, const StruckArray& blow, const WatchedRuns& 
   report.facts.add(
       "travel_10ms",
       both(runs,
-           [&](const WatchedRun& run) { return run.track.travelled(80, blow.scales.time(10)); }),
+           [&](const WatchedRun& run) { return run.path.travelled(80, blow.scales.time(10)); }),
       "sites");
   report.facts.add("periods_10ms", both(runs, [&](const WatchedRun& run) {
                      return 10 / (pulse_of(run.at, blow.scales).period * 1e3);
@@ -382,7 +382,7 @@ void report_check(Report& report, const StruckArray& blow) {
   StruckArray shorter = blow;
   shorter.array.sites = 30, shorter.array.defect = 8;
   const Impact impact = shorter.impact(1.6, 4, shorter.scales.time(4));
-  const ImpactRun ours = strike(ContactAware{0.0125}, impact);
+  const ImpactRun ours = strike(EventCorrected{0.0125}, impact);
   const double apart = distance_from_reference(
       impact.chain, struck(impact.chain.sites, impact.velocity), impact.time, ours.end, 1e-8);
   report.facts.add("independent_route_difference", {apart, apart});

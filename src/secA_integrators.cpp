@@ -16,7 +16,7 @@ that know about contacts.
 
 #include "lattice/events/event_driven.hpp"
 #include "lattice/impact/impact.hpp"
-#include "lattice/integrators/contact_rkn.hpp"
+#include "lattice/integrators/event_corrected.hpp"
 #include "report/program.hpp"
 
 using namespace lattice;
@@ -27,7 +27,7 @@ using namespace lattice;
 An integrator that steps across $t^*$ with the step $h$ misses some fraction, which depends on where in the step
 the event falls, of an impulse of size $h\cdot h^{3/2}$.
 So its error falls like $h^{5/2}$, however high its order is for smooth forces; a method of order two, such as Verlet's,
-keeps its order. Our event-corrected integrator (contact_rkn.hpp) replaces this impulse by the exact one, and what an
+keeps its order. Our event-corrected integrator (event_corrected.hpp) replaces this impulse by the exact one, and what an
 event leaves should be of the size $h^5$.
 
 To see this we need a run with many *contact events*, openings and closings of contacts: a strong impact on a chain with
@@ -39,8 +39,8 @@ constexpr std::size_t sites = 100;
 constexpr double duration = 50;
 
 template <class Stepper>
-State<double> struck_with(const Stepper& stepper, double velocity) {
-  return strike(stepper, {velocity, {sites, Quartic{1}}, duration, duration}).end;
+State<double> struck_with(const Stepper& method, double velocity) {
+  return strike(method, {velocity, {sites, Quartic{1}}, duration, duration}).end;
 }
 
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
@@ -52,10 +52,10 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 /**
 For each velocity the error is the largest error of a displacement in the end state. */
 template <class Stepper>
-double orbit_error(const Stepper& stepper, const std::vector<State<double>>& exact) {
+double orbit_error(const Stepper& method, const std::vector<State<double>>& exact) {
   double sum = 0;
   for (std::size_t k = 0; k < exact.size(); ++k) {
-    const double error = largest_difference(struck_with(stepper, velocities[k]).y, exact[k].y);
+    const double error = largest_difference(struck_with(method, velocities[k]).y, exact[k].y);
     sum += error * error;
   }
   return std::sqrt(sum / double(exact.size()));
@@ -85,8 +85,8 @@ void report_orbits(Report& report) {
   const double small = 1. / 1024;
   std::vector<State<double>> exact;
   for (double v : velocities)
-    exact.push_back(struck_with(ContactAware{small, nystrom(blanes_moan_6_14())}, v));
-  const double rounding = orbit_error(ContactAware{small}, exact);
+    exact.push_back(struck_with(EventCorrected{small, nystrom(blanes_moan_6_14())}, v));
+  const double rounding = orbit_error(EventCorrected{small}, exact);
 
   // The same steps for everyone
   std::vector<double> steps;
@@ -100,7 +100,7 @@ void report_orbits(Report& report) {
     return Cells{h, orbit_error(Splitting{verlet(), h}, exact),
                  orbit_error(Splitting{blanes_moan_4(), h}, exact),
                  orbit_error(Splitting{blanes_moan_6(), h}, exact),
-                 orbit_error(ContactAware{h}, exact)};
+                 orbit_error(EventCorrected{h}, exact)};
   };
   table.fill(steps, errors, "steps");
 
@@ -226,7 +226,7 @@ void reproduce(Report& report) {
 3. *Harder.* For which contacts would the events not matter to a method of order four?
    `build/bin/sec34_impact run --velocity 1.8 --s 1 --time 50 --contact power --alpha 3` gives `centre` = 4.58100. Hint:
    a force that begins like $(t-t^*)^\alpha$ costs $h^{1+\alpha}$.
-4. *Open.* Each event should leave an error in $h^5$ (contact_rkn.hpp). Why is the fitted order of the event-corrected
+4. *Open.* Each event should leave an error in $h^5$ (event_corrected.hpp). Why is the fitted order of the event-corrected
    integrator below 5, and which steps or starts would show it? */
 int main(int argc, char** argv) {
   return run({"secA_integrators", "A", "Integrators and switching contacts (appendix)", reproduce},

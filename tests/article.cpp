@@ -150,7 +150,7 @@ Estimate kappa_at(Centre centre, double s) {
 }
 
 /// With fourteen forces a step, for long runs.
-ContactAware fourteen(double step) {
+EventCorrected fourteen(double step) {
   return {step, nystrom(blanes_moan_6_14())};
 }
 
@@ -439,7 +439,8 @@ TEST_CASE(
   const auto speed = [](const RestingBreather& at) {
     std::array<Estimate, 2> v;
     for (std::size_t k : {0U, 1U})
-      v[k] = size_of(at.after(2e-4, ContactAware{k ? 0.1 : 0.2}, 16000).speed(1000, 16000));
+      v[k] =
+          size_of(at.after(2e-4, EventCorrected{k ? 0.1 : 0.2}, 16000).speed_during(1000, 16000));
     return compare(v[0], v[1]);
   };
   double energy = 0;
@@ -459,7 +460,7 @@ TEST_CASE(
   CHECK(remains(guess.threshold, 4.452e-6, Rel{1e-3}));
   // One kick below is turned back, one above gets over; the energy must drift by far less than the kick gives
   const auto fate = [&](double c) {
-    const Creep path = decided_path(at, c, fourteen(0.06), 10 / guess.frequency.value);
+    const KickedPath path = decided_path(at, c, fourteen(0.06), 10 / guess.frequency.value);
     CHECK(path.drift_margin(c, at.energy) > 100);
     return mobility_of(path);
   };
@@ -480,7 +481,7 @@ TEST_CASE(
   for (Phase phase : {Phase::stretched, Phase::compressed}) {
     const RestingBreather at = resting_breather(Centre::bond, phase, 1.1, 22);
     const auto farthest = [&](double step) {
-      const Creep path = decided_path(at, 3e-6, fourteen(step), 3e5);
+      const KickedPath path = decided_path(at, 3e-6, fourteen(step), 3e5);
       CHECK(mobility_of(path) == Mobility::pinned);
       return path.farthest();
     };
@@ -488,13 +489,15 @@ TEST_CASE(
   }
   const RestingBreather site = resting_breather(Centre::site, Phase::compressed, 1.1, 23);
   const auto path = [&](double step) {
-    Creep out = site.after(3e-6, fourteen(step), 2.5e5);
+    KickedPath out = site.after(3e-6, fourteen(step), 2.5e5);
     CHECK(out.drift_margin(3e-6, site.energy) > 10);
     return out;
   };
-  const std::array<Creep, 2> paths{path(0.08), path(0.06)};
-  const auto way = [](const Creep& p) { return std::abs(p.travelled()); };
-  const auto late = [](const Creep& p) { return std::abs(p.X.back() - p.X[p.X.size() * 3 / 4]); };
+  const std::array<KickedPath, 2> paths{path(0.08), path(0.06)};
+  const auto way = [](const KickedPath& p) { return std::abs(p.travelled()); };
+  const auto late = [](const KickedPath& p) {
+    return std::abs(p.centre.back() - p.centre[p.centre.size() * 3 / 4]);
+  };
   CHECK(differs(both(paths, way), 2, Abs{0.5}, "2.8 sites by t = 2.5e5, and it goes on"));
   CHECK(stands("not pinned", {above("way in the last quarter", both(paths, late), 0.5)}));
 }
@@ -509,7 +512,7 @@ TEST_CASE(
   CHECK(agrees(exact(breather_eps(1.01)), eps, Rel{1e-3}));
   CHECK(agrees(exact(time), 8090, Rel{1e-3}));
   struct Packet {
-    Track track{};
+    Path path{};
     Front front{};
     double amplitude = 0, height = 0;
   };
@@ -518,7 +521,7 @@ TEST_CASE(
     const auto [trough, crest] = std::minmax_element(y.begin() + 60, y.end());
     return *crest - *trough;
   };
-  const auto chain_packet = [&](const ContactAware& stepper) {
+  const auto chain_packet = [&](const EventCorrected& method) {
     Packet out;
     const Impact impact{2 * eps, Chain{120}, time, 0.1, 1e-9, false};
     const auto watch = [&](const State<double>& now, const std::vector<double>& density) {
@@ -528,16 +531,16 @@ TEST_CASE(
       for (std::size_t n = 20; n < 120; ++n)
         out.amplitude = std::max(out.amplitude, std::abs(now.y[n]));
     };
-    ImpactRun run = strike(stepper, impact, watch);
-    out.track = run.track;
-    go_on(stepper, impact, run, snapshot);
+    ImpactRun run = strike(method, impact, watch);
+    out.path = run.path;
+    follow(method, impact, run, snapshot);
     out.height = height(run.end.y);
     return out;
   };
   const std::array<Packet, 2> chain{chain_packet({0.2}), chain_packet({0.1})};
-  const DpsPair dps = follow_dps_to(1e-9, Dps{120}, dps_impact(120), tau, 500, Unwatched{});
+  const DpsPair dps = follow_dps_to(1e-9, Dps{120}, dps_impact(120), tau, 500);
   const auto dps_amplitude = [&](const DpsOutcome& out) {
-    return 2 * eps * packet_amplitude(out.track).value;
+    return 2 * eps * packet_amplitude(out.path).value;
   };
 
   Estimate amplitude = both(chain, [](const Packet& p) { return p.amplitude; });
@@ -558,8 +561,8 @@ TEST_CASE(
     return both(chain, [k](const Packet& p) { return p.front.amplitude(k); });
   };
   CHECK(stands("7 sites", {above("third", ahead(3), 0.01), below("fourth", ahead(4), 0.01)}));
-  const Estimate fast = compare(packet_speed(dps.coarse.track), packet_speed(dps.fine.track));
-  const Estimate slow = both(chain, [](const Packet& p) { return packet_speed(p.track); });
+  const Estimate fast = compare(packet_speed(dps.coarse.path), packet_speed(dps.fine.path));
+  const Estimate slow = both(chain, [](const Packet& p) { return packet_speed(p.path); });
   const Estimate ratio = quotient({fast.value * std::sqrt(eps), fast.error * std::sqrt(eps)}, slow);
   CHECK(stands("slightly faster", within(ratio, 1, 1.05)));
 }
@@ -569,14 +572,15 @@ TEST_CASE(
     "both at larger ones",
     "[article]") {
   const auto packet = [](double s, double velocity) {
-    const auto runs = strike_to(1e-6, {.velocity = velocity,
-                                       .chain = {90, Quartic{s}},
-                                       .time = 180 / (0.36 * std::sqrt(velocity / 2)),
-                                       .until = 62});
-    const auto peak = [](const ImpactRun& run) { return run.track.largest_peak(20, 60).value; };
-    return std::array{
-        compare(packet_speed(runs.coarse.track, 60), packet_speed(runs.fine.track, 60)),
-        compare(peak(runs.coarse), peak(runs.fine))};
+    const auto runs = refined(1e-6, [&](const EventCorrected& method) {
+      return strike(method, {.velocity = velocity,
+                             .chain = {90, Quartic{s}},
+                             .time = 180 / (0.36 * std::sqrt(velocity / 2)),
+                             .until = 62});
+    });
+    const auto peak = [](const ImpactRun& run) { return run.path.largest_peak(20, 60).value; };
+    return std::array{compare(packet_speed(runs.coarse.path, 60), packet_speed(runs.fine.path, 60)),
+                      compare(peak(runs.coarse), peak(runs.fine))};
   };
   const auto off = [](const Estimate& soft, const Estimate& linear) {
     const Estimate ratio = quotient(soft, linear);
@@ -593,11 +597,13 @@ TEST_CASE(
 TEST_CASE("3.4: with s = -0.7 an impact of 0.94 leaves a surface mode, with s = 0 it does not",
           "[article]") {
   const auto shares = [](double s) {
-    const auto runs =
-        strike_to(1e-6, {.velocity = 0.94, .chain = {90, Quartic{s}}, .time = 900, .until = 62});
+    const auto runs = refined(1e-6, [&](const EventCorrected& method) {
+      return strike(method,
+                    {.velocity = 0.94, .chain = {90, Quartic{s}}, .time = 900, .until = 62});
+    });
     const auto stays = [](const ImpactRun& run) { return boundary_share(run.density); };
     const auto leaves = [](const ImpactRun& run) {
-      return run.track.energy_at(60) / total(run.density);
+      return run.path.energy_at(60) / total(run.density);
     };
     return std::array{compare(stays(runs.coarse), stays(runs.fine)),
                       compare(leaves(runs.coarse), leaves(runs.fine))};
@@ -613,8 +619,8 @@ TEST_CASE("3.4: soft wells let a bead go above a threshold, which must pay for t
     std::array<bool, 2> gone{};
     for (int k : {0, 1})
       gone[std::size_t(k)] =
-          strike(stepper_for(1e-6, largest_step, k),
-                 endless({velocity, {.well = Quartic{-1.0 / 6}}, 300, 2, 1e-9, false}))
+          strike(method_for(1e-6, largest_step, k),
+                 on_long_chain({velocity, {.well = Quartic{-1.0 / 6}}, 300, 2, 1e-9, false}))
               .run.escaped();
     REQUIRE(gone[0] == gone[1]);
     return gone[1];
@@ -627,24 +633,26 @@ TEST_CASE(
     "3.4: with s = 1 a packet turns round at v_0 = 1.9 and not by t = 1000 at 1.5; with s = 0 it "
     "goes on",
     "[article]") {
-  const auto runs = [](const Strike& impact) {
-    return std::array{voyage(ContactAware{0.1}, impact), voyage(ContactAware{0.05}, impact)};
+  const auto paths = [](const Impact& impact) {
+    return std::array{strike(EventCorrected{0.1}, impact).path,
+                      strike(EventCorrected{0.05}, impact).path};
   };
-  const auto hard = runs({1.9, 1, 1000, 150});
+  const auto hard = paths(turning_impact(1.9, 1, 1000, 150));
   const TurnEstimate turn = estimate_turn(hard[0], hard[1]);
   CHECK(remains(turn.apex_site, 20, Abs{1}));
   CHECK(remains(turn.apex_time, 467, Abs{5}));
   CHECK(remains(turn.return_time, 898, Abs{5}));
   // At the time of the article's picture, t = 238, the packet of v_0 = 1.87 is close to its apex
-  const auto pictured = runs({1.87, 1, 900, 150});
-  const auto to_apex = [](const Voyage& v) {
-    return v.turn().apex.site - v.path.centre[std::size_t(std::lround(238 / path_sampling))];
+  const auto pictured = paths(turning_impact(1.87, 1, 900, 150));
+  const auto to_apex = [](const Path& path) {
+    return turn_of(path).apex.site - path.centre[std::size_t(std::lround(238 / path_sampling))];
   };
   CHECK(stands("close to direction reversal", {below("sites", both(pictured, to_apex), 5)}));
-  for (const Voyage& run : runs({1.5, 1, 1000, 250})) CHECK_FALSE(run.turn().apex.found());
-  for (const Voyage& run : runs({1.9, 0, 600, 250})) {
-    CHECK_FALSE(run.turn().apex.found());
-    CHECK(run.path.centre.back() > 80);
+  for (const Path& path : paths(turning_impact(1.5, 1, 1000, 250)))
+    CHECK_FALSE(turn_of(path).apex.found());
+  for (const Path& path : paths(turning_impact(1.9, 0, 600, 250))) {
+    CHECK_FALSE(turn_of(path).apex.found());
+    CHECK(path.centre.back() > 80);
   }
 }
 
@@ -653,7 +661,7 @@ TEST_CASE(
     "[article]") {
   const auto moved_on = [](double velocity, double step) {
     const Impact impact{velocity, {50, Pendulum{}}, 400, 100, may_move, false};
-    const auto y = strike(ContactAware{step}, impact).end.y;
+    const auto y = strike(EventCorrected{step}, impact).end.y;
     return std::count_if(y.begin(), y.end(), [](double x) { return x > M_PI; });
   };
   for (double step : {0.05, 0.025}) {
@@ -728,7 +736,7 @@ TEST_CASE(
   };
   const auto speed = [&](double from, double to) {
     return both(runs, [&](const WatchedRun& run) {
-      return run.track.line(from, to)->slope / blow.scales.tau_c();
+      return run.path.line(from, to)->slope / blow.scales.tau_c();
     });
   };
   CHECK(agrees(pulse(&Pulse::velocity, 1), 0.5, Abs{5e-2}));
@@ -754,7 +762,7 @@ TEST_CASE(
   CHECK(agrees(duration(1e-3), 3.8, Abs{0.1}));
   CHECK(stands("shorter above half", {below("duration", duration(0.5), 1.3)}));
   const auto on = [&](const WatchedRun& run) {
-    return run.track.travelled(80, blow.scales.time(10));
+    return run.path.travelled(80, blow.scales.time(10));
   };
   CHECK(agrees(both(runs, on), 20, Rel{0.15}));
   const Estimate turns = quotient(exact(10), pulse(&Pulse::period, 1e3));

@@ -57,31 +57,31 @@ TEST_CASE("without smoothing the ripple passes for a stop", "[unit][boomeron]") 
 TEST_CASE("a turning carries the errors of step and smoothing", "[unit][boomeron]") {
   const auto thrown = [](double top) {
     const auto ball = [top](double t) { return 1 + std::abs(21 - 0.0005 * (t - top) * (t - top)); };
-    return Voyage{drawn(600, 0.3, ball), State<double>(1), {}};
+    return ImpactRun{.end = State<double>(1), .path = drawn(600, 0.3, ball)};
   };
-  const Voyage a = thrown(200), b = thrown(204);
-  const TurnEstimate turn = estimate_turn(a, b);
+  const ImpactRun a = thrown(200), b = thrown(204);
+  const TurnEstimate turn = estimate_turn(a.path, b.path);
   check_close(turn.apex_time.value, 204, 0.5);
   CHECK(turn.apex_time.error > 3);
   CHECK(turn.apex_time.error < 10);
   CHECK(SameTurn{}(a, a) == 0);
   CHECK(SameTurn{}(a, b) > 0.005);
-  Voyage steady = a;
+  ImpactRun steady = a;
   steady.path = drawn(600, 0.3, [](double t) { return 1 + 0.1 * t; });
   CHECK(std::isinf(SameTurn{}(a, steady)));
 }
 
 TEST_CASE("hard wells turn the packet, linear and soft ones do not", "[property][boomeron]") {
-  CHECK(probe(2, 1, 40, 0).fate == Fate::turns);
-  CHECK(probe(2, 0, 40, 0).fate == Fate::escapes);
-  CHECK(probe(2, 0.005, 40, 0).fate == Fate::escapes);
-  CHECK(probe(0.5, 1, 30, 0).fate == Fate::escapes);
-  CHECK(probe(3, 20, 30, 0).fate == Fate::stays);
+  CHECK(outcome_of(2, 1, 40, 0).fate == Fate::turns);
+  CHECK(outcome_of(2, 0, 40, 0).fate == Fate::escapes);
+  CHECK(outcome_of(2, 0.005, 40, 0).fate == Fate::escapes);
+  CHECK(outcome_of(0.5, 1, 30, 0).fate == Fate::escapes);
+  CHECK(outcome_of(3, 20, 30, 0).fate == Fate::stays);
 }
 
 TEST_CASE("at small amplitude only s v0^(3/2) counts", "[property][boomeron]") {
   const auto apex = [](double velocity, double kappa) {
-    return probe(velocity, kappa / (velocity * std::sqrt(velocity)), 40, 0).apex;
+    return outcome_of(velocity, kappa / (velocity * std::sqrt(velocity)), 40, 0).apex;
   };
   const double small = apex(0.002, 1.3), smaller = apex(0.001, 1.3);
   check_close(small, smaller, 0, 0.1);
@@ -90,17 +90,19 @@ TEST_CASE("at small amplitude only s v0^(3/2) counts", "[property][boomeron]") {
 
 TEST_CASE("the apex converges with the step", "[convergence][boomeron]") {
   double apex[3];
-  for (int k : {0, 1, 2}) apex[k] = voyage({0.2 / (1 << k)}, {1.95, 1, 700}).turn().apex.site;
+  for (int k : {0, 1, 2})
+    apex[k] = turn_of(strike(EventCorrected{0.2 / (1 << k)}, turning_impact(1.95, 1, 700)).path)
+                  .apex.site;
   CHECK(std::abs(apex[2] - apex[1]) < std::abs(apex[1] - apex[0]) / 4);
   CHECK(std::abs(apex[2] - apex[1]) < 1e-3);
 }
 
 TEST_CASE("runs part the later the less they differ", "[unit][boomeron]") {
   const Chain chain{60, Quartic{1}};
-  const ContactAware stepper{0.1};
+  const EventCorrected method{0.1};
   const auto time = [&](double delta) {
-    return decorrelation_time(stepper, struck(60, 1.9), stepper, struck(60, 1.9 * (1 + delta)),
-                              chain, 300);
+    return decorrelation_time(method, struck(60, 1.9), method, struck(60, 1.9 * (1 + delta)), chain,
+                              300);
   };
   CHECK(std::isinf(time(0)));
   CHECK(time(1) == 0);
@@ -149,7 +151,7 @@ TEST_CASE("no phonon reaches the end of an endless chain", "[unit][boomeron]") {
   for (double q = 0.001; q < 3.14; q += 0.001)
     fastest =
         std::max(fastest, k * std::sin(q) / std::sqrt(1 + 4 * k * std::pow(std::sin(q / 2), 2)));
-  const double sites = double(endless({0.1, chain, time}).chain.sites);
+  const double sites = double(on_long_chain({0.1, chain, time}).chain.sites);
   CHECK(sites > fastest * time);
   CHECK(sites < 2 * fastest * time);
 }
@@ -202,13 +204,13 @@ TEST_CASE("a path is smoothed, and its turn is found, by hand", "[unit][turning]
   check_all(smoothed.t, t);
   check_all(smoothed.centre, centre);
   check_all(smoothed.energy, energies);
-  Path three{{0, 1, 2}, {1, 2, 3}, {1, 1, 1}};
+  Path three{{0, 1, 2}, {1, 2, 3}, {1, 1, 1}, {}};
   CHECK(smooth(three, 1).t.size() == 1);
   three.t.pop_back();
   CHECK_THROWS_AS(smooth(three, 1), std::invalid_argument);
 
   // Vertices: an inner one, one that is no extremum, one just at the bound, a straight line, both ends
-  Path way{{0, 2, 4, 6, 8, 10, 12}, {1, 5, 4, 2, 1, 0, 0, -1}, {}};
+  Path way{{0, 2, 4, 6, 8, 10, 12}, {1, 5, 4, 2, 1, 0, 0, -1}, {}, {}};
   way.centre.pop_back();  // what lies behind the last one does not count
   const std::vector<std::array<double, 3>> known{{1, 5 + 2.25 / 10, 2 + 2 * 0.3},
                                                  {2, 4, 4},
@@ -265,7 +267,7 @@ TEST_CASE("an endless chain is as long as the fastest wave of its stiffest conta
   for (const Blow& b : {Blow{3, Hertz{}, 0.8 * std::pow(3, 0.4)},
                         {0.1, CompressedHertz{0.9}, 1.5 * std::sqrt(0.9)}}) {
     const double speed = (std::sqrt(1 + 4 * b.stiffness) - 1) / 2;
-    CHECK(endless({b.velocity, {7, Harmonic{}, b.contact}, 1e6}).chain.sites ==
+    CHECK(on_long_chain({b.velocity, {7, Harmonic{}, b.contact}, 1e6}).chain.sites ==
           100 + std::size_t(1.15e6 * speed));
   }
 }

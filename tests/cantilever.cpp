@@ -106,7 +106,7 @@ TEST_CASE("the energy budget closes and knows a defect from none", "[property][c
 TEST_CASE("the shared way to the defect changes nothing", "[property][cantilever]") {
   const StruckArray blow = short_array();
   const Scattering there = scatter(blow, 1.6, approach(blow, 0.05), 0.05, 28);
-  const ImpactRun run = strike(ContactAware{0.05}, blow.impact(1.6, 28, blow.scales.time(28)));
+  const ImpactRun run = strike(EventCorrected{0.05}, blow.impact(1.6, 28, blow.scales.time(28)));
   const Division straight = division_of(blow, run.density);
   check_close(there.later.reflected, straight.reflected, 1e-8);
   check_close(there.later.transmitted, straight.transmitted, 1e-8);
@@ -121,7 +121,7 @@ TEST_CASE("the mode of a light defect is a breather", "[property][cantilever]") 
   CHECK(orbit.omega > array.linear_frequency(0.925));
   State<double> end = orbit.start;
   const double period = 2 * 3.141592653589793 / orbit.omega;
-  evolve(ContactAware{0.01}, problem.chain, end, period, period, Unobserved{});
+  evolve(EventCorrected{0.01}, problem.chain, end, period, period);
   for (std::size_t n = 0; n < mode_sites; ++n) {
     check_close(end.y[n], orbit.start.y[n], 1e-9);
     check_close(end.v[n], 0, 1e-9);
@@ -228,8 +228,7 @@ TEST_CASE("the mode of a light defect by plain formulas", "[unit][cantilever]") 
   for (int k = 0; k <= 5; ++k) {
     const Numbers e = energy_density(problem.chain, now);
     for (std::size_t n = 0; n < 31; ++n) mean[n] += e[n] / 6;
-    evolve(ContactAware{0.05}, problem.chain, now, 2 * half_turn / orbit.omega / 5, 9,
-           Unobserved{});
+    evolve(EventCorrected{0.05}, problem.chain, now, 2 * half_turn / orbit.omega / 5, 9);
   }
   const Numbers found = mean_density(problem, orbit, 5);
   for (std::size_t n = 0; n < 31; ++n) check_close(found[n], mean[n], 1e-13);

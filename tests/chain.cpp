@@ -270,11 +270,10 @@ TEST_CASE("a chain runs with the length of its masses and in states of that leng
     State<double> state = start;
     CAPTURE(chain.sites, chain.mass.size(), state.y.size());
     CHECK_THROWS_AS(energy_density(chain, state), std::invalid_argument);
-    CHECK_THROWS_AS(evolve(ContactAware{0.1}, chain, state, 1, 1, Unobserved{}),
-                    std::invalid_argument);
+    CHECK_THROWS_AS(evolve(EventCorrected{0.1}, chain, state, 1, 1), std::invalid_argument);
     CHECK_THROWS_AS(flow<double>(chain, state, 1.0), std::invalid_argument);
-    CHECK_THROWS_AS(run_driven({chain, {}, {}}, state, time_grid(1, 1, 0.1),
-                               [](const auto&, const auto&) { return true; }),
+    CHECK_THROWS_AS(evolve({chain, {}, {}}, state, time_grid(1, 1, 0.1),
+                           [](const auto&, const auto&) { return true; }),
                     std::invalid_argument);
     if (state.y.size() == chain.mass.size()) return;
     CHECK_THROWS_AS(accelerations(chain, state.y), std::invalid_argument);
@@ -301,7 +300,7 @@ TEST_CASE("a chain runs with the length of its masses and in states of that leng
   half.mass = half.inverse_mass = {}, half.eta = twelve.eta;
   refused(half, struck(12, 1));
   // Nor is it made longer; as it is it has the bits of a chain without masses
-  CHECK_THROWS_AS(endless({1, twelve, 20}), std::invalid_argument);
+  CHECK_THROWS_AS(on_long_chain({1, twelve, 20}), std::invalid_argument);
   const Impact plain{1, {12}, 20, 0.2, may_move}, heavy{1, twelve, 20, 0.2, may_move};
-  CHECK(strike(ContactAware{0.1}, plain).end.y == strike(ContactAware{0.1}, heavy).end.y);
+  CHECK(strike(EventCorrected{0.1}, plain).end.y == strike(EventCorrected{0.1}, heavy).end.y);
 }

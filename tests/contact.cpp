@@ -7,15 +7,15 @@
 #include "lattice/events/event_driven.hpp"
 #include "lattice/gsl/reference.hpp"
 #include "lattice/impact/impact.hpp"
-#include "lattice/integrators/accuracy.hpp"
+#include "lattice/integrators/refinement.hpp"
 
 using namespace lattice;
 
 namespace {
 
 template <class Stepper>
-State<double> after(const Stepper& stepper, const Chain& chain, State<double> s, double time) {
-  evolve(stepper, chain, s, time, time, Unobserved{});
+State<double> after(const Stepper& method, const Chain& chain, State<double> s, double time) {
+  evolve(method, chain, s, time, time);
   return s;
 }
 
@@ -35,16 +35,16 @@ double impact_error(double h, Make make) {
   double squares = 0;
   for (double v0 : {1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 1.9}) {
     const Chain chain{60, Quartic{1}};
-    const auto exact = after(ContactAware{0.004}, chain, struck(60, v0), 20);
+    const auto exact = after(EventCorrected{0.004}, chain, struck(60, v0), 20);
     squares += std::pow(distance(after(make(h), chain, struck(60, v0), 20), exact), 2);
   }
   return std::sqrt(squares / 7);
 }
 
-ContactAware corrected(double h) {
+EventCorrected corrected(double h) {
   return {h};
 }
-ContactAware uncorrected(double h) {
+EventCorrected uncorrected(double h) {
   return {h, dormand_prince_6(), 1e300};
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("schemes have their order where contacts stay closed", "[convergence][
   const Chain ring{20, Quartic{1}, CompressedHertz{2}, Ends::periodic};
   State<double> wave(20);
   for (int n = 0; n < 20; ++n) wave.y[n] = 0.3 * std::sin(0.3 * M_PI * n);
-  const auto exact = after(ContactAware{0.01}, ring, wave, 5);
+  const auto exact = after(EventCorrected{0.01}, ring, wave, 5);
   const auto order = [&](const auto& coarse, const auto& fine) {
     return std::log2(distance(after(coarse, ring, wave, 5), exact) /
                      distance(after(fine, ring, wave, 5), exact));
@@ -70,7 +70,7 @@ TEST_CASE("schemes have their order where contacts stay closed", "[convergence][
   for (const Nystrom& base :
        {dormand_prince_6(), nystrom(blanes_moan_6()), nystrom(blanes_moan_6_14())}) {
     CAPTURE(base.name);
-    check_close(order(ContactAware{0.2, base}, ContactAware{0.1, base}), 6, 0.5);
+    check_close(order(EventCorrected{0.2, base}, EventCorrected{0.1, base}), 6, 0.5);
   }
   const struct {
     Scheme scheme;
@@ -103,10 +103,10 @@ TEST_CASE("the correction restores the order across switching contacts", "[conve
 
 TEST_CASE("the order at t = 100 on the hard impact is at least 4.5", "[convergence][contact]") {
   const Chain chain{200, Quartic{1}};
-  const auto exact = after(ContactAware{0.004}, chain, struck(200, 1.9), 100);
+  const auto exact = after(EventCorrected{0.004}, chain, struck(200, 1.9), 100);
   const auto error = [&](double h) {
     double worst = 0;
-    const auto s = after(ContactAware{h}, chain, struck(200, 1.9), 100);
+    const auto s = after(EventCorrected{h}, chain, struck(200, 1.9), 100);
     for (std::size_t n = 0; n < 200; ++n) worst = std::max(worst, std::abs(s.y[n] - exact.y[n]));
     return worst;
   };
@@ -115,7 +115,7 @@ TEST_CASE("the order at t = 100 on the hard impact is at least 4.5", "[convergen
 
 TEST_CASE("three families agree on the same problems", "[property][contact]") {
   const auto compare = [](const auto& chain, const State<double>& start, double time) {
-    const auto aware = after(ContactAware{0.005}, chain, start, time);
+    const auto aware = after(EventCorrected{0.005}, chain, start, time);
     auto theirs = start, land = landed(chain, start, time);
     land.t = aware.t;
     evolve_reference(chain, theirs, time, 1e-13);
@@ -141,7 +141,7 @@ TEST_CASE("any exponent is corrected", "[property][contact]") {
   for (double alpha : {1.25, 1.4, 2.0, 2.5}) {
     CAPTURE(alpha);
     const Chain chain{20, Quartic{0.5}, PowerContact{alpha, 0}};
-    const auto exact = after(ContactAware{0.004}, chain, struck(20, 1.5), 15);
+    const auto exact = after(EventCorrected{0.004}, chain, struck(20, 1.5), 15);
     const double with = distance(after(corrected(0.05), chain, struck(20, 1.5), 15), exact);
     const double without = distance(after(uncorrected(0.05), chain, struck(20, 1.5), 15), exact);
     CAPTURE(with, without);
@@ -151,17 +151,17 @@ TEST_CASE("any exponent is corrected", "[property][contact]") {
 }
 
 TEST_CASE("a windowed run has the bits of the full run", "[property][window]") {
-  const auto same_by = [](const auto& stepper, const Chain& chain, const State<double>& start) {
+  const auto same_by = [](const auto& method, const Chain& chain, const State<double>& start) {
     auto windowed = start, full = start;
     Window some = waking(chain, windowed), all{0, chain.sites};
-    stepper.advance(chain, windowed, some, 0.05, 2000);
-    stepper.advance(chain, full, all, 0.05, 2000);
+    method.advance(chain, windowed, some, 0.05, 2000);
+    method.advance(chain, full, all, 0.05, 2000);
     CHECK(some.last - some.first < chain.sites);
     CHECK(windowed.y == full.y);
     CHECK(windowed.v == full.v);
   };
   const auto same = [&](const Chain& chain, const State<double>& start) {
-    same_by(ContactAware{0.05}, chain, start);
+    same_by(EventCorrected{0.05}, chain, start);
     same_by(Splitting{blanes_moan_6(), 0.05}, chain, start);
   };
   same(Chain{120, Quartic{1}}, struck(120, 1.9));
@@ -188,7 +188,7 @@ TEST_CASE("a run is undone by turning the velocities round", "[property]") {
 TEST_CASE("energy drift is small and reported", "[property]") {
   const Chain chain{200, Quartic{1}};
   auto s = struck(200, 1.9);
-  const Run run = evolve(Splitting{blanes_moan_6(), 0.02}, chain, s, 200, 1, Unobserved{});
+  const Run run = evolve(Splitting{blanes_moan_6(), 0.02}, chain, s, 200, 1);
   CHECK(run.energy_drift > 0);
   CHECK(run.energy_drift < 1e-5);
   check_close(energy(chain, s), 1.9 * 1.9 / 2, 0, run.energy_drift * 1.01);
@@ -212,15 +212,15 @@ TEST_CASE("contact-aware runs are symmetric, conserve energy and can be reversed
     mirrored.y[n] = -start.y[30 - n];
     mirrored.v[n] = -start.v[30 - n];
   }
-  const auto a = after(ContactAware{0.05}, chain, start, 30),
-             b = after(ContactAware{0.05}, chain, mirrored, 30);
+  const auto a = after(EventCorrected{0.05}, chain, start, 30),
+             b = after(EventCorrected{0.05}, chain, mirrored, 30);
   for (std::size_t n = 0; n < 31; ++n) CHECK(b.y[n] == -a.y[30 - n]);
 
   auto s = struck(31, 1.9);
-  const Run run = evolve(ContactAware{0.05}, chain, s, 30, 1, Unobserved{});
+  const Run run = evolve(EventCorrected{0.05}, chain, s, 30, 1);
   CHECK(run.energy_drift < 1e-7);
   for (double& v : s.v) v = -v;
-  s = after(ContactAware{0.05}, chain, s, 30);
+  s = after(EventCorrected{0.05}, chain, s, 30);
   check_close(s.v[0], -1.9, 1e-6);
   for (double y : s.y) check_close(y, 0, 1e-6);
 }
@@ -247,7 +247,7 @@ Graze graze(const Chain& chain, const State<double>& turn) {
 
   Tangent<double> m(2, 4);
   const auto with = landed(chain, start, 2, &m), alone = landed(chain, start, 2);
-  const auto aware = after(ContactAware{0.05}, chain, start, 2);
+  const auto aware = after(EventCorrected{0.05}, chain, start, 2);
   const auto off = [](double a, long double b) { return double(std::abs(a - b)); };
   for (std::size_t i = 0; i < 16; ++i)
     found.tangent = std::max(found.tangent, off(m.entries[i], fine.entries[i]));
@@ -336,7 +336,7 @@ TEST_CASE("contacts that are shorter than a step are not missed", "[property][co
         Stiff{{1e-2, 5}, 1e5, {-0.3, 0.2}, {1, 0.1}, 3, -0.061614768036, 2.8950477276}}) {
     CAPTURE(c.eta, c.mass[0]);
     auto s = c.start();
-    const Run run = evolve_to(1e-8, c.chain(), s, c.time, c.time, Unobserved{});
+    const Run run = evolve(Converged{1e-8}, c.chain(), s, c.time, c.time);
     CHECK(run.error <= 1e-8);
     const double scale = std::max(1.0, std::abs(c.v_end));
     check_close(s.y[0], c.y_end, 3 * run.error * scale);
@@ -358,7 +358,7 @@ TEST_CASE("the error of stiff contacts contains the truth", "[property][contact]
       const double A = 1 + std::pow(10, random(-7, -2)), f = random(0, 2 * M_PI);
       const Stiff c = swing(eta, A, f, 0, 0);
       auto s = c.start();
-      const Run run = evolve_to(1e-8, c.chain(), s, c.time, c.time, Unobserved{});
+      const Run run = evolve(Converged{1e-8}, c.chain(), s, c.time, c.time);
       auto exact = c.start();
       flow(c.chain(), exact, c.time);
       exact.t = s.t;
@@ -369,10 +369,10 @@ TEST_CASE("the error of stiff contacts contains the truth", "[property][contact]
 
 TEST_CASE("a tolerance is met and reported", "[property][contact]") {
   const Chain chain{60, Quartic{1}};
-  const auto exact = after(ContactAware{0.004}, chain, struck(60, 1.9), 20);
+  const auto exact = after(EventCorrected{0.004}, chain, struck(60, 1.9), 20);
   for (double tolerance : {1e-3, 1e-5, 1e-7, 1e-9}) {
     auto s = struck(60, 1.9);
-    const Run run = evolve_to(tolerance, chain, s, 20, 5, Unobserved{});
+    const Run run = evolve(Converged{tolerance}, chain, s, 20, 5);
     CAPTURE(tolerance, run.error);
     CHECK(run.error <= tolerance);
     CHECK(distance(s, exact) <= run.error);
@@ -383,7 +383,7 @@ TEST_CASE("a tolerance that chaos forbids is refused with its history", "[proper
   const Chain chain{20, Quartic{1}};
   auto s = random_state(20, 1.5, 13);
   const auto message =
-      refusal<RefinementFailed>([&] { evolve_to(1e-6, chain, s, 3000, 3000, Unobserved{}); });
+      refusal<RefinementFailed>([&] { evolve(Converged{1e-6}, chain, s, 3000, 3000); });
   CHECK(message.find("step 0.1:") != std::string::npos);
 }
 

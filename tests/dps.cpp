@@ -62,7 +62,7 @@ TEST_CASE("norm and energy are conserved", "[property][dps]") {
   Field field = dps_impact(40);
   field[3] = {0.3, 0.2};
   const double n0 = norm(field), e0 = energy(field);
-  const double drift = evolve_dps(Dps{40}, field, 30, 10, 1e-11, Unwatched{});
+  const double drift = evolve_dps(Dps{40}, field, 30, 10, 1e-11);
   CHECK(drift < 1e-9);
   check_close(norm(field), n0, 0, 1e-9);
   check_close(energy(field), e0, 0, 1e-9);
@@ -71,8 +71,8 @@ TEST_CASE("norm and energy are conserved", "[property][dps]") {
 TEST_CASE("a v(sqrt(a) t) is a solution with v(t)", "[property][dps]") {
   Field one = dps_impact(30), large = dps_impact(30);
   for (auto& a : large) a *= 4;
-  evolve_dps(Dps{30}, one, 20, 1, 1e-12, Unwatched{});
-  evolve_dps(Dps{30}, large, 10, 1, 1e-12, Unwatched{});
+  evolve_dps(Dps{30}, one, 20, 1, 1e-12);
+  evolve_dps(Dps{30}, large, 10, 1, 1e-12);
   for (std::size_t n = 0; n < 30; ++n) {
     check_close(large[n].real(), 4 * one[n].real(), 1e-8);
     check_close(large[n].imag(), 4 * one[n].imag(), 1e-8);
@@ -84,9 +84,9 @@ TEST_CASE("the approximation approaches the chain as eps goes to zero", "[proper
   const auto relative_error = [](double eps) {
     const double tau = 1, t = tau / std::sqrt(eps);
     Field field = dps_impact(20);
-    evolve_dps(Dps{20}, field, tau, 1, 1e-12, Unwatched{});
+    evolve_dps(Dps{20}, field, tau, 1, 1e-12);
     State<double> chain = struck(20, 2 * eps);
-    evolve(Splitting{blanes_moan_6(), 0.02}, Chain{20}, chain, t, t, Unobserved{});
+    evolve(Splitting{blanes_moan_6(), 0.02}, Chain{20}, chain, t, t);
     const auto y = dps_state(field, eps, t).y;
     double error = 0;
     for (std::size_t n = 0; n < 20; ++n) error = std::max(error, std::abs(y[n] - chain.y[n]));

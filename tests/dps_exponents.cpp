@@ -105,7 +105,7 @@ TEST_CASE("norm and energy are conserved for any exponent", "[property][dps][exp
     CAPTURE(alpha);
     Field field = crooked(12);
     const double n0 = norm(field), e0 = energy(field, false, alpha), other = energy(field);
-    evolve_dps(Dps{field.size(), Ends::free, alpha}, field, 5, 1, 1e-11, Unwatched{});
+    evolve_dps(Dps{field.size(), Ends::free, alpha}, field, 5, 1, 1e-11);
     check_close(norm(field), n0, 0, 1e-9);
     check_close(energy(field, false, alpha), e0, 0, 1e-9);
     CHECK(std::abs(energy(field) / other - 1) > 1e-4);
@@ -173,7 +173,7 @@ TEST_CASE("static breathers of any exponent only turn their phase", "[property][
       const auto s = stationary<double>(centre, 3, sites_of(centre, alpha), alpha);
       Field field(s.u.begin(), s.u.end());
       const Field start = field;
-      evolve_dps(Dps{.sites = field.size(), .exponent = alpha}, field, 2, 1, 1e-13, Unwatched{});
+      evolve_dps(Dps{.sites = field.size(), .exponent = alpha}, field, 2, 1, 1e-13);
       const auto turn = std::polar(1.0, 3 * 2 / (2 * tau_0(alpha)));
       for (std::size_t i = 0; i < field.size(); ++i)
         check_close(std::abs(field[i] - start[i] * turn) / std::abs(start[field.size() / 2]), 0,
@@ -246,8 +246,8 @@ TEST_CASE("a DpS chain is long enough for what runs away in it", "[unit][dps][ex
     CHECK(found[1].far_end < 1e-9);
   }
   // The chains of the chapters are, and a chosen end belongs to the run
-  CHECK(follow_dps(Dps{120}, dps_impact(120), 250, 250, 1e-6, Unwatched{}).far_end < 1e-9);
-  CHECK(follow_dps(Dps{150}, dps_impact(150), 320, 320, 1e-6, Unwatched{}).far_end < 1e-9);
+  CHECK(follow_dps(Dps{120}, dps_impact(120), 250, 250, 1e-6).far_end < 1e-9);
+  CHECK(follow_dps(Dps{150}, dps_impact(150), 320, 320, 1e-6).far_end < 1e-9);
   DpsStrike chosen;
   chosen.sites = 30;
   CHECK(chosen.find()[1].end.size() == 30);

@@ -114,7 +114,7 @@ TEST_CASE("a stationary state only turns its phase", "[property][dps]") {
     Field field(s.u.begin(), s.u.end());
     for (auto& a : field) a *= scale;
     const Field start = field;
-    evolve_dps(Dps{field.size()}, field, 5, 1, 1e-12, Unwatched{});
+    evolve_dps(Dps{field.size()}, field, 5, 1, 1e-12);
     const auto turn = std::polar(1.0, std::sqrt(scale) * 5 / (2 * tau_0()));
     for (std::size_t i = 0; i < field.size(); ++i)
       check_close(std::abs(field[i] - start[i] * turn), 0, 1e-9);

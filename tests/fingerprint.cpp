@@ -11,8 +11,8 @@ using namespace lattice;
 namespace {
 
 template <class Stepper>
-void show(const Stepper& stepper, const Chain& chain, State<double> state) {
-  evolve(stepper, chain, state, 30, 30, Unobserved{});
+void show(const Stepper& method, const Chain& chain, State<double> state) {
+  evolve(method, chain, state, 30, 30);
   for (std::size_t n = 0; n < chain.sites; n += 1 + chain.sites / 40) {
     std::uint64_t bits;
     std::memcpy(&bits, &state.y[n], sizeof bits);
@@ -22,7 +22,7 @@ void show(const Stepper& stepper, const Chain& chain, State<double> state) {
 
 void show(const Chain& chain, const State<double>& state) {
   show(Splitting{blanes_moan_6(), 0.05}, chain, state);
-  show(ContactAware{0.05}, chain, state);
+  show(EventCorrected{0.05}, chain, state);
   show(Splitting{verlet(), 0.05}, chain, state);
 }
 

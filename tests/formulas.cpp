@@ -342,7 +342,7 @@ TEST_CASE("a contact-aware run across switchings agrees with the landing", "[uni
     vary(chain, {1, 2, 1, 1, 1.5, 1}, {1, 0.6, 1.4, 1, 1, 0.8, 1});
     auto aware = struck(6, 1.5), landed = aware;
     Window all{0, 6};
-    ContactAware{0.02}.advance(chain, aware, all, 0.02, 400);
+    EventCorrected{0.02}.advance(chain, aware, all, 0.02, 400);
     flow(chain, landed, 8.0);
     aware.t = landed.t;
     check_close(distance(aware, landed), 0, 2e-11);
@@ -358,9 +358,9 @@ TEST_CASE("packets by hand", "[unit][formulas]") {
   const auto s = struck(3, 1.5);
   check_all(s.y, {0, 0, 0});
   check_all(s.v, {1.5, 0, 0});
-  Track track;
-  for (int k = 0; k < 9; ++k) track.add(0.5 * k, {double(8 - k), double(k)}, 0);
-  const auto line = track.line(1.2, 1.8);
+  Path path;
+  for (int k = 0; k < 9; ++k) path.add(0.5 * k, {double(8 - k), double(k)}, 0);
+  const auto line = path.line(1.2, 1.8);
   REQUIRE(line);
   check_close(line->slope, 0.25, 1e-13);
   check_close(line->intercept, 1, 1e-13);

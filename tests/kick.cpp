@@ -1,4 +1,4 @@
-// Kicking a breather: the kick itself, the breather that creeps, and what linear theory says of both.
+// Kicking a breather: the kick itself, the breather that drifts, and what linear theory says of both.
 
 #include "sec33/depinning.hpp"
 
@@ -27,18 +27,19 @@ Resting breather(Centre centre, double omega, Phase phase = Phase::compressed) {
   return {{found.problem.chain.sites}, found.orbit.start, found.problem.period()};
 }
 
-Creep follow(const Resting& at, double c, double time, double step = 0.1) {
-  return creep(ContactAware{step}, at.chain, kicked(at.state, c), creep_sample(at.period), time,
-               [](const Creep& path, const State<double>&, const auto&) {
-                 return mobility_of(path) == Mobility::undecided;
-               });
+KickedPath follow(const Resting& at, double c, double time, double step = 0.1) {
+  return follow_kicked(EventCorrected{step}, at.chain, kicked(at.state, c),
+                       sample_of_mean(at.period), time,
+                       [](const KickedPath& path, const State<double>&, const auto&) {
+                         return mobility_of(path) == Mobility::undecided;
+                       });
 }
 
 /// A path through given places.
-Creep path_of(std::vector<double> X) {
-  Creep path;
+KickedPath path_of(std::vector<double> X) {
+  KickedPath path;
   path.t.resize(X.size());
-  path.X = std::move(X);
+  path.centre = std::move(X);
   return path;
 }
 
@@ -52,7 +53,7 @@ TEST_CASE("a kick brings the energy c^2/2", "[unit][kick]") {
 }
 
 TEST_CASE("the samples of a mean are spread over eleven periods", "[unit][kick]") {
-  const double period = 5.7, sample = creep_sample(period);
+  const double period = 5.7, sample = sample_of_mean(period);
   check_close(5 * sample / period, 0.618033988749894848, 1e-15);  // the golden ratio
   check_close(samples_of_a_mean * sample, 11 * period, 0, 1e-4);
   // The mean of a place that swings with the breather is its middle, at the middle of the samples
@@ -63,8 +64,8 @@ TEST_CASE("the samples of a mean are spread over eleven periods", "[unit][kick]"
     const double swing = 0.2 * std::sin(2 * std::numbers::pi * now.t / period + 0.3);
     CHECK(mean.add(now, {0.5 - swing, 1, 0.5 + swing}) == (k == samples_of_a_mean));
   }
-  REQUIRE(mean.path.X.size() == 1);
-  check_close(mean.path.X[0], 0, 1e-4);
+  REQUIRE(mean.path.centre.size() == 1);
+  check_close(mean.path.centre[0], 0, 1e-4);
   check_close(mean.path.t[0], 45 * sample, 0, 1e-14);
 }
 
@@ -80,8 +81,8 @@ TEST_CASE("free and pinned are told from the path", "[unit][kick]") {
 TEST_CASE("a breather that is not kicked stays, and opposite kicks are mirror images",
           "[property][kick]") {
   const Resting at = breather(Centre::bond, 1.1);
-  const Creep rest = follow(at, 0, 1000), right = follow(at, 1e-4, 1000),
-              left = follow(at, -1e-4, 1000);
+  const KickedPath rest = follow(at, 0, 1000), right = follow(at, 1e-4, 1000),
+                   left = follow(at, -1e-4, 1000);
   CHECK(std::abs(right.travelled()) > 0.2);
   CHECK(std::abs(rest.travelled()) < 1e-5 * std::abs(right.travelled()));
   check_close(right.travelled(), -left.travelled(), 2e-3);
@@ -116,10 +117,10 @@ TEST_CASE("a breather swings at the frequency of linear theory", "[published][ki
   const Resting at = breather(Centre::bond, 1.1);
   const double omega =
       std::sqrt(pinning_of(at.chain, Centre::bond, at.state, at.period).frequency2);
-  const Creep path = follow(at, 2e-6, 8 / omega, 0.15);
+  const KickedPath path = follow(at, 2e-6, 8 / omega, 0.15);
   REQUIRE(mobility_of(path) == Mobility::pinned);
   std::size_t top = 0;
-  for (std::size_t k = 0; k < path.X.size(); ++k)
+  for (std::size_t k = 0; k < path.centre.size(); ++k)
     if (std::abs(path.moved(k)) > std::abs(path.moved(top))) top = k;
   // A quarter of a period, a little longer than that of small swings.
   check_close(path.t[top] * omega, 1.571, 0.2);
@@ -127,14 +128,15 @@ TEST_CASE("a breather swings at the frequency of linear theory", "[published][ki
 
 TEST_CASE("the speed on the hill is that of the slowest place", "[unit][kick]") {
   const double V = 2e-6, Omega = 4e-5;
-  Creep path;
+  KickedPath path;
   for (int k = 0; k < 2000; ++k) {
     const double t = 60 * k;
     if (k == 0 || t > 3e4) {
       path.t.push_back(t);
-      path.X.push_back(k == 0 ? 0.3 : 0.3 - (0.5 + V / Omega * std::sinh(Omega * (t - 7.1e4))));
+      path.centre.push_back(k == 0 ? 0.3
+                                   : 0.3 - (0.5 + V / Omega * std::sinh(Omega * (t - 7.1e4))));
     }
-    if (path.moved(path.X.size() - 1) < -0.7) break;
+    if (path.moved(path.centre.size() - 1) < -0.7) break;
   }
   check_close(hill_speed(path), V, 0, 2e-3);
   check_close(hill_speed(path, 0.52), V, 0, 1e-2);  // the top need not be in the middle
@@ -143,10 +145,10 @@ TEST_CASE("the speed on the hill is that of the slowest place", "[unit][kick]") 
 }
 
 TEST_CASE("a mean speed does not depend on where it begins", "[unit][kick]") {
-  Creep path;
+  KickedPath path;
   for (int k = 0; k < 200; ++k) {
     path.t.push_back(10 * k);
-    path.X.push_back(0.2 - 0.01 * k - 0.1 * std::sin(0.02 * std::numbers::pi * k) / 2);
+    path.centre.push_back(0.2 - 0.01 * k - 0.1 * std::sin(0.02 * std::numbers::pi * k) / 2);
   }
   check_close(path.mean_speed(1), 1e-3, 1e-15);
   check_close(path.mean_speed(1, 7), 1e-3, 1e-8);  // a straight line between two means
@@ -178,7 +180,7 @@ TEST_CASE("three free breathers know the kick that frees", "[published][kick]") 
   const RestingBreather at = resting_breather(Centre::bond, Phase::stretched, 1.1, 22);
   const Prediction p = predict_threshold(at, {-2.3522916e-13, 1e-17});
   check_close(p.threshold.value, 4.4516e-6, 0, 1e-4);
-  const FreeingKick c = freeing_kick_of(at, p, ContactAware{0.3});
+  const FreeingKick c = freeing_kick_of(at, p, EventCorrected{0.3});
   CHECK(c.value.error < 1e-3 * c.value.value);
   check_close(c.value.value, p.threshold.value, 0, 1e-3);
   const RestingBreather hill = resting_breather(Centre::site, Phase::compressed, 1.1, 22);
@@ -207,9 +209,9 @@ void check_matrix(const Matrix<double>& found, const Matrix<double>& expected, d
   check_close((found - expected).cwiseAbs().maxCoeff(), 0, absolute);
 }
 
-Creep path_with(const Numbers& t, const Numbers& X) {
-  Creep path;
-  path.t = t, path.X = X;
+KickedPath path_with(const Numbers& t, const Numbers& X) {
+  KickedPath path;
+  path.t = t, path.centre = X;
   return path;
 }
 
@@ -225,15 +227,15 @@ TEST_CASE("a kick and the path after it by hand", "[unit][kick]") {
   state.y = {1, 4, 2, -3}, state.v = {1, 1, 1, 1};
   check_close(kicked(state, -2).v[2], 1 + 14 / norm, 1e-14);
   CHECK(kicked(state, -2).y == state.y);
-  check_close(creep_sample(3), 3 * 0.1236067977499789696, 1e-14);
+  check_close(sample_of_mean(3), 3 * 0.1236067977499789696, 1e-14);
   check_close(breather_place({0, 1, 5, 2}), (2 + 15 + 8) / 8.0 - 2.5, 1e-14);
-  CHECK(Creep{}.share == 1);
-  CHECK(Creep{}.travelled() == 0);
+  CHECK(KickedPath{}.share == 1);
+  CHECK(KickedPath{}.travelled() == 0);
 
-  Creep path = path_with({0, 1, 2, 4, 5}, {3, 3.5, 2, 1.2, 1.6});
+  KickedPath path = path_with({0, 1, 2, 4, 5}, {3, 3.5, 2, 1.2, 1.6});
   check_close(path.farthest(), 1.8, 1e-14);
   check_close(path.travelled(), -1.4, 1e-14);
-  check_close(path.speed(1, 4).value,
+  check_close(path.speed_during(1, 4).value,
               ((1 - 7 / 3.0) * 3.5 + (2 - 7 / 3.0) * 2 + (4 - 7 / 3.0) * 1.2) / (14 / 3.0), 1e-13);
   check_close(path.mean_speed(1.4), 1.4 / (2 + 2 * 0.4 / 0.8), 1e-14);
   check_close(path.mean_speed(0.5), 0.5 / 1, 1e-14);

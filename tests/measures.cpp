@@ -19,7 +19,7 @@ using namespace lattice;
 namespace {
 
 /// The front of a linear wave: 2i A' = A_(n+1) - 2 A_n + A_(n-1), struck at its free end.
-Track linear_front() {
+Path linear_front() {
   Field a = dps_impact(140);
   const auto rate = [](const Field& x) {
     Field f(x.size());
@@ -35,7 +35,7 @@ Track linear_front() {
     for (std::size_t n = 0; n < x.size(); ++n) y[n] += h * f[n];
     return y;
   };
-  Track track;
+  Path path;
   const double h = 0.05;
   for (int k = 1; k <= 2000; ++k) {
     const Field f1 = rate(a), f2 = rate(moved(a, h / 2, f1)), f3 = rate(moved(a, h / 2, f2)),
@@ -43,9 +43,9 @@ Track linear_front() {
     for (std::size_t n = 0; n < a.size(); ++n)
       a[n] += h / 6 * (f1[n] + 2.0 * f2[n] + 2.0 * f3[n] + f4[n]);
     const auto d = density(a);
-    if (const auto site = front_packet(d, 0.05)) track.add(h * k, d, *site);
+    if (const auto site = front_packet(d, 0.05)) path.add(h * k, d, *site);
   }
-  return track;
+  return path;
 }
 
 /// A front whose amplitude is that of a compact packet of `width` sites, with a tail ahead.
@@ -103,7 +103,7 @@ TEST_CASE("the larger and the smaller of two count their error bars", "[unit]") 
 }
 
 TEST_CASE("the front of a linear wave is no travelling breather", "[property]") {
-  const Track front = linear_front();
+  const Path front = linear_front();
   CHECK(front.centre.back() > 80);
   CAPTURE(speed_change(front).value, energy_change(front));
   CHECK(std::abs(speed_change(front).value) < 0.05);
@@ -130,7 +130,7 @@ TEST_CASE("only what rises above the waves between is visible", "[property]") {
   // The same impact on linear wells leaves no surface mode, on soft ones it does.
   const auto shot = [](double s) {
     const ImpactRun out =
-        strike(ContactAware{0.1}, endless({1.87, {.well = Quartic{s}}, 400, 400}));
+        strike(EventCorrected{0.1}, on_long_chain({1.87, {.well = Quartic{s}}, 400, 400}));
     return prominence(out.end.v, *front_packet(out.density));
   };
   CHECK(shot(-1.0 / 6) > 1);
@@ -140,7 +140,7 @@ TEST_CASE("only what rises above the waves between is visible", "[property]") {
 TEST_CASE("a struck soft well blows up, a pendulum does not", "[property]") {
   const auto run = [](const Well& well, double velocity, double time) {
     const Impact impact{velocity, {20, well}, time, 0.2, may_move, false};
-    return confinement(impact, stepper_for(1e-4, 0.1), stepper_for(1e-4, 0.1, 1));
+    return confinement(impact, method_for(1e-4, 0.1), method_for(1e-4, 0.1, 1));
   };
   const auto bounded = [](const Confinement& c) {
     return holds({below("speed", c.speed, 1.001), below("drift", c.drift, 1e-3),
@@ -264,12 +264,12 @@ TEST_CASE("forces rise though two of them are alike", "[unit]") {
 
 TEST_CASE("a packet's energy changes from the mean of one half of its way to that of the other",
           "[unit]") {
-  Track track;
+  Path path;
   double first = 0, second = 0;  // of seven samples, three and four
   for (int k = 0; k < 7; ++k) {
-    track.t.push_back(k), track.centre.push_back(fit_from + k), track.peak.push_back(1);
-    track.energy.push_back(3 + std::cos(k));
-    (k < 3 ? first : second) += track.energy.back() / (k < 3 ? 3 : 4);
+    path.t.push_back(k), path.centre.push_back(fit_from + k), path.peak.push_back(1);
+    path.energy.push_back(3 + std::cos(k));
+    (k < 3 ? first : second) += path.energy.back() / (k < 3 ? 3 : 4);
   }
-  check_close(energy_change(track), second / first - 1, 1e-13);
+  check_close(energy_change(path), second / first - 1, 1e-13);
 }

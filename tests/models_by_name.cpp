@@ -77,29 +77,29 @@ TEST_CASE("a chain is long enough for what travels in it", "[unit][model]") {
                                              {{0, None{}}, 1.9, 200},
                                              {{0, None{}}, 100, 60},
                                              {{0, None{}, CompressedHertz{4}}, 1, 60}}) {
-    const Impact impact = endless({velocity, like, time});
+    const Impact impact = on_long_chain({velocity, like, time});
     CAPTURE(velocity, impact.chain.sites);
     CHECK(impact.chain.sites < 4 * std::size_t(time) + 100);
-    CHECK(strike(ContactAware{0.05}, impact).far_end <= 1e-12 * velocity);
+    CHECK(strike(EventCorrected{0.05}, impact).far_end <= 1e-12 * velocity);
   }
 }
 
 TEST_CASE("a run that its far end sends back is no result", "[unit][model]") {
   Impact impact{1.9, {30}, 100};
-  CHECK_THROWS_AS(strike(ContactAware{0.05}, impact), FarEndReached);
+  CHECK_THROWS_AS(strike(EventCorrected{0.05}, impact), FarEndReached);
   impact.far_end = may_move;
-  CHECK(strike(ContactAware{0.05}, impact).far_end > 0.01);
+  CHECK(strike(EventCorrected{0.05}, impact).far_end > 0.01);
   // The packet leaves before it is back, so here the same chain will do
   impact.far_end = 1e-9, impact.until = 20;
-  CHECK(strike(ContactAware{0.05}, impact).track.centre.back() >= 20);
+  CHECK(strike(EventCorrected{0.05}, impact).path.centre.back() >= 20);
 }
 
 TEST_CASE("an impact in two parts is the impact", "[unit][model]") {
   const Impact impact{1.9, {60, Quartic{1}}, 60};
-  const ImpactRun whole = strike(ContactAware{0.1}, impact);
+  const ImpactRun whole = strike(EventCorrected{0.1}, impact);
   ImpactRun parts{struck(60, 1.9)};
-  go_on(ContactAware{0.1}, impact, parts, 20);
-  go_on(ContactAware{0.1}, impact, parts, 60);
+  follow(EventCorrected{0.1}, impact, parts, 20);
+  follow(EventCorrected{0.1}, impact, parts, 60);
   CHECK(whole.end.y == parts.end.y);
   CHECK(whole.density == parts.density);
   CHECK(whole.run.steps == parts.run.steps);
@@ -224,8 +224,10 @@ TEST_CASE("breathers begin only in wells of frequency one", "[unit][model]") {
 }
 
 TEST_CASE("the compressed impact strikes the well that was named", "[cli][model]") {
-  const auto own =
-      strike_to(1e-4, endless({1.87, {.well = Pendulum{}, .contact = CompressedHertz{0.5}}, 100}));
+  const auto own = refined(1e-4, [&](const EventCorrected& method) {
+    return strike(
+        method, on_long_chain({1.87, {.well = Pendulum{}, .contact = CompressedHertz{0.5}}, 100}));
+  });
   const PacketSample packet = packet_sample(100, own.fine.density);
   const Result r = call(squeezed + "--well pendulum");
   REQUIRE(r.code == 0);

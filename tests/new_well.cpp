@@ -24,7 +24,7 @@ struct Struck {
 Struck strike(double step) {
   const Chain chain{60, Stiffer{}};
   Struck out{struck(60, 1.5), {}};
-  out.run = evolve(ContactAware{step}, chain, out.end, 60, 60, Unobserved{});
+  out.run = evolve(EventCorrected{step}, chain, out.end, 60, 60);
   return out;
 }
 

@@ -1,6 +1,6 @@
 // Packet tracking, centres and fits on densities made by hand.
 
-#include "lattice/diagnostics/observe.hpp"
+#include "lattice/diagnostics/path.hpp"
 
 #include <functional>
 
@@ -48,12 +48,12 @@ TEST_CASE("participation counts sites", "[unit][observe]") {
 }
 
 TEST_CASE("the highest peak is found between samples", "[unit][observe]") {
-  Track track;
+  Path path;
   for (int k = 0; k < 20; ++k) {
     const double t = 0.2 * k;
-    track.add(t, {0, 1 + std::cos(2 * (t - 1.05)), 0}, 1);
+    path.add(t, {0, 1 + std::cos(2 * (t - 1.05)), 0}, 1);
   }
-  const Estimate highest = track.largest_peak(0, 10);
+  const Estimate highest = path.largest_peak(0, 10);
   check_close(highest.value, 2, 2e-4);
   check_close(highest.value, 2, highest.error);
 }
@@ -161,43 +161,43 @@ TEST_CASE("windows, centres and the foremost packet by plain sums", "[unit][obse
   check_close(participation({1, 2, 0, 4}), 49.0 / 21, 1e-14);
 }
 
-TEST_CASE("a track is read between its samples", "[unit][observe]") {
-  const Track track{
+TEST_CASE("a path is read between its samples", "[unit][observe]") {
+  const Path path{
       {0, 2, 4, 6, 8, 10}, {10, 12, 15, 19, 24, 22}, {6, 5, 3, 2, 8, 1}, {1, 4, 5, 2, 7, 3}};
-  CHECK(track.until(19) == 4);
-  CHECK(track.until(99) == 6);
-  CHECK(track.between(12, 23).first == Numbers{2, 4, 6});  // the last one is back too late
-  CHECK(track.between(12, 23).second == Numbers{12, 15, 19});
-  check_close(track.line(12, 19)->slope, 1.75, 1e-14);
-  CHECK_FALSE(track.line(13, 19));
-  check_close(track.energy_at(13), 5 - 2.0 / 3, 1e-14);
-  check_close(track.energy_at(20), 2 + 6 / 5.0, 1e-14);
-  CHECK_THROWS_AS(track.energy_at(9), std::runtime_error);
-  CHECK_THROWS_AS(track.energy_at(24), std::runtime_error);
+  CHECK(path.until(19) == 4);
+  CHECK(path.until(99) == 6);
+  CHECK(path.between(12, 23).first == Numbers{2, 4, 6});  // the last one is back too late
+  CHECK(path.between(12, 23).second == Numbers{12, 15, 19});
+  check_close(path.line(12, 19)->slope, 1.75, 1e-14);
+  CHECK_FALSE(path.line(13, 19));
+  check_close(path.energy_at(13), 5 - 2.0 / 3, 1e-14);
+  check_close(path.energy_at(20), 2 + 6 / 5.0, 1e-14);
+  CHECK_THROWS_AS(path.energy_at(9), std::runtime_error);
+  CHECK_THROWS_AS(path.energy_at(24), std::runtime_error);
   // Passes 13 at 8/3; 3 later, at 17/3, it is at 15 + 4 * 5/6
-  check_close(track.travelled(13, 3), 15 + 10 / 3.0 - 13, 1e-13);
-  check_close(track.travelled(12, 8), 22 - 12, 1e-13);
-  CHECK_THROWS_AS(track.travelled(13, 7.4), std::runtime_error);
-  CHECK_THROWS_AS(track.travelled(9, 2), std::runtime_error);
-  CHECK_THROWS_AS(track.travelled(24, 2), std::runtime_error);
+  check_close(path.travelled(13, 3), 15 + 10 / 3.0 - 13, 1e-13);
+  check_close(path.travelled(12, 8), 22 - 12, 1e-13);
+  CHECK_THROWS_AS(path.travelled(13, 7.4), std::runtime_error);
+  CHECK_THROWS_AS(path.travelled(9, 2), std::runtime_error);
+  CHECK_THROWS_AS(path.travelled(24, 2), std::runtime_error);
   // Peaks through (4, 5, 2), at 15 - 7/8, and through (2, 7, 3), which is beyond what counts
   const double first = 5 + 1 / 8.0, second = 7 + 1 / 72.0;
-  check_close(track.largest_peak(0, 99).value, second, 1e-13);
-  check_close(track.largest_peak(0, 20).value, first, 1e-13);
-  check_close(track.largest_peak(14, 20).value, first, 1e-13);
-  check_close(track.largest_peak(14, 20).error, (first - 5) / 3,
+  check_close(path.largest_peak(0, 99).value, second, 1e-13);
+  check_close(path.largest_peak(0, 20).value, first, 1e-13);
+  check_close(path.largest_peak(14, 20).value, first, 1e-13);
+  check_close(path.largest_peak(14, 20).error, (first - 5) / 3,
               1e-13);  // 1 and 7 beside it: no wider top
   // The wider parabola leaves 3 at the first maximum, and makes 3 + 1/40 of 3 + 1/48 at the second
-  const Track pair{{0, 1, 2, 3, 4, 5, 6, 7, 8, 9},
-                   {1, 2, 3, 4, 5, 6, 7, 8, 9, 10},
-                   {},
-                   {0, 2, 3, 2, 0, 1, 2.5, 3, 2, 0}};
+  const Path pair{{0, 1, 2, 3, 4, 5, 6, 7, 8, 9},
+                  {1, 2, 3, 4, 5, 6, 7, 8, 9, 10},
+                  {},
+                  {0, 2, 3, 2, 0, 1, 2.5, 3, 2, 0}};
   check_estimate(pair.largest_peak(0, 6), 3, 0);
   check_estimate(pair.largest_peak(0, 9), 3 + 1 / 48.0, (1 / 40.0 - 1 / 48.0) / 3);
   CHECK(std::isnan(
-      track.largest_peak(14.2, 20).value));  // lies at 14.125, and what follows is its flank
-  CHECK(std::isnan(track.largest_peak(12, 13).value));  // only a flank
-  CHECK(std::isnan(track.largest_peak(30, 40).value));
+      path.largest_peak(14.2, 20).value));  // lies at 14.125, and what follows is its flank
+  CHECK(std::isnan(path.largest_peak(12, 13).value));  // only a flank
+  CHECK(std::isnan(path.largest_peak(30, 40).value));
   // Over the last site only, from 9 to 10
   check_close(packet_amplitude({{0, 1, 2, 3, 4}, {8, 8.5, 9, 9.5, 10}, {}, {1, 9, 1, 4, 1}}).value,
               2, 1e-14);
@@ -206,7 +206,7 @@ TEST_CASE("a track is read between its samples", "[unit][observe]") {
       packet_amplitude({{0, 1, 2, 3, 4}, {8, 8.5, 9, 9.6, 10.2}, {}, {1, 2, 4, 3, 5}}).value,
       std::sqrt(4 + 1 / 24.0), 1e-14);
   CHECK(std::isnan(packet_amplitude({{0, 1, 2}, {8, 8.5, 9}, {}, {1, 2, 4}}).value));
-  Track flat{{0, 1, 2, 3}, {1, 2, 3, 4}, {1, 1, 1, 1}, {2, 2, 2, 2}};
+  Path flat{{0, 1, 2, 3}, {1, 2, 3, 4}, {1, 1, 1, 1}, {2, 2, 2, 2}};
   CHECK(flat.largest_peak(0, 9).value == 2);
 }
 

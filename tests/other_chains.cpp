@@ -345,9 +345,8 @@ TEST_CASE("a driven run for a tolerance balances its budget", "[property][chains
   driven.losses.of_site.assign(12, 0.1);
   State<double> state(12);
   std::size_t seen = 0;
-  const auto pair =
-      run_driven_to(1e-5, driven, state, 60, 0.5,
-                    [&](const State<double>&, const EnergyBudget&) { return ++seen, true; });
+  const auto pair = evolve(Converged{1e-5}, driven, state, 60, 0.5,
+                           [&](const State<double>&, const EnergyBudget&) { return ++seen, true; });
   CHECK(seen == 121);
   CHECK(pair.error <= 1e-5);
   CHECK(pair.error > 0);
@@ -357,8 +356,8 @@ TEST_CASE("a driven run for a tolerance balances its budget", "[property][chains
   // One bead alone is the damped oscillator of every textbook
   DrivenChain one{Chain{1}, {0.1, 0}, {Drive::By::base, 1.2, 0.05}};
   State<double> alone(1);
-  run_driven_to(1e-6, one, alone, 400, 1,
-                [](const State<double>&, const EnergyBudget&) { return true; });
+  evolve(Converged{1e-6}, one, alone, 400, 1,
+         [](const State<double>&, const EnergyBudget&) { return true; });
   const std::complex<double> i(0, 1),
       response = 0.05 / (1 - 1.2 * 1.2 + i * 0.1 * 1.2) * std::exp(i * 1.2 * 400.0);
   check_close(alone.y[0], response.imag(), 1e-7);
@@ -371,8 +370,8 @@ TEST_CASE("a drive that is faster than the steps is seen", "[property][chains]")
     State<double> state(1);
     state.y[0] = 1;
     const auto pair =
-        run_driven_to(1e-4, {Chain{1}, {}, {Drive::By::base, omega, 1}}, state, 10, 10,
-                      [](const State<double>&, const EnergyBudget&) { return true; });
+        evolve(Converged{1e-4}, {Chain{1}, {}, {Drive::By::base, omega, 1}}, state, 10, 10,
+               [](const State<double>&, const EnergyBudget&) { return true; });
     const double w = omega, y = std::cos(10) + (std::sin(10 * w) - w * std::sin(10)) / (1 - w * w),
                  v = -std::sin(10) + w * (std::cos(10 * w) - std::cos(10)) / (1 - w * w);
     check_close(state.y[0], y, 2 * pair.error);

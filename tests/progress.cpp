@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "check.hpp"
-#include "lattice/integrators/accuracy.hpp"
+#include "lattice/integrators/refinement.hpp"
 #include "lattice/numerics/parallel.hpp"
 
 using namespace lattice;
@@ -76,13 +76,13 @@ TEST_CASE("of workers the stage around them is shown", "[unit][progress]") {
 }
 
 TEST_CASE("a run says how far it is, and no number depends on it", "[unit][progress]") {
-  const auto run = [](auto look) {
+  const auto run = [](const Look& look) {
     State<double> state(20);
     state.v[0] = 1;
-    evolve(ContactAware{0.1}, Chain{20, Harmonic{}}, state, 10.0, 1.0, look);
+    evolve(EventCorrected{0.1}, Chain{20, Harmonic{}}, state, 10.0, 1.0, look);
     return state;
   };
-  const State<double> unseen = run(Unobserved{});
+  const State<double> unseen = run({});
   const Watch watch(hand_set);
   std::vector<std::string> lines;
   const State<double> seen =

@@ -118,7 +118,7 @@ TEST_CASE("an exact wave keeps its form and frequency in a run", "[property]") {
   const PlaneWave wave = plane_wave(ring.well, contact, q, a);
   State<double> state = on_ring(wave, 24);
   const double start = energy(ring, state);
-  evolve(Splitting{blanes_moan_6_14(), 0.1}, ring, state, 2 * pi / wave.omega, 1, Unobserved{});
+  evolve(Splitting{blanes_moan_6_14(), 0.1}, ring, state, 2 * pi / wave.omega, 1);
   const State<double> again = on_ring(wave, 24);
   for (std::size_t n = 0; n < 24; ++n) check_close(state.y[n], again.y[n], 1e-10);
   check_close(energy(ring, state), start, 0, 1e-11);
@@ -410,7 +410,7 @@ TEST_CASE("a run ends where a bead leaves", "[unit]") {
   CHECK(gone.run.escaped());
   CHECK(gone.samples.back().t < 5);
   State<double> state = struck(hard.chain.sites, 3);
-  const Run plain = evolve(ContactAware{0.01}, hard.chain, state, 40, 1, Unobserved{});
+  const Run plain = evolve(EventCorrected{0.01}, hard.chain, state, 40, 1);
   CHECK(gone.run.steps == plain.steps);
 }
 

@@ -89,7 +89,7 @@ void compute_map(Sweep& sweep, const MapGrid& grid, Part part) {
   sweep.compute(part, [&](std::size_t i) {
     const double v = grid.velocity(i), chi = grid.scaled(i), s = chi / (v * std::sqrt(v));
     const double none = std::nan("");
-    const Outlook coarse = probe(v, s, horizon, 0), fine = probe(v, s, horizon, 1);
+    const Outcome coarse = outcome_of(v, s, horizon, 0), fine = outcome_of(v, s, horizon, 1);
     const Fate fate = coarse.fate == fine.fate ? fine.fate : Fate::undecided;
     Cells row{v, s, chi};
     row.emplace_back(std::int64_t(fate));
@@ -138,7 +138,7 @@ Estimate critical_s(double velocity, int bisections, double site = horizon) {
     return std::exp(log_chi) / (velocity * std::sqrt(velocity));
   };
   const auto escapes = [&](double log_chi, int halvings) {
-    return probe(velocity, s_of(log_chi), site, halvings).fate == Fate::escapes;
+    return outcome_of(velocity, s_of(log_chi), site, halvings).fate == Fate::escapes;
   };
   const auto middle = [&](double low, double high) { return (low + high) / 2; };
   const auto [coarse, fine] =
@@ -285,7 +285,7 @@ void report_any_s(Report& report) {
   const double slowest = 20, fastest = MapGrid{}.fastest;
   const int bisections = report.quick ? 5 : 9;
   const auto escapes = [](double v, int halvings) {
-    return probe(v, softest, horizon, halvings).fate == Fate::escapes;
+    return outcome_of(v, softest, horizon, halvings).fate == Fate::escapes;
   };
   const auto middle = [](double low, double high) { return std::sqrt(low * high); };
   const auto [coarse, fine] = bisect_twice({slowest, fastest}, bisections, middle, escapes);
@@ -299,7 +299,8 @@ void report_any_s(Report& report) {
   std::vector<int> moved(columns);
   parallel_for(columns, [&](std::size_t i) {
     const double v = MapGrid::spaced(grid.slowest, grid.fastest, i, columns);
-    for (int halvings : {0, 1}) moved[i] += probe(v, 0, horizon, halvings).fate != Fate::escapes;
+    for (int halvings : {0, 1})
+      moved[i] += outcome_of(v, 0, horizon, halvings).fate != Fate::escapes;
   });
   report.facts.add("turns_without_hardness",
                    exact(std::accumulate(moved.begin(), moved.end(), 0.0)), "runs");

@@ -211,9 +211,9 @@ still be seen. */
 void add_map(Table& table, int which, const Chain& chain, State<double> state, double from,
              double first_site) {
   const double duration = 12 * two_pi;
-  evolve(ContactAware{0.05}, chain, state, from, 1, Unobserved{});
+  evolve(EventCorrected{0.05}, chain, state, from, 1);
   const double start = state.t;
-  evolve(ContactAware{0.05}, chain, state, duration, 0.4, [&](const State<double>& now) {
+  evolve(EventCorrected{0.05}, chain, state, duration, 0.4, [&](const State<double>& now) {
     const auto e = energy_density(chain, now);
     for (int j = 0; j < 30; ++j)
       table.add(
@@ -260,8 +260,7 @@ double by_steps(const Exact& e, std::size_t shifts, double step) {
   const auto steps = std::size_t(std::ceil(e.shift_time() / step));
   double left = 0;
   for (std::size_t k = 0; k < shifts; k += round) {
-    evolve(stepper_for(1e-12, step), chain, state, TimeGrid{round * e.shift_time(), round, steps},
-           Unobserved{});
+    evolve(method_for(1e-12, step), chain, state, TimeGrid{round * e.shift_time(), round, steps});
     left = std::max(left, passed(state, round));
     move_on(state, round);
   }

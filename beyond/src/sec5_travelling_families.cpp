@@ -98,7 +98,7 @@ Left set_free(const Orbit<double>& member, double step) {
   const double time = shift_time(member);
   State<double> state = embed(member.start, chain.sites, 0);
   const std::complex<double> before = sum_from(state, contact);
-  evolve(ContactAware{step}, chain, state, time_grid(24 * time, time, step), Unobserved{});
+  evolve(EventCorrected{step}, chain, state, time_grid(24 * time, time, step));
   Left left;
   for (std::size_t n = contact; n < contact + beads; ++n)
     left.beads += std::hypot(state.y[n], state.v[n]) / double(beads) / member.amplitude;
@@ -352,7 +352,7 @@ orbit would have its speed and its energy, so this one is on none of those found
 turns it instead is asked in `sec34_boomeron_why`. */
 Path packet_at_one(double step) {
   Path path;
-  strike(ContactAware{step}, {1.9, {160, Quartic{1}}, 400, 0.5},
+  strike(EventCorrected{step}, {1.9, {160, Quartic{1}}, 400, 0.5},
          [&](const State<double>& now, const std::vector<double>& e) { path.add(now.t, e); });
   return smooth(path, 40);
 }

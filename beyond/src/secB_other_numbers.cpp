@@ -24,7 +24,7 @@ grow like $v_0^{4/5}$, all times shrink like $v_0^{-1/5}$, and velocities are pr
 
 #include "lattice/diagnostics/pulse.hpp"
 #include "lattice/impact/impact.hpp"
-#include "lattice/integrators/contact_rkn.hpp"
+#include "lattice/integrators/event_corrected.hpp"
 #include "report/program.hpp"
 #include "secB/alternating.hpp"
 #include "secB/dimer_wave.hpp"
@@ -55,7 +55,7 @@ Record watch_beads(std::size_t sites, double duration, double step, double sampl
   Record out;
   out.v.resize(beads.size());
   out.end = struck(sites, 1);
-  evolve(ContactAware{step}, free_chain(sites), out.end, duration, sample,
+  evolve(EventCorrected{step}, free_chain(sites), out.end, duration, sample,
          [&](const State<double>& now) {
            out.t.push_back(now.t);
            for (std::size_t k = 0; k < beads.size(); ++k) out.v[k].push_back(now.v[beads[k] - 1]);

@@ -15,11 +15,7 @@
 
 using namespace lattice;
 
-namespace {
-
-const DrivenObserver unwatched = [](const State<double>&, const EnergyBudget&) { return true; };
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("one damped bead follows the closed form", "[unit][damped]") {
   const double nu = 0.2, time = 10, omega = std::sqrt(1 - nu * nu / 4);
@@ -28,7 +24,7 @@ TEST_CASE("one damped bead follows the closed form", "[unit][damped]") {
   const auto error = [&](double step) {
     State<double> s(1);
     s.y[0] = 1;
-    run_driven({Chain{1}, {nu, 0}}, s, time_grid(time, time, step), unwatched);
+    evolve({Chain{1}, {nu, 0}}, s, time_grid(time, time, step));
     return std::max(std::abs(s.y[0] - decay * (c + nu / 2 * sine)),
                     std::abs(s.v[0] + decay * sine));
   };
@@ -46,20 +42,20 @@ TEST_CASE("an end that absorbs lets little return", "[property][damped]") {
   for (std::size_t n = 60; n < 120; ++n)
     growing.of_site[n] = 0.5 * std::pow(double(n - 59) / 60, 2);
   State<double> open = struck(120, 0.05), absorbing = open;
-  run_driven({chain}, open, grid, unwatched);
-  const double budget = run_driven({chain, growing}, absorbing, grid, unwatched);
+  evolve({chain}, open, grid);
+  const double budget = evolve({chain, growing}, absorbing, grid);
   CHECK(energy(chain, absorbing) < 0.1 * energy(chain, open));
   CHECK(budget < 1e-5);
   growing.of_site.pop_back();
-  CHECK_THROWS_AS(run_driven({chain, growing}, open, grid, unwatched), std::invalid_argument);
+  CHECK_THROWS_AS(evolve({chain, growing}, open, grid), std::invalid_argument);
 }
 
 TEST_CASE("equal rates of single sites are one rate", "[unit][damped]") {
   const Chain chain{30, Quartic{1}};
   State<double> a = struck(30, 1.9), b = a;
   const TimeGrid grid = time_grid(40, 1, 0.1);
-  run_driven({chain, {0.01, 0}}, a, grid, unwatched);
-  run_driven({chain, {0, 0, std::vector<double>(30, 0.01)}}, b, grid, unwatched);
+  evolve({chain, {0.01, 0}}, a, grid);
+  evolve({chain, {0, 0, std::vector<double>(30, 0.01)}}, b, grid);
   CHECK(a.y == b.y);
   CHECK(a.v == b.v);
   CHECK(energy(chain, a) < 0.75 * energy(chain, struck(30, 1.9)));

@@ -20,8 +20,6 @@ using namespace lattice;
 
 namespace {
 
-const DrivenObserver unwatched = [](const State<double>&, const EnergyBudget&) { return true; };
-
 /// Unequal beads with both losses, driven by a piston.
 DrivenChain busy() {
   DrivenChain driven{Chain{12}, {0.01, 0.05}, {Drive::By::piston, 1.3, 0.2, 0, 20}};
@@ -33,7 +31,7 @@ DrivenChain busy() {
 
 State<double> after(const DrivenChain& driven, double time, double step) {
   State<double> state(driven.chain.sites);
-  run_driven(driven, state, time_grid(time, time, step), unwatched);
+  evolve(driven, state, time_grid(time, time, step));
   return state;
 }
 
@@ -57,13 +55,12 @@ TEST_CASE("losses and work are booked to the last digits", "[property][driven]")
   const DrivenChain driven = busy();
   State<double> state(12);
   EnergyBudget last;
-  run_driven(driven, state, time_grid(100, 1, 0.01),
-             [&](const State<double>&, const EnergyBudget& l) {
-               CHECK(l.beams >= last.beams);
-               CHECK(l.contacts >= last.contacts);
-               last = l;
-               return true;
-             });
+  evolve(driven, state, time_grid(100, 1, 0.01), [&](const State<double>&, const EnergyBudget& l) {
+    CHECK(l.beams >= last.beams);
+    CHECK(l.contacts >= last.contacts);
+    last = l;
+    return true;
+  });
   CHECK(last.beams > 0.01 * last.work);
   CHECK(last.contacts > 0.01 * last.work);
   check_close(energy(driven.chain, state) + last.beams + last.contacts, last.work, 0, 1e-9);
@@ -83,11 +80,11 @@ TEST_CASE("one bead on a moving base follows the closed form", "[unit][driven]")
   const DrivenChain driven{Chain{1}, {nu, 0}, {Drive::By::base, omega, a}};
   State<double> state(1);
   double most = 0;
-  run_driven(driven, state, time_grid(300, 0.01, 0.01),
-             [&](const State<double>& now, const EnergyBudget&) {
-               if (now.t > 200) most = std::max(most, std::abs(now.y[0]));
-               return true;
-             });
+  evolve(driven, state, time_grid(300, 0.01, 0.01),
+         [&](const State<double>& now, const EnergyBudget&) {
+           if (now.t > 200) most = std::max(most, std::abs(now.y[0]));
+           return true;
+         });
   check_close(most, a / std::hypot(1 - omega * omega, nu * omega), 0, 1e-4);
 }
 
@@ -109,10 +106,9 @@ TEST_CASE("viscous contacts have the restitution of perturbation theory", "[unit
 TEST_CASE("impossible losses are refused", "[unit][driven]") {
   State<double> state(3);
   const TimeGrid grid = time_grid(1, 1, 0.1);
-  CHECK_THROWS_AS(run_driven({Chain{3}, {-1, 0}}, state, grid, unwatched), std::invalid_argument);
-  CHECK_THROWS_AS(run_driven({Chain{3}, {0, -1}}, state, grid, unwatched), std::invalid_argument);
-  CHECK_THROWS_AS(run_driven({Chain{3}, {std::nan(""), 0}}, state, grid, unwatched),
-                  std::invalid_argument);
+  CHECK_THROWS_AS(evolve({Chain{3}, {-1, 0}}, state, grid), std::invalid_argument);
+  CHECK_THROWS_AS(evolve({Chain{3}, {0, -1}}, state, grid), std::invalid_argument);
+  CHECK_THROWS_AS(evolve({Chain{3}, {std::nan(""), 0}}, state, grid), std::invalid_argument);
 }
 
 TEST_CASE("packets of a strong drive are counted between the looks of a coarse run",
@@ -216,7 +212,7 @@ TEST_CASE("the orbit is that of a run", "[property][driven]") {
   // A run of many periods settles on it; then the state must return
   State<double> state(10);
   const double period = 2 * std::numbers::pi / omega;
-  run_driven(driven, state, TimeGrid{500 * period, 500, 48}, unwatched);
+  evolve(driven, state, TimeGrid{500 * period, 500, 48});
   Vector<double> x(21);
   for (int n = 0; n < 10; ++n) x[n] = state.y[std::size_t(n)], x[10 + n] = state.v[std::size_t(n)];
   x[20] = a;
@@ -313,11 +309,11 @@ TEST_CASE("packets of a train are told apart", "[unit][traveller]") {
     TravellerWatch watch(driven.chain, 25, 29, which);
     State<double> state = two;
     double end = 0;
-    run_driven(driven, state, time_grid(40 * time, 0.4, 0.2),
-               [&](const State<double>& now, const auto&) {
-                 end = now.t;
-                 return watch.look(now);
-               });
+    evolve(driven, state, time_grid(40 * time, 0.4, 0.2),
+           [&](const State<double>& now, const auto&) {
+             end = now.t;
+             return watch.look(now);
+           });
     // The first one has its centre at index 19, the second one at index 8
     check_close(end / time, which == 1 ? 9 : 20, 0.6);
     check_close(watch.traveller().shift_time, time, 0, 2e-2);
@@ -392,8 +388,8 @@ Vector<double> miss_by_hand(DrivenChain d, const Vector<double>& x, std::size_t 
   std::copy(x.data(), x.data() + n, s.y.begin());
   std::copy(x.data() + n, x.data() + 2 * n, s.v.begin());
   d.drive.amplitude = x[2 * n];
-  run_driven(d, s, TimeGrid{turn / d.drive.omega, steps, 1},
-             [](const State<double>&, const EnergyBudget&) { return true; });
+  evolve(d, s, TimeGrid{turn / d.drive.omega, steps, 1},
+         [](const State<double>&, const EnergyBudget&) { return true; });
   Vector<double> out(2 * n);
   for (Eigen::Index i = 0; i < n; ++i)
     out[i] = s.y[std::size_t(i)] - x[i], out[n + i] = s.v[std::size_t(i)] - x[n + i];

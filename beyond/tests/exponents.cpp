@@ -79,7 +79,7 @@ TEST_CASE("travelling breathers of other exponents", "[property][dps][exponents]
     Field large = member.field;
     for (auto& a : large) a *= 2;
     evolve_dps(Dps{.sites = large.size(), .exponent = alpha}, large,
-               problem.shift_time * std::pow(2, 1 - alpha), 1, 1e-13, Unwatched{});
+               problem.shift_time * std::pow(2, 1 - alpha), 1, 1e-13);
     for (std::size_t n = 1; n < end.size(); ++n)
       check_close(std::abs(large[n] - 2.0 * member.field[n - 1]) / sup(member.x), 0, 1e-8);
   }
@@ -91,7 +91,7 @@ TEST_CASE("travelling breathers of other exponents", "[property][dps][exponents]
   for (std::size_t i = 0; i < profile.numbers("n").size(); ++i)
     now.emplace_back(profile.numbers("real")[i], profile.numbers("imag")[i]);
   const Field before = now;
-  evolve_dps(Dps{.sites = now.size(), .exponent = 2}, now, 3, 1, 1e-13, Unwatched{});
+  evolve_dps(Dps{.sites = now.size(), .exponent = 2}, now, 3, 1, 1e-13);
   for (std::size_t n = 1; n < now.size(); ++n)
     check_close(std::abs(now[n] - before[n - 1]), 0, 1e-9);
   CHECK(std::abs(now[now.size() / 2]) > 0.1);

@@ -5,7 +5,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "check.hpp"
-#include "lattice/integrators/contact_rkn.hpp"
+#include "lattice/integrators/event_corrected.hpp"
 #include "lattice/standing/stationary.hpp"
 #include "sec5/dps_tracks.hpp"
 #include "sec5/dps_waves.hpp"
@@ -297,9 +297,8 @@ Eigen::VectorXd miss_by_hand(const Eigen::VectorXd& x, double time, double eps, 
   State<double> s{std::size_t(n)};
   for (Eigen::Index i = 0; i < n; ++i)
     s.y[std::size_t(i)] = eps * x[i], s.v[std::size_t(i)] = eps * x[n + i];
-  evolve(ContactAware{time, dormand_prince_6(), 1e-16 * std::pow(eps, 1.5)},
-         Chain{std::size_t(n), Harmonic{}, Hertz{}, Ends::periodic}, s, TimeGrid{time, 1, steps},
-         Unobserved{});
+  evolve(EventCorrected{time, dormand_prince_6(), 1e-16 * std::pow(eps, 1.5)},
+         Chain{std::size_t(n), Harmonic{}, Hertz{}, Ends::periodic}, s, TimeGrid{time, 1, steps});
   Eigen::VectorXd out = -x;
   for (Eigen::Index i = 0; i < n; ++i)
     out[(i + 1) % n] += s.y[std::size_t(i)] / eps,

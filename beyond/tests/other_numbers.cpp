@@ -2,7 +2,7 @@
 
 #include "check.hpp"
 #include "lattice/impact/impact.hpp"
-#include "lattice/integrators/contact_rkn.hpp"
+#include "lattice/integrators/event_corrected.hpp"
 #include "secB/alternating.hpp"
 #include "secB/dimer_wave.hpp"
 #include "secB/solitary_wave.hpp"
@@ -46,7 +46,7 @@ TEST_CASE("a struck chain carries that wave", "[unit][solitary]") {
   const SolitaryWave w = solitary_wave(1.5, 16, 6);
   State<double> state = struck(90, 1);
   std::vector<double> t, a, b;
-  evolve(ContactAware{0.05}, Chain{90, None{}}, state, 95, 0.05, [&](const State<double>& now) {
+  evolve(EventCorrected{0.05}, Chain{90, None{}}, state, 95, 0.05, [&](const State<double>& now) {
     t.push_back(now.t), a.push_back(now.v[39]), b.push_back(now.v[59]);
   });
   const auto crest = [&](const std::vector<double>& v) {

@@ -10,7 +10,7 @@ using namespace lattice;
 
 TEST_CASE("a cut keeps the packet and nothing else", "[unit][wake]") {
   const Chain chain{60, Quartic{1}};
-  const Voyage voyage_to = voyage({0.1}, {1.9, 1, 60, 60});
+  const ImpactRun voyage_to = strike(EventCorrected{0.1}, turning_impact(1.9, 1, 60, 60));
   const State<double> whole = voyage_to.end, alone = cut_out(chain, whole, 100);
   const std::size_t peak = strongest(energy_density(chain, whole));
   REQUIRE(alone.y.size() == 160);
@@ -24,7 +24,7 @@ TEST_CASE("a cut keeps the packet and nothing else", "[unit][wake]") {
 
 TEST_CASE("with nothing taken away the packet is that of the impact", "[unit][wake]") {
   const Path path = follow_without({}, 0.1, 120, 60),  // with this step both look every 0.2
-      whole = voyage({0.1}, {1.9, 1, 120, 60}).path;
+      whole = strike(EventCorrected{0.1}, turning_impact(1.9, 1, 120, 60)).path;
   REQUIRE(path.t.size() + 1 == whole.t.size());
   for (std::size_t i = 0; i < path.t.size(); i += 50)
     check_close(path.centre[i], whole.centre[i], 1e-5);
@@ -71,9 +71,10 @@ TEST_CASE("a cut packet goes on as GSL says", "[unit][wake]") {
   const double cut = 60, until = 100;
   const Chain chain{160, Quartic{1}};
   const State<double> start =
-      cut_out(Chain{80, Quartic{1}}, voyage({0.0125}, {1.9, 1, cut, 80}).end, 80);
+      cut_out(Chain{80, Quartic{1}},
+              strike(EventCorrected{0.0125}, turning_impact(1.9, 1, cut, 80)).end, 80);
   State<double> end = start;
-  evolve(ContactAware{0.0125}, chain, end, until - cut, path_sampling, Unobserved{});
+  evolve(EventCorrected{0.0125}, chain, end, until - cut, path_sampling);
   CHECK(distance_from_reference(chain, start, until - cut, end, 1e-6) < 1e-6);
   const Path path =
       follow_without({.cut = cut}, 0.0125, until + 0.025, 80);  // its last look is at `until`

@@ -6,7 +6,7 @@ and 3.3 are compiled from. Where those confirm a breather in extended precision,
 have, the page takes a second tolerance, sixteen times as large, for the error. */
 
 #include "lattice/orbits/breather.hpp"
-#include "lattice/integrators/contact_rkn.hpp"
+#include "lattice/integrators/event_corrected.hpp"
 #include "lattice/orbits/floquet.hpp"
 #include "page.hpp"
 #include "sec33/depinning.hpp"
@@ -96,23 +96,25 @@ void report_multipliers(const Fitted& found, const Orbit<double>& rough) {
 
 The path of the centre comes from two runs with different steps. It says something only while the
 energy drifts by far less than the kick has brought. */
-Creep follow(const Fitted& found, const Request& r, int halvings) {
+KickedPath follow(const Fitted& found, const Request& r, int halvings) {
   const Chain chain{found.problem.chain.sites, Quartic{r.s}};
-  const ContactAware stepper{halvings ? 0.05 : 0.1};
-  const double sample = creep_sample(found.problem.period());
-  return creep(stepper, chain, kicked(found.orbit.start, r.kick), sample, r.time,
-               [&](const Creep& path, const State<double>&, const std::vector<double>&) {
-                 const double moved = path.travelled();
-                 page_row(halvings, path.t.back(), &moved, 1);
-                 return true;
-               });
+  const EventCorrected method{halvings ? 0.05 : 0.1};
+  const double sample = sample_of_mean(found.problem.period());
+  return follow_kicked(
+      method, chain, kicked(found.orbit.start, r.kick), sample, r.time,
+      [&](const KickedPath& path, const State<double>&, const std::vector<double>&) {
+        const double moved = path.travelled();
+        page_row(halvings, path.t.back(), &moved, 1);
+        return true;
+      });
 }
 
 void report_kick(const Request& r) {
   const Fitted found = find(r, r.bond != 0 ? 52 : 53);
-  const Creep rough = follow(found, r, 0), good = follow(found, r, 1);
+  const KickedPath rough = follow(found, r, 0), good = follow(found, r, 1);
   page::fact("travelled", compare(rough.travelled(), good.travelled()));
-  page::fact("speed", compare(rough.speed(r.time / 16, r.time), good.speed(r.time / 16, r.time)));
+  page::fact("speed", compare(rough.speed_during(r.time / 16, r.time),
+                              good.speed_during(r.time / 16, r.time)));
   page::fact("margin", exact(good.drift_margin(r.kick, found.orbit.energy)));
   page::fact("share", compare(rough.share, good.share));
   const bool agree = mobility_of(rough) == mobility_of(good);

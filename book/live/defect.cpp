@@ -24,7 +24,7 @@ void draw_map(const StruckArray& blow, const Request& r) {
   const std::size_t contacts = impact.chain.sites - 1;
   std::vector<double> most(contacts, 0.0);
   std::size_t shown = 0;
-  strike(ContactAware{0.1}, impact, [&](const State<double>& now, const auto&) {
+  strike(EventCorrected{0.1}, impact, [&](const State<double>& now, const auto&) {
     for (std::size_t n = 0; n < contacts; ++n) {
       const double push = contact_push(impact.chain, now.y.data(), n + 1);
       most[n] = std::max(most[n], push * blow.scales.unit_force());

@@ -50,8 +50,8 @@ struct Rows {
 };
 
 Refined<ImpactRun> strike_for(const Request& request, const Impact& impact) {
-  return converge(request.tolerance, [&](const ContactAware& stepper) {
-    return strike(stepper, impact, Rows{request, impact, stepper.halvings});
+  return refined(request.tolerance, [&](const EventCorrected& method) {
+    return strike(method, impact, Rows{request, impact, method.halvings});
   });
 }
 
@@ -68,24 +68,26 @@ struct Facts {
   }
   template <class Of>
   void tracked(std::string_view name, Of of) const {
-    add(name, [&](const ImpactRun& o) { return o.track.t.empty() ? std::nan("") : of(o); });
+    add(name, [&](const ImpactRun& o) { return o.path.t.empty() ? std::nan("") : of(o); });
   }
 };
 
 void report(const Impact& impact, const Facts& facts) {
   const double to = double(impact.chain.sites) - 20, undefined = std::nan("");
   facts.add("speed", [&](const ImpactRun& o) {
-    return o.track.line(fit_from, to).value_or(Line{undefined, undefined, undefined}).estimate();
+    return o.path.line(fit_from, to).value_or(Line{undefined, undefined, undefined}).estimate();
   });
-  facts.tracked("centre", [](const ImpactRun& o) { return o.track.centre.back(); });
+  facts.tracked("centre", [](const ImpactRun& o) { return o.path.centre.back(); });
   facts.add("peak_energy_density",
-            [&](const ImpactRun& o) { return o.track.largest_peak(fit_from, to); });
+            [&](const ImpactRun& o) { return o.path.largest_peak(fit_from, to); });
   facts.tracked("packet_energy_fraction",
-                [](const ImpactRun& o) { return o.track.energy.back() / total(o.density); });
+                [](const ImpactRun& o) { return o.path.energy.back() / total(o.density); });
   facts.add("boundary_energy_fraction",
             [](const ImpactRun& o) { return boundary_share(o.density); });
   facts.add("energy_drift", [](const ImpactRun& o) { return o.run.energy_drift; });
-  facts.add("escaped", [&](const ImpactRun& o) { return int(o.reach > impact.chain.well.rim()); });
+  facts.add("escaped", [&](const ImpactRun& o) {
+    return int(o.largest_displacement > impact.chain.well.rim());
+  });
 }
 
 /**

@@ -27,8 +27,8 @@ DpsStrike::Found DpsStrike::find() const {
   for (std::size_t n = sites.value_or(20 + std::size_t(std::ceil(fastest * tau)));; n += n / 2) {
     parallel_for(2, [&](std::size_t k) {
       const double samples = std::ceil(fastest / 0.4 * (k ? 4 : 2) * std::max(tau, 25.0));
-      runs[k] = follow_dps({n, end, alpha}, dps_impact(n), tau, std::size_t(samples),
-                           k ? 1e-11 : 1e-8, Unwatched{});
+      runs[k] =
+          follow_dps({n, end, alpha}, dps_impact(n), tau, std::size_t(samples), k ? 1e-11 : 1e-8);
     });
     if (sites || std::max(runs[0].far_end, runs[1].far_end) <= quiet) return runs;
   }
@@ -39,28 +39,28 @@ The error needs both runs, and both give the same five quantities. A test compar
 those that the impact chapter measures in a run of its own. */
 Table DpsStrike::quantities(const Found& runs) const {
   const auto both = [&](auto of) {
-    const bool none = runs[0].track.t.empty() || runs[1].track.t.empty();
+    const bool none = runs[0].path.t.empty() || runs[1].path.t.empty();
     return none ? Estimate{std::nan(""), std::nan("")} : compare(of(runs[0]), of(runs[1]));
   };
   const double to = way_end(runs[1].end.size());
-  const Track& track = runs[1].track;
-  const std::string lost = why_no_packet(track),
-                    still = why_no_speed(track, density(runs[1].end), 10, "norm");
+  const Path& path = runs[1].path;
+  const std::string lost = why_no_packet(path),
+                    still = why_no_speed(path, density(runs[1].end), 10, "norm");
   Answers q;
-  q.add("centre", both([](const DpsOutcome& out) { return out.track.centre.back(); }), "site",
+  q.add("centre", both([](const DpsOutcome& out) { return out.path.centre.back(); }), "site",
         "centre of the norm of the foremost packet at the end of the run, as in Eq. (24)", lost);
   q.add("speed", both([&](const DpsOutcome& out) {
-          const auto line = out.track.line(fit_from, to);
+          const auto line = out.path.line(fit_from, to);
           return line ? line->estimate() : Estimate{std::nan(""), std::nan("")};
         }),
         "site per tau",
         "speed of the foremost packet, fitted between site 20 and twenty sites before the far end",
         still);
-  q.add("amplitude", both([](const DpsOutcome& out) { return packet_amplitude(out.track); }), "",
+  q.add("amplitude", both([](const DpsOutcome& out) { return packet_amplitude(out.path); }), "",
         "largest maximum in time of |A_n| of the foremost packet over the last site of its way, or "
         "the last two",
         lost.empty() ? "|A_n| of the packet has no maximum in time on its last two sites" : lost);
-  q.add("norm_window", both([](const DpsOutcome& out) { return out.track.energy.back(); }), "",
+  q.add("norm_window", both([](const DpsOutcome& out) { return out.path.energy.back(); }), "",
         "sum of |A_n|^2 over the eleven sites about the packet's peak at the end; 1 in all", lost);
   q.add_small("residual_boundary",
               both([](const DpsOutcome& out) { return boundary_share(density(out.end), 10); }), "",

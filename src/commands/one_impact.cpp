@@ -20,9 +20,10 @@ void OneImpact::parameters(Parameters& p) {
 }
 
 OneImpact::Found OneImpact::find() const {
-  Impact whole = sites ? impact : endless(impact);
+  Impact whole = sites ? impact : on_long_chain(impact);
   if (sites) whole.chain.sites = *sites, whole.far_end = may_move;
-  return {whole, strike_to(tolerance, whole)};
+  return {whole,
+          refined(tolerance, [&](const EventCorrected& method) { return strike(method, whole); })};
 }
 
 /// The strongest site in both runs. Where two sites are nearly as strong these differ, and it may be that neither is
@@ -58,30 +59,30 @@ Table OneImpact::quantities(const Found& found) const {
     return e;
   };
   const auto tracked = [&](auto of) {
-    return at_end([&](const ImpactRun& out) { return out.track.t.empty() ? undefined : of(out); });
+    return at_end([&](const ImpactRun& out) { return out.path.t.empty() ? undefined : of(out); });
   };
-  const Track& track = runs.fine.track;
-  const std::string still = why_no_speed(track, runs.fine.density, 5, "energy"),
-                    lost = why_no_packet(track);
+  const Path& path = runs.fine.path;
+  const std::string still = why_no_speed(path, runs.fine.density, 5, "energy"),
+                    lost = why_no_packet(path);
   Answers q{"a shorter --time or a smaller --tolerance"};
   const auto line = [&](const ImpactRun& out) {
-    return out.track.line(fit_from, to).value_or(Line{undefined, undefined, undefined});
+    return out.path.line(fit_from, to).value_or(Line{undefined, undefined, undefined});
   };
   // The foremost packet
   q.add("speed", compare(line(runs.coarse).estimate(), line(runs.fine).estimate()),
         "site per unit of time",
         "speed of the foremost packet, fitted between site 20 and twenty sites before the far end",
         still);
-  q.add("centre", tracked([](const ImpactRun& out) { return out.track.centre.back(); }), "site",
+  q.add("centre", tracked([](const ImpactRun& out) { return out.path.centre.back(); }), "site",
         "energy centre of the foremost packet at the end of the run, Eq. (24)", lost);
   add_strongest(q, runs.coarse, runs.fine);
   q.add("peak_energy_density",
-        both([&](const ImpactRun& out) { return out.track.largest_peak(fit_from, to); }), "",
+        both([&](const ImpactRun& out) { return out.path.largest_peak(fit_from, to); }), "",
         "largest maximum in time of the foremost packet's energy density, of those at which its "
         "centre is on the way on which the speed is fitted",
         still.empty() ? "the energy density has no maximum in time on this way" : still);
   q.add("packet_energy_fraction",
-        tracked([](const ImpactRun& out) { return out.track.energy.back() / total(out.density); }),
+        tracked([](const ImpactRun& out) { return out.path.energy.back() / total(out.density); }),
         "", "energy of the foremost packet (eleven sites) over that of the chain, at the end",
         lost);
   // What stays behind, and how far all of it can be trusted
@@ -91,7 +92,7 @@ Table OneImpact::quantities(const Found& found) const {
   q.add_small("energy_drift", both([](const ImpactRun& out) { return out.run.energy_drift; }), "",
               "largest change of the chain's energy during the run, relative to it");
   q.add_small("escaped", both([rim = whole.chain.well.rim()](const ImpactRun& out) {
-                return int(out.reach > rim);
+                return int(out.largest_displacement > rim);
               }),
               "", "1 if a bead was beyond the rim of its well at any time, otherwise 0");
   q.add_small("far_end_moved",

@@ -27,11 +27,11 @@ Table OneKick::table() const {
   const RestingBreather longer =
       sites ? at : resting_breather(centre, phase, omega_b, at.chain.sites + 20);
   const double room = 0.5 * double(at.chain.sites) - 8;
-  std::array<Creep, 2> runs;
+  std::array<KickedPath, 2> runs;
   parallel_for(2, [&](std::size_t i) {
     runs[i] = (i ? longer : at)
-                  .after(c, ContactAware{i ? 0.05 : 0.1}, time,
-                         [&](const Creep& path, const State<double>&, const auto&) {
+                  .after(c, EventCorrected{i ? 0.05 : 0.1}, time,
+                         [&](const KickedPath& path, const State<double>&, const auto&) {
                            return path.share > 0.9 && std::abs(path.travelled()) < room;
                          });
     if (runs[i].share <= 0.9 || runs[i].run.escaped())
@@ -41,7 +41,8 @@ Table OneKick::table() const {
   const double way = std::abs(runs[1].travelled());
   const bool few = runs[1].t.size() <= 3 || runs[0].t.size() < 3;
   Estimate speed{std::nan(""), std::nan("")};
-  if (way >= 1 && !few) speed = compare(runs[0].speed(0, ends), runs[1].speed(0, ends));
+  if (way >= 1 && !few)
+    speed = compare(runs[0].speed_during(0, ends), runs[1].speed_during(0, ends));
   Answers q{"a larger --c or a shorter --time"};
   q.add("velocity", speed, "site per unit of time",
         "speed of the breather's energy centre over the whole run, with its sign",
@@ -67,7 +68,7 @@ Table OneThreshold::table() const {
                      " is unstable and any kick moves it (allowed: the other centre)");
   if (!(p.frequency.value > 1e-5))
     throw Failure("so close to an exchange of stability the breather swings too slowly");
-  FreeingKick found = freeing_kicks({at}, {p}, ContactAware{0.15}, fourteen_stages(0.06)).front();
+  FreeingKick found = freeing_kicks({at}, {p}, EventCorrected{0.15}, fourteen_stages(0.06)).front();
   confirm(at, p, fourteen_stages(0.06), found);
   const Estimate& c = found.value;
   Answers q;

@@ -22,16 +22,21 @@ void OneTurn::parameters(Parameters& p) {
 Table OneTurn::table() const {
   const double v = velocity;
   const auto chain_for = [&](double duration) {
-    Chain chain = endless({v, like, duration}).chain;
+    Chain chain = on_long_chain({v, like, duration}).chain;
     if (sites) chain.sites = *sites;
     return chain;
   };
   const Chain chain = chain_for(time);
-  const auto runs = converge(
-      tolerance, [&](const ContactAware& at) { return voyage(at, chain, v, time); }, SameTurn{});
-  const TurnEstimate read = estimate_turn(runs.coarse, runs.fine);
-  const auto parted = decorrelation_to(runs.stepper, v, 1e-8, chain_for(4 * time), 4 * time);
-  const Turn turn = runs.fine.turn();
+  const Impact impact{.velocity = v,
+                      .chain = chain,
+                      .time = time,
+                      .denser = false,
+                      .packet = WhichPacket::strongest};
+  const auto runs = refined(
+      tolerance, [&](const EventCorrected& method) { return strike(method, impact); }, SameTurn{});
+  const TurnEstimate read = estimate_turn(runs.coarse.path, runs.fine.path);
+  const auto parted = decorrelation_to(runs.method, v, 1e-8, chain_for(4 * time), 4 * time);
+  const Turn turn = turn_of(runs.fine.path);
   const std::string by = " by t = " + short_text(time),
                     on = "the packet has not come back by five sites" + by;
   Answers q{"a smaller --tolerance or a shorter --time"};

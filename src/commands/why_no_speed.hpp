@@ -20,24 +20,24 @@ inline double way_end(std::size_t sites) {
   return double(sites) - 20;
 }
 
-/// Why there is no packet in `track`; empty if there is one.
-inline std::string why_no_packet(const Track& track) {
-  if (!track.t.empty()) return "";
+/// Why there is no packet in `path`; empty if there is one.
+inline std::string why_no_packet(const Path& path) {
+  if (!path.t.empty()) return "";
   return "no packet: nowhere do eleven neighbours hold a hundredth of the whole";
 }
 
-/// Why `track` has no speed on this way, from the `density` at the end; empty if it has one. `share` is what the
+/// Why `path` has no speed on this way, from the `density` at the end; empty if it has one. `share` is what the
 /// first `sites` sites then hold a part of, such as the energy.
-inline std::string why_no_speed(const Track& track, const std::vector<double>& density,
+inline std::string why_no_speed(const Path& path, const std::vector<double>& density,
                                 std::size_t sites, const std::string& share) {
   const double to = way_end(density.size());
-  if (track.line(fit_from, to)) return "";
+  if (path.line(fit_from, to)) return "";
   if (!(to > fit_from))
     return "the way from site 20 to twenty sites before the far end is empty: it takes more than "
            "40 "
            "sites";
-  if (track.t.empty()) return why_no_packet(track);
-  const double farthest = *std::max_element(track.centre.begin(), track.centre.end());
+  if (path.t.empty()) return why_no_packet(path);
+  const double farthest = *std::max_element(path.centre.begin(), path.centre.end());
   if (farthest >= fit_from)
     return "fewer than three samples of the packet lie between sites 20 and " + short_text(to);
   return "no packet comes to site 20: the foremost one comes to " +

@@ -21,7 +21,7 @@ WatchedRun pass(const StruckArray& blow, std::size_t n, double until, const Reso
     at.v.push_back(now.v[n - 1]);
     at.y.push_back(now.y[n - 1]);
   };
-  return {strike(ContactAware{r.step}, impact, watch), std::move(at)};
+  return {strike(EventCorrected{r.step}, impact, watch), std::move(at)};
 }
 
 double mean_speed(const WatchedRun& run, const StruckArray& blow, std::size_t n) {
@@ -39,7 +39,7 @@ std::vector<double> strongest_forces(const StruckArray& blow, double ratio, doub
   const Impact impact = blow.impact(ratio, end, 0.1);
   const std::size_t contacts = impact.chain.sites - 1;
   std::vector<double> map(bins * contacts, 0.0);
-  strike(ContactAware{0.1}, impact, [&](const State<double>& now, const auto&) {
+  strike(EventCorrected{0.1}, impact, [&](const State<double>& now, const auto&) {
     const std::size_t bin = std::min(bins - 1, std::size_t(now.t / impact.time * double(bins)));
     for (std::size_t n = 0; n < contacts; ++n) {
       double& most = map[bin * contacts + n];

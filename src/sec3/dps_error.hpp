@@ -12,7 +12,7 @@ followed here from the same start, and what counts is the largest deviation of a
 #include <vector>
 
 #include "lattice/dps/evolve.hpp"
-#include "lattice/integrators/accuracy.hpp"
+#include "lattice/integrators/refinement.hpp"
 #include "lattice/numerics/estimate.hpp"
 
 namespace lattice {
@@ -27,7 +27,7 @@ struct Compared {
 /**
 Three errors could be mistaken for that of the approximation: those of the chain's integration, of
 the DpS integration, and of the sampling of a maximum over time. The chain is moved by a
-Runge–Kutta–Nyström scheme that treats the opening and closing of contacts (contact_rkn.hpp), the DpS
+Runge–Kutta–Nyström scheme that treats the opening and closing of contacts (event_corrected.hpp), the DpS
 equation by GSL's adaptive method of order eight. Every point is computed twice, the second time with
 half the step, twice the samples and a hundredth of the tolerance. What must agree is the *deviation*,
 the number that we want. The difference of the two is the error in the tables, and it must stay far
@@ -54,9 +54,9 @@ inline std::vector<double> deviations(const Compared& both, double eps,
   Field field = both.start;
   std::vector<double> largest(horizons.size());
   double tau = 0;
-  const ContactAware stepper = stepper_for(1e-6, 0.1, resolution.halvings);
-  const TimeGrid grid = dense_time_grid(stepper, horizons.back() / std::sqrt(eps), 0.2);
-  evolve(stepper, chain, state, grid, [&](const State<double>& now) {
+  const EventCorrected method = method_for(1e-6, 0.1, resolution.halvings);
+  const double time = horizons.back() / std::sqrt(eps);
+  evolve(method, chain, state, time, denser(0.2), [&](const State<double>& now) {
     if (now.t == 0) return;
     slow.advance(tau, std::sqrt(eps) * now.t, x);
     for (std::size_t n = 0; n < field.size(); ++n) field[n] = {x[2 * n], x[2 * n + 1]};

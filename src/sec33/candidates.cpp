@@ -29,14 +29,14 @@ struct WideSplitting {
 
 std::vector<Candidate> candidates(const RestingBreather& at, double c, double time) {
   std::vector<Candidate> all;
-  const auto add = [&](const std::string& name, const auto& stepper, double length) {
-    all.push_back({name, stepper.step, [=, &at] { return at.after(c, stepper, length); }});
+  const auto add = [&](const std::string& name, const auto& method, double length) {
+    all.push_back({name, method.step, [=, &at] { return at.after(c, method, length); }});
   };
   for (double h : {0.2, 0.1, 0.05, 0.025}) {
     add("verlet", Splitting{verlet(), h}, time);
     add("blanes_moan_4", Splitting{blanes_moan_4(), h}, time);
     add("blanes_moan_4_wide", WideSplitting{blanes_moan_4(), h}, time);
-    add("contact_aware_6", ContactAware{h}, time);
+    add("contact_aware_6", EventCorrected{h}, time);
     add("contact_aware_14", fourteen_stages(h), time);
   }
   add("landing", EventDriven{1}, time / 5);

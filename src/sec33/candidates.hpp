@@ -17,7 +17,7 @@ namespace lattice {
 struct Candidate {
   std::string name;
   double step;
-  std::function<Creep()> run;
+  std::function<KickedPath()> run;
 };
 
 /// Splittings in double and in extended precision, contact-aware steps of two methods, and exact event location, which

@@ -8,7 +8,7 @@
 
 namespace lattice {
 
-Mobility mobility_of(const Creep& path) {
+Mobility mobility_of(const KickedPath& path) {
   const double far = path.farthest();
   if (far > 0.6) return Mobility::free;
   return std::abs(path.travelled()) < far - 0.02 ? Mobility::pinned : Mobility::undecided;
@@ -68,9 +68,9 @@ double freeing_kick(double barrier, const Pinning& pinning) {
   return std::sqrt(2 * std::abs(barrier / pinning.share));
 }
 
-double hill_speed(const Creep& path, double hill, double reach) {
+double hill_speed(const KickedPath& path, double hill, double reach) {
   std::vector<std::size_t> near;
-  for (std::size_t k = 0; k < path.X.size(); ++k)
+  for (std::size_t k = 0; k < path.centre.size(); ++k)
     if (std::abs(std::abs(path.moved(k)) - hill) <= reach) near.push_back(k);
   if (near.size() < 8) throw std::invalid_argument("too few means of the path lie on the hill");
   const double first = path.t[near.front()], last = path.t[near.back()], half = (last - first) / 2;

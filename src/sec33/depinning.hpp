@@ -23,7 +23,7 @@ well beyond the hill, at 0.6 sites, and pinned if it has turned round before tha
 enum class Mobility { undecided, free, pinned };
 
 /// What a path, as far as it is known, says about its breather.
-Mobility mobility_of(const Creep& path);
+Mobility mobility_of(const KickedPath& path);
 
 /**
 ## What linear theory expects
@@ -86,7 +86,7 @@ Near the top the path is $X \simeq (V/\Omega)\sinh\Omega t$ with $\Omega$ the ra
 nearly a cubic whose least slope is $V$, and we fit one to all means within `reach` of the top. */
 /// The speed on the hill at `hill` sites from the start. Throws std::invalid_argument if fewer than
 /// eight means lie within `reach` of it.
-double hill_speed(const Creep& path, double hill = 0.5, double reach = 0.05);
+double hill_speed(const KickedPath& path, double hill = 0.5, double reach = 0.05);
 
 /**
 The straight line through the two values of $V^2$ against $c^2$ is followed to zero. */

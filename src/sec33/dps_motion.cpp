@@ -94,7 +94,7 @@ Course Course::until(double time) const {
 
 // A run of the whole equation; the drifts of norm and energy say how far it can be trusted
 Course follow_breather(const PinnedBreather& breather, Field v, double time,
-                       const Accuracy& accuracy, const DpsObserver& watch) {
+                       const Accuracy& accuracy, const DpsLook& watch) {
   Course out;
   const auto energy_of = [&](const Field& w) { return energy(w, false, breather.exponent); };
   const double start = energy_of(v);

@@ -85,9 +85,8 @@ We integrate in the frame that turns with the breather (evolve.hpp), where only 
 Norm and energy are watched at every sample: unless their drift stays far below the share of the energy
 that pins the breather, the run says nothing about pinning. */
 /// Follows the field `v`, given in the frame that turns with the breather; `watch` sees every sample.
-Course follow_breather(
-    const PinnedBreather& breather, Field v, double time, const Accuracy& accuracy,
-    const DpsObserver& watch = [](double, const Field&) {});
+Course follow_breather(const PinnedBreather& breather, Field v, double time,
+                       const Accuracy& accuracy, const DpsLook& watch = {});
 
 /**
 Two questions can be put to a breather that is perturbed along the pinning pair and in no other way. The

@@ -1,7 +1,10 @@
 #include "sec33/kick.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace lattice {
 
@@ -23,7 +26,7 @@ State<double> kicked(State<double> state, double c) {
   return state;
 }
 
-double creep_sample(double period) {
+double sample_of_mean(double period) {
   return period * (std::sqrt(5.0) - 1) / 10;
 }
 
@@ -33,22 +36,16 @@ double breather_place(const std::vector<double>& e) {
 }
 
 // Distances, speeds and the trust that a run deserves are read off a path
-double Creep::farthest() const {
+double KickedPath::farthest() const {
   double far = 0;
-  for (std::size_t k = 0; k < X.size(); ++k) far = std::max(far, std::abs(moved(k)));
+  for (std::size_t k = 0; k < centre.size(); ++k) far = std::max(far, std::abs(moved(k)));
   return far;
 }
 
-Estimate Creep::speed(double from, double to) const {
-  std::vector<double> ts, xs;
-  for (std::size_t k = 0; k < t.size(); ++k)
-    if (t[k] >= from && t[k] <= to) ts.push_back(t[k]), xs.push_back(X[k]);
-  return fit_line(ts, xs).estimate();
-}
-
-double Creep::mean_speed(double distance, std::size_t start) const {
+double KickedPath::mean_speed(double distance, std::size_t start) const {
   for (std::size_t k = start + 1; k < t.size(); ++k) {
-    const double now = std::abs(X[k] - X[start]), before = std::abs(X[k - 1] - X[start]);
+    const double now = std::abs(centre[k] - centre[start]),
+                 before = std::abs(centre[k - 1] - centre[start]);
     if (now < distance) continue;
     const double since = t[k - 1] + (t[k] - t[k - 1]) * (distance - before) / (now - before);
     return distance / (since - t[start]);
@@ -58,8 +55,25 @@ double Creep::mean_speed(double distance, std::size_t start) const {
 }
 
 // `run` gives its drift relative to the breather's energy
-double Creep::drift_margin(double c, double energy) const {
+double KickedPath::drift_margin(double c, double energy) const {
   return c * c / 2 / energy / run.energy_drift;
+}
+
+KickedPath follow_kicked(const Method& method, const Chain& chain, const State<double>& start,
+                         double sample, double duration, const KickLook& look) {
+  const std::size_t means = std::size_t(duration / (sample * double(samples_of_a_mean)) + 0.5);
+  TimeGrid grid{sample * double(samples_of_a_mean * means), samples_of_a_mean * means};
+  grid.steps = std::max<std::size_t>(1, std::size_t(std::ceil(sample / method.step * (1 - 1e-12))));
+  MeanPlace mean{.sample = sample};
+  State<double> end = start;
+  const Run run = evolve(method, chain, end, grid, [&](const State<double>& now) {
+    if (now.t == start.t) return true;
+    const std::vector<double> e = energy_density(chain, now);
+    return !mean.add(now, e) || look(mean.path, now, e);
+  });
+  mean.path.run = run;
+  mean.path.end = std::move(end);
+  return std::move(mean.path);
 }
 
 }  // namespace lattice

@@ -7,7 +7,7 @@ are given velocities in the direction of the breather's discrete gradient,
 $$\dot y_n(0) = c\,g_n,\qquad g_n = \frac{y_{n+1}(0)-y_{n-1}(0)}{\bigl(\sum_m|y_{m+1}(0)-y_{m-1}(0)|^2\bigr)^{1/2}}.$$
 The norm of $g$ is one, so that the kick adds the kinetic energy $c^2/2$. (The article prints the formula
 without the square root; with that one neither the energy $c^2/2$ nor the speeds that it quotes come out.)
-This file kicks the breather and follows it as it creeps along; depinning.hpp tells whether it gets
+This file kicks the breather and follows it as it drifts along; depinning.hpp tells whether it gets
 free. */
 
 #include <algorithm>
@@ -16,7 +16,7 @@ free. */
 #include <utility>
 #include <vector>
 
-#include "lattice/diagnostics/observe.hpp"
+#include "lattice/diagnostics/path.hpp"
 #include "lattice/integrators/integrate.hpp"
 
 namespace lattice {
@@ -29,38 +29,34 @@ std::vector<double> kick_direction(const std::vector<double>& y);
 State<double> kicked(State<double> state, double c);
 
 /**
-## Following a breather that creeps
+## Following a breather that drifts
 
 The centre $X$ of Eq. (24) swings with every oscillation, because Eq. (23) assigns the energy of a contact
-to the bead on its left. What creeps is its mean. We take 89 samples at intervals of $T_b(\sqrt5-1)/10$,
+to the bead on its left. What drifts is its mean. We take 89 samples at intervals of $T_b(\sqrt5-1)/10$,
 together eleven periods: since this is $T_b/5$ times the golden ratio 0.618, and 89 a Fibonacci number,
 they are spread evenly over the phases of the oscillation. It also keeps the steps from falling on the
 same phases in every period, where their errors would add up instead of cancelling. */
 inline constexpr std::size_t samples_of_a_mean = 89;
 
 /// Time between two samples of a breather with this period.
-double creep_sample(double period);
+double sample_of_mean(double period);
 
 /// Sites from the middle of the chain to the energy centre, Eq. (24), about the largest density.
 double breather_place(const std::vector<double>& e);
 
-/// The path of a creeping breather: the means of X, in sites from the middle of the chain, at the middles
-/// of their intervals, and the report of the run.
-struct Creep {
-  std::vector<double> t{}, X{};
+/// The path of a kicked breather: the means of X, in sites from the middle of the chain, at the middles of their
+/// intervals, and the report of the run.
+struct KickedPath : Path {
   double share = 1;  ///< the least share of the energy near the largest density, of all samples
   State<double> end{};
   Run run{};
 
   /// Sites moved from the first mean to mean `k`.
-  double moved(std::size_t k) const { return X[k] - X[0]; }
+  double moved(std::size_t k) const { return centre[k] - centre[0]; }
   /// Sites moved from the first mean to the last; zero without means.
-  double travelled() const { return X.empty() ? 0 : moved(X.size() - 1); }
+  double travelled() const { return centre.empty() ? 0 : moved(centre.size() - 1); }
   /// The largest distance from the first mean, in either direction.
   double farthest() const;
-  /// Slope of X between two times, with the error of the fit. Throws std::invalid_argument if fewer than
-  /// three means lie there.
-  Estimate speed(double from, double to) const;
   /// `distance` over the time that it takes from mean `start` on, interpolated between two means. Throws
   /// std::runtime_error if the path does not lead so far.
   double mean_speed(double distance, std::size_t start = 0) const;
@@ -71,10 +67,10 @@ struct Creep {
 
 /// One path with two schemes or steps, of which the second is the finer.
 struct TwoPaths {
-  Creep rough{}, good{};
+  KickedPath rough{}, good{};
   /// When the breather is `distance` sites from its start. Throws as `mean_speed` does.
   Estimate when(double distance) const {
-    const auto of = [&](const Creep& p) { return p.t[0] + distance / p.mean_speed(distance); };
+    const auto of = [&](const KickedPath& p) { return p.t[0] + distance / p.mean_speed(distance); };
     return compare(of(rough), of(good));
   }
 };
@@ -82,7 +78,7 @@ struct TwoPaths {
 /**
 The samples of eleven periods are added up to one mean of $X$. */
 struct MeanPlace {
-  Creep path{};             ///< the means so far
+  KickedPath path{};        ///< the means so far
   double sample, sum = 0;   ///< time between two samples; of the places since the last mean
   std::size_t samples = 0;  ///< seen in all
 
@@ -92,41 +88,18 @@ struct MeanPlace {
     const std::size_t peak = std::size_t(std::max_element(e.begin(), e.end()) - e.begin());
     path.share = std::min(path.share, window_sum(e, peak) / window_sum(e, 0, e.size()));
     if (++samples % samples_of_a_mean != 0) return false;
-    path.t.push_back(now.t - sample * 0.5 * double(samples_of_a_mean - 1));
-    path.X.push_back(sum / double(samples_of_a_mean));
+    path.add(now.t - sample * 0.5 * double(samples_of_a_mean - 1), sum / double(samples_of_a_mean));
     sum = 0;
     return true;
   }
 };
 
-/// Watches a run that is followed to its end.
-struct ToTheEnd {
-  bool operator()(const Creep&, const State<double>&, const std::vector<double>&) const {
-    return true;
-  }
-};
+/// Sees every mean: the path so far, the state and its energy density. It may return false to end the run.
+using KickLook = Observer<KickedPath, State<double>, std::vector<double>>;
 
-/**
-`creep` follows a kicked breather for about `duration`, a whole number of means. `watch(creep, state,
-density)` sees every mean and may end the run by returning false. Samples are `sample` apart, usually
-`creep_sample`. */
-template <class Stepper, class Watch = ToTheEnd>
-Creep creep(const Stepper& stepper, const Chain& chain, const State<double>& start, double sample,
-            double duration, Watch watch = {}) {
-  const std::size_t means = std::size_t(duration / (sample * double(samples_of_a_mean)) + 0.5);
-  TimeGrid grid{sample * double(samples_of_a_mean * means), samples_of_a_mean * means};
-  grid.steps =
-      std::max<std::size_t>(1, std::size_t(std::ceil(sample / stepper.step * (1 - 1e-12))));
-  MeanPlace mean{.sample = sample};
-  State<double> end = start;
-  const Run run = evolve(stepper, chain, end, grid, [&](const State<double>& now) {
-    if (now.t == start.t) return true;
-    const std::vector<double> e = energy_density(chain, now);
-    return !mean.add(now, e) || watch(std::as_const(mean.path), now, e);
-  });
-  mean.path.run = run;
-  mean.path.end = std::move(end);
-  return std::move(mean.path);
-}
+/// Follows a kicked breather for about `duration`, a whole number of means, with samples `sample` apart, usually
+/// `sample_of_mean`.
+KickedPath follow_kicked(const Method& method, const Chain& chain, const State<double>& start,
+                         double sample, double duration, const KickLook& look = {});
 
 }  // namespace lattice

@@ -8,6 +8,17 @@
 
 namespace lattice {
 
+KickedPath decided_path(const RestingBreather& at, double c, const Method& method, double limit) {
+  KickedPath path =
+      at.after(c, method, limit, [](const KickedPath& so_far, const State<double>&, const auto&) {
+        return mobility_of(so_far) == Mobility::undecided;
+      });
+  if (mobility_of(path) == Mobility::undecided)
+    throw std::runtime_error("a kick of " + std::to_string(1e6 * c) +
+                             "e-6 neither frees the breather nor leaves it pinned");
+  return path;
+}
+
 RestingBreather resting_breather(Centre centre, Phase phase, double omega_b, std::size_t sites) {
   const bool site = centre == Centre::site;
   const Fitted found = fit_chain(centre, omega_b, 0, site ? sites | 1 : sites,
@@ -16,7 +27,7 @@ RestingBreather resting_breather(Centre centre, Phase phase, double omega_b, std
           found.orbit.energy};
 }
 
-ContactAware fourteen_stages(double step) {
+EventCorrected fourteen_stages(double step) {
   return {step, nystrom(blanes_moan_6_14())};
 }
 
@@ -50,13 +61,13 @@ Prediction predict_threshold(const RestingBreather& at, const Estimate& barrier)
 }
 
 FreeingKick freeing_kick_of(const RestingBreather& at, const Prediction& guess,
-                            const ContactAware& stepper) {
+                            const EventCorrected& method) {
   const double limit = 10 / guess.frequency.value, least = guess.threshold.value;
   const std::array<double, 3> c{1.05 * least, 1.2 * least, 1.4 * least};
   std::array<double, 3> v{};
   FreeingKick out;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Creep path = decided_path(at, c[i], stepper, limit);
+    const KickedPath path = decided_path(at, c[i], method, limit);
     if (mobility_of(path) != Mobility::free)
       throw std::runtime_error("a kick above the prediction leaves the breather pinned");
     v[i] = hill_speed(path);
@@ -74,7 +85,7 @@ FreeingKick freeing_kick_of(const RestingBreather& at, const Prediction& guess,
 
 std::vector<FreeingKick> freeing_kicks(const std::vector<RestingBreather>& at,
                                        const std::vector<Prediction>& guess,
-                                       const ContactAware& coarse, const ContactAware& fine) {
+                                       const EventCorrected& coarse, const EventCorrected& fine) {
   const std::size_t n = at.size();
   std::vector<FreeingKick> found(2 * n);
   parallel_for("thresholds", 2 * n, [&](std::size_t i) {
@@ -85,12 +96,12 @@ std::vector<FreeingKick> freeing_kicks(const std::vector<RestingBreather>& at,
   return found;
 }
 
-void confirm(const RestingBreather& at, const Prediction& guess, const ContactAware& stepper,
+void confirm(const RestingBreather& at, const Prediction& guess, const EventCorrected& method,
              FreeingKick& found) {
   std::array<double, 2> margins{};
   parallel_for("bracket", 2, [&](std::size_t i) {
     const double c = (i ? 1.01 : 0.99) * found.value.value;
-    const Creep path = decided_path(at, c, stepper, 10 / guess.frequency.value);
+    const KickedPath path = decided_path(at, c, method, 10 / guess.frequency.value);
     if (mobility_of(path) != (i ? Mobility::free : Mobility::pinned))
       throw std::runtime_error("the threshold is not within one per cent of " +
                                std::to_string(1e6 * found.value.value) + "e-6");

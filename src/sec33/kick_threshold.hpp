@@ -13,7 +13,7 @@ $c_c$. This file predicts $c_c$ from one period of the tangent map and the barri
 #include <string>
 #include <vector>
 
-#include "lattice/integrators/contact_rkn.hpp"
+#include "lattice/integrators/event_corrected.hpp"
 #include "lattice/numerics/estimate.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
@@ -29,10 +29,9 @@ struct RestingBreather {
   State<double> rest{};           ///< at the instant at which all beads are at rest
   double period = 0, energy = 0;  ///< of the breather before the kick
 
-  /// The path after a kick of size `c`, until `watch` stops it or `time` is over.
-  template <class Stepper, class Watch = ToTheEnd>
-  Creep after(double c, const Stepper& stepper, double time, Watch watch = {}) const {
-    return creep(stepper, chain, kicked(rest, c), creep_sample(period), time, watch);
+  /// The path after a kick of size `c`, until `look` stops it or `time` is over.
+  KickedPath after(double c, const Method& method, double time, const KickLook& look = {}) const {
+    return follow_kicked(method, chain, kicked(rest, c), sample_of_mean(period), time, look);
   }
 };
 
@@ -42,8 +41,8 @@ hold the tail of the breather down to rounding, $10^{-16}$. */
 /// Throws ShortChain if the breather needs a longer chain, NewtonFailed if it is not found.
 RestingBreather resting_breather(Centre centre, Phase phase, double omega_b, std::size_t sites);
 
-/// Contact-aware steps of this length by the method of order six with fourteen stages.
-ContactAware fourteen_stages(double step);
+/// Event-corrected steps of this length by the method of order six with fourteen stages.
+EventCorrected fourteen_stages(double step);
 
 /// Both breathers of this frequency in harmonic wells, with their barriers at equal frequency and at equal area.
 BreatherPair barriers_at(double omega_b);
@@ -75,17 +74,7 @@ turned round. Exactly at the threshold this would take for ever. With $\Omega$ t
 pinning mode we allow ten times $1/\Omega$, in which all kicks are decided but those within $10^{-7}$ of
 the threshold. */
 /// The path after a kick up to its decision; throws std::runtime_error if there is none within `limit`.
-template <class Stepper>
-Creep decided_path(const RestingBreather& at, double c, const Stepper& stepper, double limit) {
-  Creep path =
-      at.after(c, stepper, limit, [](const Creep& so_far, const State<double>&, const auto&) {
-        return mobility_of(so_far) == Mobility::undecided;
-      });
-  if (mobility_of(path) == Mobility::undecided)
-    throw std::runtime_error("a kick of " + std::to_string(1e6 * c) +
-                             "e-6 neither frees the breather nor leaves it pinned");
-  return path;
-}
+KickedPath decided_path(const RestingBreather& at, double c, const Method& method, double limit);
 
 /**
 The threshold is extrapolated from runs above it. Three kicks, 5, 20 and 40 per cent above the prediction,
@@ -101,7 +90,7 @@ struct FreeingKick {
 /// The threshold near `guess`, with the error of the extrapolation. Throws std::runtime_error if one of
 /// the kicks does not free the breather.
 FreeingKick freeing_kick_of(const RestingBreather& at, const Prediction& guess,
-                            const ContactAware& stepper);
+                            const EventCorrected& method);
 
 /**
 The rest of the error is that of the integration, and comes from two schemes. Those of the finer one take
@@ -109,14 +98,14 @@ longest and come first. */
 /// One threshold for each breather and its prediction, with the margin of the finer scheme.
 std::vector<FreeingKick> freeing_kicks(const std::vector<RestingBreather>& at,
                                        const std::vector<Prediction>& guess,
-                                       const ContactAware& coarse, const ContactAware& fine);
+                                       const EventCorrected& coarse, const EventCorrected& fine);
 
 /**
 An extrapolation is no proof, so finally the threshold is bracketed directly: one per cent below it the
 breather must turn round, one per cent above it must get over. */
 /// Lowers the margin of `found` to that of these runs if they have less; throws std::runtime_error if one
 /// of them ends otherwise.
-void confirm(const RestingBreather& at, const Prediction& guess, const ContactAware& stepper,
+void confirm(const RestingBreather& at, const Prediction& guess, const EventCorrected& method,
              FreeingKick& found);
 
 }  // namespace lattice

@@ -22,8 +22,8 @@ Velocities velocities(const Path& smoothed, std::size_t first, std::size_t last,
 namespace {
 
 // Times bound the way out, sites the way back, which begins at another time for each impact
-Acceleration acceleration_of(const Voyage& seen, double width, Stretch stretch) {
-  const Path p = smooth(seen.path, width);
+Acceleration acceleration_of(const Path& path, double width, Stretch stretch) {
+  const Path p = smooth(path, width);
   std::size_t first = 0, last = 0;
   if (stretch != Stretch::out) {
     const double apex = find_turn(p).apex.time;
@@ -41,7 +41,7 @@ Acceleration acceleration_of(const Voyage& seen, double width, Stretch stretch) 
 }  // namespace
 
 // Two steps and half the smoothing
-Acceleration acceleration_of(const Voyage& coarse, const Voyage& fine, Stretch stretch) {
+Acceleration acceleration_of(const Path& coarse, const Path& fine, Stretch stretch) {
   const Acceleration a = acceleration_of(coarse, path_smoothing, stretch),
                      b = acceleration_of(fine, path_smoothing, stretch),
                      c = acceleration_of(fine, path_smoothing / 2, stretch);

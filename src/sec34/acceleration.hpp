@@ -32,9 +32,9 @@ struct Velocities {
 /// is the time between two samples.
 Velocities velocities(const Path& smoothed, std::size_t first, std::size_t last, double look);
 
-/// The acceleration in a stretch, from two runs. Its error is that of the fit plus what the other step and half the
+/// The acceleration in a stretch, from the paths of two runs. Its error is that of the fit plus what the other step and half the
 /// smoothing change.
-Acceleration acceleration_of(const Voyage& coarse, const Voyage& fine, Stretch stretch);
+Acceleration acceleration_of(const Path& coarse, const Path& fine, Stretch stretch);
 
 /**
 Neighbours in a list of accelerations may be closer than their errors. The list does not fall in modulus if no later one is

@@ -18,9 +18,9 @@ struct Escape {
   double time[2] = {0, 0};  ///< of the blow-up at two resolutions, infinite if there is none
 
   void measure(double s, double until, double tolerance) {
-    const Impact impact = endless({velocity, {.well = Quartic{s}}, until, 2, 1e-9, false});
+    const Impact impact = on_long_chain({velocity, {.well = Quartic{s}}, until, 2, 1e-9, false});
     for (int k : {0, 1})
-      time[k] = strike(stepper_for(tolerance, largest_step, k), impact).run.escape_time;
+      time[k] = strike(method_for(tolerance, largest_step, k), impact).run.escape_time;
   }
   bool gone(int k) const { return std::isfinite(time[k]); }
   bool agreed() const { return gone(0) == gone(1); }
@@ -47,6 +47,7 @@ struct Confinement {
 };
 
 /// An impact followed to its end with two steps.
-Confinement confinement(const Impact& impact, const ContactAware& rough, const ContactAware& fine);
+Confinement confinement(const Impact& impact, const EventCorrected& rough,
+                        const EventCorrected& fine);
 
 }  // namespace lattice

@@ -12,11 +12,11 @@ Estimate decorrelation_of(double coarse, double fine) {
   return when;
 }
 
-// As often as any refinement halves its step (accuracy.hpp)
-std::optional<Estimate> decorrelation_to(const ContactAware& largest, double velocity, double delta,
-                                         const Chain& chain, double time) {
+// As often as any refinement halves its step (refinement.hpp)
+std::optional<Estimate> decorrelation_to(const EventCorrected& largest, double velocity,
+                                         double delta, const Chain& chain, double time) {
   const auto parted = [&](int one, int other) {
-    ContactAware first = largest, second = largest;
+    EventCorrected first = largest, second = largest;
     first.halvings += one, first.finer += one;
     second.halvings += other, second.finer += other;
     return decorrelation_of_impacts(first, velocity, second, velocity * (1 + delta), chain, time);

@@ -13,7 +13,7 @@ displacement or velocity. */
 #include <optional>
 
 #include "lattice/impact/impact.hpp"
-#include "lattice/integrators/accuracy.hpp"
+#include "lattice/integrators/refinement.hpp"
 #include "lattice/numerics/estimate.hpp"
 #include "lattice/numerics/progress.hpp"
 
@@ -24,16 +24,14 @@ inline constexpr double comparison_interval = 2;  ///< units of time between two
 
 /**
 The two runs go on side by side from look to look, so that no more is kept than the two states. */
-/// The time at which the states `a`, advanced by the stepper `first`, and `b`, advanced by `second`, are
+/// The time at which the states `a`, advanced by the method `first`, and `b`, advanced by `second`, are
 /// first seen to have parted; infinite if they have not by `time`. Both belong to `chain`.
-template <class First, class Second>
-double decorrelation_time(const First& first, State<double> a, const Second& second,
-                          State<double> b, const Chain& chain, double time) {
-  const TimeGrid one = time_grid_for(first, time, comparison_interval),
-                 other = time_grid_for(second, time, comparison_interval);
+inline double decorrelation_time(const Method& first, State<double> a, const Method& second,
+                                 State<double> b, const Chain& chain, double time) {
+  const TimeGrid one = time_grid(first, time, comparison_interval),
+                 other = time_grid(second, time, comparison_interval);
   Window of_a = waking(chain, a), of_b = waking(chain, b);
-  auto advance_a = advance_of(first, chain);
-  auto advance_b = advance_of(second, chain);
+  const Advance advance_a = first.on(chain), advance_b = second.on(chain);
   const double start = a.t;
   Progress progress("two runs", 1);
   for (std::size_t k = 0;; ++k) {
@@ -47,9 +45,9 @@ double decorrelation_time(const First& first, State<double> a, const Second& sec
 }
 
 /// The same for two chains that are struck with the velocities `one` and `other`.
-inline double decorrelation_of_impacts(const ContactAware& first, double one,
-                                       const ContactAware& second, double other, const Chain& chain,
-                                       double time) {
+inline double decorrelation_of_impacts(const EventCorrected& first, double one,
+                                       const EventCorrected& second, double other,
+                                       const Chain& chain, double time) {
   return decorrelation_time(first, struck(chain.sites, one), second, struck(chain.sites, other),
                             chain, time);
 }
@@ -67,7 +65,7 @@ parts them is the step. */
 /// The decorrelation time of two impacts whose velocities differ by a fraction `delta`, infinite if they do not part by
 /// `time`. The steps are those of `largest`, or are halved until equal steps, half of them, and both beside each other
 /// part the impacts within one `comparison_interval`; nothing if none is short enough.
-std::optional<Estimate> decorrelation_to(const ContactAware& largest, double velocity, double delta,
-                                         const Chain& chain, double time);
+std::optional<Estimate> decorrelation_to(const EventCorrected& largest, double velocity,
+                                         double delta, const Chain& chain, double time);
 
 }  // namespace lattice

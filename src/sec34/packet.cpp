@@ -4,15 +4,15 @@
 
 namespace lattice {
 
-double energy_change(const Track& track, double to) {
-  const std::size_t end = track.until(to);
+double energy_change(const Path& path, double to) {
+  const std::size_t end = path.until(to);
   std::size_t begin = 0;
-  while (begin < end && track.centre[begin] < fit_from) ++begin;
+  while (begin < end && path.centre[begin] < fit_from) ++begin;
   if (end < begin + 6) throw std::runtime_error("no packet passes site 20");
   const std::size_t half = (begin + end) / 2;
   const auto mean = [&](std::size_t from, std::size_t until) {
     double sum = 0;
-    for (std::size_t i = from; i < until; ++i) sum += track.energy[i];
+    for (std::size_t i = from; i < until; ++i) sum += path.energy[i];
     return sum / double(until - from);
   };
   const double first = mean(begin, half), second = mean(half, end);

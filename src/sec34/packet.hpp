@@ -10,7 +10,7 @@ around it. */
 #include <cstddef>
 #include <vector>
 
-#include "lattice/diagnostics/observe.hpp"
+#include "lattice/diagnostics/path.hpp"
 
 namespace lattice {
 
@@ -18,7 +18,7 @@ namespace lattice {
 A packet that lasts keeps its energy. The means over both halves of its way average out its pulsation. */
 /// Relative change of the packet's mean energy from the first half of its way to the second. Throws
 /// std::runtime_error if fewer than six samples lie beyond `fit_from`.
-double energy_change(const Track& track, double to = far_away);
+double energy_change(const Path& path, double to = far_away);
 
 /**
 The strongest thing behind the packet is found by sliding a window of the same width: `residue` is the

@@ -10,9 +10,9 @@ namespace lattice {
 Collision collide(double step) {
   const Chain beads{2, None{}};
   State<double> after = struck(2, 1), middle = after;
-  evolve(ContactAware{step}, beads, after, 4, 4, Unobserved{});
+  evolve(EventCorrected{step}, beads, after, 4, 4);
   const double contact = 2 * after.y[0];
-  evolve(ContactAware{step}, beads, middle, contact / 2, contact / 2, Unobserved{});
+  evolve(EventCorrected{step}, beads, middle, contact / 2, contact / 2);
   return {contact, middle.y[0] - middle.y[1]};
 }
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "lattice/integrators/contact_rkn.hpp"
+#include "lattice/integrators/event_corrected.hpp"
 
 namespace lattice {
 
@@ -46,7 +46,7 @@ std::vector<double> mean_density(const Shooting<double>& problem, const Orbit<do
   std::vector<double> mean(mode_sites, 0.0);
   State<double> state = orbit.start;
   const double period = 2 * std::numbers::pi / orbit.omega, parts = double(instants);
-  evolve(ContactAware{0.05}, problem.chain, state, period, period / parts,
+  evolve(EventCorrected{0.05}, problem.chain, state, period, period / parts,
          [&](const State<double>& now) {
            const auto e = energy_density(problem.chain, now);
            for (std::size_t n = 0; n < mode_sites; ++n) mean[n] += e[n] / (parts + 1);

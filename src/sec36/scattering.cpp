@@ -21,7 +21,7 @@ Division division_of(const StruckArray& blow, const std::vector<double>& density
 ImpactRun approach(const StruckArray& blow, double step, double longest) {
   const std::size_t d = blow.array.defect - 1;
   const auto there = [&](const State<double>& now, const auto&) { return now.y[d - 5] == 0; };
-  ImpactRun run = strike(ContactAware{step}, blow.impact(1, longest, 1), there);
+  ImpactRun run = strike(EventCorrected{step}, blow.impact(1, longest, 1), there);
   if (run.end.y[d - 1] != 0 || run.end.y[d - 5] == 0)
     throw NoPacket("the packet does not come to the defect as expected");
   return run;
@@ -31,7 +31,7 @@ ImpactRun approach(const StruckArray& blow, double step, double longest) {
 Scattering scatter(const StruckArray& blow, double ratio, ImpactRun run, double step, double end) {
   const Impact impact = blow.impact(ratio, end, blow.scales.time(end));
   const auto on = [&](double until) {
-    go_on(ContactAware{step}, impact, run, blow.scales.time(until));
+    follow(EventCorrected{step}, impact, run, blow.scales.time(until));
     return division_of(blow, run.density);
   };
   const Division earlier = on(end - 10);
@@ -87,7 +87,7 @@ Stay stay(const StruckArray& blow, double ratio, ImpactRun run, const Resolution
     bead.t.push_back(now.t), bead.v.push_back(now.v[d]);
     for (std::size_t n = 0; n < density.size(); ++n) out.density[n] += density[n] / energy_in;
   };
-  go_on(ContactAware{r.step}, impact, run, impact.time, watch);
+  follow(EventCorrected{r.step}, impact, run, impact.time, watch);
   for (double& e : out.density) e /= double(bead.t.size());
   out.frequency = frequency_of(bead);
   return out;

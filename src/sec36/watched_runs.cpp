@@ -15,7 +15,7 @@ WatchedRuns pass_twice(const StruckArray& blow, std::size_t n) {
 
 Estimate speed_between(const WatchedRuns& runs, const StruckArray& blow, double from, double to) {
   const auto speed = [&](const WatchedRun& run) {
-    return run.track.line(from, to)->slope / blow.scales.tau_c();
+    return run.path.line(from, to)->slope / blow.scales.tau_c();
   };
   return compare(speed(runs[0]), speed(runs[1]));
 }

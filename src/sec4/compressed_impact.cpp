@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "lattice/integrators/contact_rkn.hpp"
+#include "lattice/integrators/event_corrected.hpp"
 
 namespace lattice {
 
@@ -55,7 +55,7 @@ Snapshot snapshot(const Chain& chain, const State<double>& state) {
 }
 
 Impact compressed_impact(double s, double time, double velocity, double d) {
-  return endless({velocity, {.well = Quartic{s}, .contact = CompressedHertz{d}}, time, 1});
+  return on_long_chain({velocity, {.well = Quartic{s}, .contact = CompressedHertz{d}}, time, 1});
 }
 
 // Under precompression the contacts settle, and from then on the splitting takes over
@@ -75,9 +75,9 @@ CompressedRun strike_compressed(const Impact& impact, const std::vector<double>&
   };
   out.end = struck(chain.sites, impact.velocity);
   const double first = opening > 0 ? std::min(settling_time, impact.time) : impact.time;
-  go_on(ContactAware{steps.early}, impact, out, first, watch);
+  follow(EventCorrected{steps.early}, impact, out, first, watch);
   if (first < impact.time && !out.run.escaped())
-    go_on(Splitting{blanes_moan_6_14(), steps.late}, impact, out, impact.time, watch);
+    follow(Splitting{blanes_moan_6_14(), steps.late}, impact, out, impact.time, watch);
   return out;
 }
 

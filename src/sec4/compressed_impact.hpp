@@ -6,7 +6,7 @@ Section 4 strikes the first bead of a compressed chain. This sends out linear wa
 dispersion.hpp) and perhaps a packet that holds together. This file makes the run and tells the two
 apart.
 
-Near the struck end contacts may open for a while, so the event-corrected method (contact_rkn.hpp) integrates
+Near the struck end contacts may open for a while, so the event-corrected method (event_corrected.hpp) integrates
 until a settling time. After the article's impacts the motion is smooth from then on, and a splitting (schemes.hpp)
 has its full order six. The chain is as long as impact.hpp makes it: somewhat longer than the way of the fastest phonon, ahead of
 which the motion falls off super-exponentially. */

@@ -17,7 +17,7 @@ arrive at the same states. This part of the chapter of section 4 belongs to the 
 
 #include "lattice/gsl/reference.hpp"
 #include "lattice/impact/impact.hpp"
-#include "lattice/integrators/contact_rkn.hpp"
+#include "lattice/integrators/event_corrected.hpp"
 #include "lattice/integrators/integrate.hpp"
 #include "lattice/numerics/line_fit.hpp"
 #include "report/program.hpp"
@@ -35,9 +35,9 @@ struct OrderCase {
   double time;
 
   template <class Stepper>
-  State<double> run(const Stepper& stepper) const {
+  State<double> run(const Stepper& method) const {
     State<double> state = start;
-    evolve(stepper, chain, state, time, time, Unobserved{});
+    evolve(method, chain, state, time, time);
     return state;
   }
 };
@@ -63,7 +63,7 @@ To measure errors we need the right end state. It is that of an event-corrected 
 adaptive integrator that shares nothing with it has confirmed it. */
 /// That state; the facts have its distance from the independent one.
 inline State<double> confirmed_end(const OrderCase& c, Quantities& facts) {
-  const State<double> right = c.run(ContactAware{1.0 / 256, nystrom(blanes_moan_6_14())});
+  const State<double> right = c.run(EventCorrected{1.0 / 256, nystrom(blanes_moan_6_14())});
   const double apart = distance_from_reference(c.chain, c.start, c.time, right, 1e-9);
   facts.add("independent_route_difference_" + c.name, compare(0.0, apart));
   return right;

@@ -8,14 +8,14 @@
 namespace lattice {
 
 // Follow the packet's centre for sixty units of time
-static Modulated look_closely(const Splitting& stepper, const Chain& ring, State<double> state) {
+static Modulated look_closely(const Splitting& method, const Chain& ring, State<double> state) {
   Modulated out{std::move(state)};
   const auto look = [&](const State<double>& now) {
     out.density = energy_density(ring, now);
     out.t.push_back(now.t);
     out.centre.push_back(packet_sample(now.t, out.density).centre);
   };
-  out.drift = evolve(stepper, ring, out.end, 60, 1, look).energy_drift;
+  out.drift = evolve(method, ring, out.end, 60, 1, look).energy_drift;
   out.shown = snapshot(ring, out.end);
   return out;
 }
@@ -23,10 +23,10 @@ static Modulated look_closely(const Splitting& stepper, const Chain& ring, State
 // Let the modulation grow, then look closely during the last part of the run
 Modulated modulate(const ModulatedPhonon& phonon, double time, double step) {
   const Chain ring = phonon.ring();
-  const Splitting stepper{blanes_moan_6_14(), step};
+  const Splitting method{blanes_moan_6_14(), step};
   State<double> state = phonon.start();
-  const Run wait = evolve(stepper, ring, state, time - 60, 60, Unobserved{});
-  Modulated out = look_closely(stepper, ring, std::move(state));
+  const Run wait = evolve(method, ring, state, time - 60, 60);
+  Modulated out = look_closely(method, ring, std::move(state));
   out.drift = std::max(wait.energy_drift, out.drift);
   return out;
 }
@@ -76,13 +76,13 @@ RingCourse ring_course(const ModulatedPhonon& phonon, double longest,
   const Chain ring = phonon.ring();
   std::array<State<double>, 2> state{phonon.start(), phonon.start()};
   RingCourse out;
-  const auto stepper = [&](std::size_t k) { return Splitting{blanes_moan_6_14(), steps[k]}; };
+  const auto method = [&](std::size_t k) { return Splitting{blanes_moan_6_14(), steps[k]}; };
   bool together = true;
   Progress progress("ring", 1);
   while (together && state[1].t < longest && !(state[1].t > patience * out.gathered)) {
     std::array<RingSample, 2> seen;
     for (std::size_t k : {0, 1}) {
-      evolve(stepper(k), ring, state[k], interval, interval, Unobserved{});
+      evolve(method(k), ring, state[k], interval, interval);
       seen[k] = ring_sample(ring, state[k]);
     }
     progress.reach(state[1].t / longest);
@@ -91,7 +91,7 @@ RingCourse ring_course(const ModulatedPhonon& phonon, double longest,
     out.samples.push_back(seen);
     if (!std::isnan(out.gathered) || !seen[0].gathered || !seen[1].gathered) continue;
     out.gathered = seen[1].t;
-    for (std::size_t k : {0, 1}) out.packet[k] = look_closely(stepper(k), ring, state[k]);
+    for (std::size_t k : {0, 1}) out.packet[k] = look_closely(method(k), ring, state[k]);
   }
   out.agree = together ? exact(state[1].t) : Estimate{state[1].t, interval};
   return out;

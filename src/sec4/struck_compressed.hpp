@@ -202,8 +202,10 @@ struct CompressedImpact {
     p.add("tolerance", tolerance, "relative error allowed in the end state", {1e-11, 0.1});
   }
   Table table() const {
-    const Impact impact = endless({velocity, {.well = well, .contact = CompressedHertz{d}}, time});
-    const auto runs = strike_to(tolerance, impact);
+    const Impact impact =
+        on_long_chain({velocity, {.well = well, .contact = CompressedHertz{d}}, time});
+    const auto runs =
+        refined(tolerance, [&](const EventCorrected& method) { return strike(method, impact); });
     const ImpactRun &coarse = runs.coarse, &fine = runs.fine;
     const PacketSample a = packet_sample(time, coarse.density),
                        b = packet_sample(time, fine.density);

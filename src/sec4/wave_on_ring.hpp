@@ -27,12 +27,12 @@ A frequency is an angle over a time. The phase of the wave's own component turns
 time; we add up its changes from sample to sample over a number of periods, on a ring that holds a whole
 number of wavelengths. */
 template <class Stepper>
-double measured_frequency(const Stepper& stepper, const Chain& chain, const PlaneWave& wave,
+double measured_frequency(const Stepper& method, const Chain& chain, const PlaneWave& wave,
                           double periods) {
   State<double> state = on_ring(wave, chain.sites);
   const double time = 2 * std::numbers::pi * periods / wave.omega;
   double turned = 0, last = 0;
-  evolve(stepper, chain, state, time, 0.5, [&](const State<double>& now) {
+  evolve(method, chain, state, time, 0.5, [&](const State<double>& now) {
     const double phase = std::arg(fourier(now, wave.q, wave.omega));
     if (now.t > 0) turned += std::remainder(phase - last, 2 * std::numbers::pi);
     last = phase;
@@ -52,7 +52,7 @@ Growth can be seen in a run as well. A modulation with `turns` periods on the ri
 amplitude of $10^{-6}$, and a line is fitted to the logarithm of the side band from four to eight times
 1 / `expected`, when the growing part has left the decaying one behind. */
 template <class Stepper>
-double measured_growth(const Stepper& stepper, const Chain& chain, const PlaneWave& wave, int turns,
+double measured_growth(const Stepper& method, const Chain& chain, const PlaneWave& wave, int turns,
                        double expected) {
   State<double> state = on_ring(wave, chain.sites);
   const double modulation = 2 * std::numbers::pi * turns / double(chain.sites);
@@ -62,7 +62,7 @@ double measured_growth(const Stepper& stepper, const Chain& chain, const PlaneWa
     state.v[n] *= factor;
   }
   std::vector<double> times, logs;
-  evolve(stepper, chain, state, 8 / expected, 0.02 / expected, [&](const State<double>& now) {
+  evolve(method, chain, state, 8 / expected, 0.02 / expected, [&](const State<double>& now) {
     if (now.t < 4 / expected) return;
     times.push_back(now.t);
     logs.push_back(std::log(std::abs(fourier(now, wave.q + modulation, wave.omega))));

@@ -23,18 +23,18 @@ void draw_map(const DrivenArray& array, double rows) {
   std::vector<double> most(DrivenArray::drawn, 0.0);
   double shown = 0;
   State<double> state(DrivenArray::sites);
-  run_driven(array.driven(), state, time_grid(array.horizon(), 0.8, 0.1),
-             [&](const State<double>& now, const EnergyBudget&) {
-               for (std::size_t n = 0; n < most.size(); ++n) {
-                 const double e = (now.y[n] * now.y[n] + now.v[n] * now.v[n]) / 2;
-                 most[n] = std::max(most[n], e * array.unit_energy());
-               }
-               if (now.t < array.horizon() * (shown + 1) / rows) return true;
-               ++shown;
-               page_row(0, array.milliseconds(now.t), most.data(), most.size());
-               std::fill(most.begin(), most.end(), 0.0);
-               return true;
-             });
+  evolve(array.driven(), state, time_grid(array.horizon(), 0.8, 0.1),
+         [&](const State<double>& now, const EnergyBudget&) {
+           for (std::size_t n = 0; n < most.size(); ++n) {
+             const double e = (now.y[n] * now.y[n] + now.v[n] * now.v[n]) / 2;
+             most[n] = std::max(most[n], e * array.unit_energy());
+           }
+           if (now.t < array.horizon() * (shown + 1) / rows) return true;
+           ++shown;
+           page_row(0, array.milliseconds(now.t), most.data(), most.size());
+           std::fill(most.begin(), most.end(), 0.0);
+           return true;
+         });
 }
 
 PAGE_REQUEST(Request)

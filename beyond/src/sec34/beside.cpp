@@ -26,10 +26,11 @@ Path expose(const ExposedBreather& trial, const Orbit<double>& orbit, double ste
     state.v[n] += wave_amplitude * std::sin(trial.phase[k]);
   }
   Path path;
-  evolve(ContactAware{step}, chain, state, wave_time, path_sampling, [&](const State<double>& now) {
-    path.add(now.t, energy_density(chain, now));
-    path.centre.back() -= double(centre) + 0.5;
-  });
+  evolve(EventCorrected{step}, chain, state, wave_time, path_sampling,
+         [&](const State<double>& now) {
+           path.add(now.t, energy_density(chain, now));
+           path.centre.back() -= double(centre) + 0.5;
+         });
   return path;
 }
 

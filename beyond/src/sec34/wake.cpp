@@ -48,13 +48,12 @@ struct Voyager {
 
   // Until a time is reached, or nobody wants to see more
   bool go(const Chain& chain, State<double>& state, double until, Path& path,
-          const Observer& observe);
+          const WakeLook& observe);
 };
 
 bool Voyager::go(const Chain& chain, State<double>& state, double until, Path& path,
-                 const Observer& observe) {
-  const ContactAware stepper{step};
-  const Advance advance = advance_of(stepper, chain);
+                 const WakeLook& observe) {
+  const Advance advance = Method(EventCorrected{step}).on(chain);
   Window moving = waking(chain, state);
   const double look = look_every(step);
   const TimeGrid grid = time_grid(look, look, step);
@@ -96,7 +95,7 @@ State<double> cut_out(const Chain& chain, const State<double>& state, std::size_
 
 // Up to the cut on the struck chain, then on one that reaches as far behind the packet
 Path follow_without(const WavesRemoved& impact, double step, double until, std::size_t sites,
-                    const Observer& observe) {
+                    const WakeLook& observe) {
   Chain chain{sites, Quartic{impact.s}};
   State<double> state = struck(sites, impact.velocity);
   Path path;

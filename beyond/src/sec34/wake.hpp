@@ -44,7 +44,7 @@ struct Sight {
   double dissipated;  ///< zero unless it is counted
 };
 /// Sees the chain; false ends the run.
-using Observer = std::function<bool(const Sight&)>;
+using WakeLook = Observer<Sight>;
 
 /**
 An absorber that follows the packet is placed anew whenever the observer looks, which is every 0.2 units of time,
@@ -54,9 +54,8 @@ looks. In between, half of its friction acts before each step and half after it,
 `sites` is the length of the struck chain and of what a cut puts behind the packet. It has to be so long that
 nothing comes back from its ends. Throws std::runtime_error when a wave has reached one. */
 /// The packet of an impact from which something is taken away; its centre in sites of the struck chain.
-Path follow_without(
-    const WavesRemoved& impact, double step, double until, std::size_t sites,
-    const Observer& observe = [](const Sight&) { return true; });
+Path follow_without(const WavesRemoved& impact, double step, double until, std::size_t sites,
+                    const WakeLook& observe = {});
 
 /**
 What becomes of such a packet in a long time? It *returns* if its mean over the width of the smoothing comes

@@ -121,18 +121,17 @@ Decay let_decay(const Orbit<double>& orbit, const Chain& chain, double nu, doubl
                                    [](double a, double b) { return std::abs(a) < std::abs(b); }) -
                   state.y.begin());
   std::vector<double> t, y, e, centres;
-  run_driven(
-      {chain, {nu, 0}}, state, time_grid(duration, step, step),
-      [&](const State<double>& now, const EnergyBudget&) {
-        const auto density = energy_density(chain, now);
-        t.push_back(now.t), y.push_back(now.y[most]);
-        e.push_back(total(density));
-        double contacts = 0;
-        for (std::size_t n = 1; n < chain.sites; ++n)
-          contacts += contact_energy(chain, now.y.data(), n);
-        centres.push_back(energy_centre(density, most, chain.sites) + contacts / (2 * e.back()));
-        return true;
-      });
+  evolve({chain, {nu, 0}}, state, time_grid(duration, step, step),
+         [&](const State<double>& now, const EnergyBudget&) {
+           const auto density = energy_density(chain, now);
+           t.push_back(now.t), y.push_back(now.y[most]);
+           e.push_back(total(density));
+           double contacts = 0;
+           for (std::size_t n = 1; n < chain.sites; ++n)
+             contacts += contact_energy(chain, now.y.data(), n);
+           centres.push_back(energy_centre(density, most, chain.sites) + contacts / (2 * e.back()));
+           return true;
+         });
   // From one upward passage to that eight periods later
   Decay out;
   constexpr std::size_t periods = 8;

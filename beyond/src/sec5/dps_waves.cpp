@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "lattice/algebra/eigenvalues.hpp"
-#include "lattice/integrators/contact_rkn.hpp"
+#include "lattice/integrators/event_corrected.hpp"
 #include "lattice/numerics/line_fit.hpp"
 
 namespace lattice {
@@ -119,11 +119,11 @@ WaveRates run_in_dps(const ModulatedWave& wave, double tolerance) {
 
 // The fast oscillation is taken out of each sample
 void evolve_in_chain(Field& field, double eps, double duration, double every, double step,
-                     const DpsObserver& observe) {
+                     const DpsLook& observe) {
   const Chain ring{field.size(), Harmonic{}, Hertz{}, Ends::periodic};
   const double slow = std::sqrt(eps);
   State<double> state = dps_state(field, eps, 0);
-  evolve(ContactAware{step}, ring, state, time_grid(duration / slow, every / slow, step),
+  evolve(EventCorrected{step}, ring, state, time_grid(duration / slow, every / slow, step),
          [&](const State<double>& now) {
            const auto back = std::polar(1 / (2 * eps), -now.t);
            for (std::size_t n = 0; n < field.size(); ++n)
@@ -157,9 +157,8 @@ Eigen::VectorXd shift_miss(const Eigen::VectorXd& x, double time, double eps, st
     state.v[i] = eps * x[Eigen::Index(n + i)];
   }
   const double force = eps * std::sqrt(eps);
-  const ContactAware stepper{time, dormand_prince_6(), 1e-16 * force};
-  evolve(stepper, Chain{n, Harmonic{}, Hertz{}, Ends::periodic}, state, TimeGrid{time, 1, steps},
-         Unobserved{});
+  const EventCorrected method{time, dormand_prince_6(), 1e-16 * force};
+  evolve(method, Chain{n, Harmonic{}, Hertz{}, Ends::periodic}, state, TimeGrid{time, 1, steps});
   Eigen::VectorXd out(x.size());
   for (std::size_t i = 0; i < n; ++i) {
     const auto next = Eigen::Index((i + 1) % n);

@@ -148,7 +148,7 @@ harm for $q = \pi$ and $q = \frac23\pi$, whose harmonics are stable modulations;
 /// Carries `field` over the slow time `duration` in the chain of the amplitude `eps`, with steps of at most `step`, and
 /// shows y - i y' without its fast oscillation, over 2 eps, about as often as `every`.
 void evolve_in_chain(Field& field, double eps, double duration, double every, double step,
-                     const DpsObserver& observe);
+                     const DpsLook& observe);
 
 /// Both rates fitted to a run of the chain.
 WaveRates run_in_chain(const ModulatedWave& wave, double eps, double step);

@@ -109,7 +109,7 @@ Vector<double> DrivenOrbit::miss(const Vector<double>& x) const {
   State<double> state = state_of(x);
   const double period = 2 * std::numbers::pi / driven.drive.omega;
   const TimeGrid one{period, 1, steps};
-  run_driven(other, state, one, [](const State<double>&, const EnergyBudget&) { return true; });
+  evolve(other, state, one);
   Vector<double> out(x.size() - 1);
   for (std::size_t i = 0; i < state.y.size(); ++i) {
     out[Eigen::Index(i)] = state.y[i] - x[Eigen::Index(i)];
@@ -218,25 +218,24 @@ Emission drive_chain(const DrivenChain& driven, double duration, std::size_t det
   grid.duration = duration, grid.samples *= 2;
   const double h = grid.interval();
   Quintic<double> way{};
-  out.budget =
-      run_driven(driven, state, grid, [&](const State<double>& now, const EnergyBudget& l) {
-        const double y = now.y[detector - 1], v = now.v[detector - 1];
-        const double density = (y * y + v * v) / 2;
-        counter.look(now.t, density, out.passages);
-        out.loudest = std::max(out.loudest, density / (size * size));
-        const double a = accelerations(driven.chain, now.y)[0] +
-                         driven.drive.force(now.t, now.y[0]) - driven.losses.rate * now.v[0];
-        way = {way.x1, way.w1, way.g1, now.y[0], h * now.v[0], h * h * a / 2};
-        if (now.t < (duration + h) / 2)
-          half = l.work;
-        else
-          out.response = std::max(out.response, way.farthest());
-        out.power = (l.work - half) / (duration / 2);
-        out.far = std::max(out.far, std::abs(now.y.back()));
-        const double heard = out.passages.empty() ? 0 : out.passages.back();
-        const bool lasting = std::isfinite(silence) && out.lasts(duration, silence);
-        return out.passages.size() < enough && now.t < heard + silence && !lasting;
-      });
+  out.budget = evolve(driven, state, grid, [&](const State<double>& now, const EnergyBudget& l) {
+    const double y = now.y[detector - 1], v = now.v[detector - 1];
+    const double density = (y * y + v * v) / 2;
+    counter.look(now.t, density, out.passages);
+    out.loudest = std::max(out.loudest, density / (size * size));
+    const double a = accelerations(driven.chain, now.y)[0] + driven.drive.force(now.t, now.y[0]) -
+                     driven.losses.rate * now.v[0];
+    way = {way.x1, way.w1, way.g1, now.y[0], h * now.v[0], h * h * a / 2};
+    if (now.t < (duration + h) / 2)
+      half = l.work;
+    else
+      out.response = std::max(out.response, way.farthest());
+    out.power = (l.work - half) / (duration / 2);
+    out.far = std::max(out.far, std::abs(now.y.back()));
+    const double heard = out.passages.empty() ? 0 : out.passages.back();
+    const bool lasting = std::isfinite(silence) && out.lasts(duration, silence);
+    return out.passages.size() < enough && now.t < heard + silence && !lasting;
+  });
   return out;
 }
 
@@ -246,16 +245,15 @@ std::vector<double> drive_map(const DrivenChain& driven, double duration, std::s
   const std::size_t sites = driven.chain.sites;
   std::vector<double> map(bins * sites, 0.0);
   State<double> state(sites);
-  run_driven(driven, state, time_grid(duration, 0.8, step),
-             [&](const State<double>& now, const EnergyBudget&) {
-               const std::size_t bin =
-                   std::min(bins - 1, std::size_t(now.t / duration * double(bins)));
-               for (std::size_t n = 0; n < sites; ++n) {
-                 const double e = (now.y[n] * now.y[n] + now.v[n] * now.v[n]) / 2;
-                 map[bin * sites + n] = std::max(map[bin * sites + n], e);
-               }
-               return true;
-             });
+  evolve(driven, state, time_grid(duration, 0.8, step),
+         [&](const State<double>& now, const EnergyBudget&) {
+           const std::size_t bin = std::min(bins - 1, std::size_t(now.t / duration * double(bins)));
+           for (std::size_t n = 0; n < sites; ++n) {
+             const double e = (now.y[n] * now.y[n] + now.v[n] * now.v[n]) / 2;
+             map[bin * sites + n] = std::max(map[bin * sites + n], e);
+           }
+           return true;
+         });
   return map;
 }
 

@@ -95,7 +95,7 @@ struct Emission {
   double response = 0;             ///< largest displacement of the first bead in the second half
   double far = 0;                  ///< and of the last one in the whole run
   double loudest = 0;  ///< largest energy density at the detector, in units of a^2 or (a / delta)^2
-  double budget = 0;   ///< see run_driven
+  double budget = 0;   ///< the largest imbalance, see driven_chain.hpp
 
   /// Packets per unit of time in the second half of a run of this length.
   double rate(double duration) const;

@@ -91,7 +91,7 @@ Journey follow_packet(const DrivenChain& driven, double velocity, double duratio
   State<double> state = struck(chain.sites, velocity);
   speed[0].all.push_back({0, velocity});
   Journey out;
-  out.budget = run_driven(driven, state, steps, [&](const State<double>& now, const EnergyBudget&) {
+  out.budget = evolve(driven, state, steps, [&](const State<double>& now, const EnergyBudget&) {
     // Beyond the first bead at rest nothing has moved yet
     for (std::size_t n = 0; n < contacts && (now.y[n] != 0 || now.v[n] != 0); ++n) {
       const double overlap = now.y[n] - now.y[n + 1];

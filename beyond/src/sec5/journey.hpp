@@ -40,7 +40,7 @@ struct Passing {
 struct Journey {
   std::vector<Passing> contacts{};
   std::vector<Peak> centres{};  ///< of the chain's energy, as `height`, in sites from one
-  double budget = 0;            ///< see run_driven
+  double budget = 0;            ///< the largest imbalance, see driven_chain.hpp
 };
 
 /// Strikes the first bead of a driven or damped chain at rest with `velocity` and follows the packet for `duration`, or until

@@ -46,7 +46,7 @@ LongRun long_run(double velocity, const Frame& frame, std::size_t rows) {
   std::size_t offset = 0;
   while (run.t.size() < rows) {
     const double next = 20 * std::pow(10.0, double(run.t.size()) / 12);
-    evolve(ContactAware{frame.step}, chain, state, TimeGrid{1, 1, steps}, Unobserved{});
+    evolve(EventCorrected{frame.step}, chain, state, TimeGrid{1, 1, steps});
     look(run, stretch, chain, state, offset, next);
     const auto peak = front_packet(energy_density(chain, state));
     if (peak && *peak + 20 > chain.sites) move_on(state, frame.drop), offset += frame.drop;

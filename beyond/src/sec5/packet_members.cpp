@@ -123,8 +123,8 @@ Traveller TravellerWatch::traveller() const {
 Traveller traveller_on(const DrivenChain& driven, State<double> start, double duration, double step,
                        const WatchedBeads& stretch) {
   TravellerWatch watch(driven.chain, stretch.from, stretch.to, stretch.which);
-  run_driven(driven, start, time_grid(duration, 2 * step, step),
-             [&](const State<double>& now, const EnergyBudget&) { return watch.look(now); });
+  evolve(driven, start, time_grid(duration, 2 * step, step),
+         [&](const State<double>& now, const EnergyBudget&) { return watch.look(now); });
   return watch.traveller();
 }
 

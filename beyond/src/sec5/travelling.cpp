@@ -41,12 +41,12 @@ Vector<double> cut_packet(double velocity, double from, double to, int sign, std
   const Impact impact{.velocity = velocity,
                       .chain = {std::size_t(to) + 2 * reach},
                       .time = 1e6,
-                      .sample = 0.1,
+                      .every = 0.1,
                       .until = to};
   State<double> before = struck(impact.chain.sites, velocity);
   Vector<double> best;
   double least = 1e300;
-  strike(ContactAware{0.1}, impact, [&](const State<double>& now, const std::vector<double>& e) {
+  strike(EventCorrected{0.1}, impact, [&](const State<double>& now, const std::vector<double>& e) {
     const auto c = front_packet(e);
     const double centre = c ? energy_centre(e, *c) : 0;
     // The largest site passes through zero in the right direction: how symmetrical is the packet?

@@ -28,7 +28,7 @@ ExactLine exact_line() {
     State<double> state = embed(orbit.start, chain.sites, 0);
     const std::size_t samples = 400 * k;
     double contact = 0;
-    evolve(ContactAware{0.1}, chain, state, TimeGrid{time, samples, 1},
+    evolve(EventCorrected{0.1}, chain, state, TimeGrid{time, samples, 1},
            [&](const State<double>& now) {
              for (std::size_t i = 1; i < chain.sites; ++i)
                if (now.t > 0) contact += contact_energy(chain, now.y.data(), i) / double(samples);

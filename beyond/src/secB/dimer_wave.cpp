@@ -8,7 +8,7 @@
 #include "lattice/algebra/dense.hpp"
 #include "lattice/diagnostics/pulse.hpp"
 #include "lattice/impact/impact.hpp"
-#include "lattice/integrators/contact_rkn.hpp"
+#include "lattice/integrators/event_corrected.hpp"
 
 namespace lattice {
 
@@ -29,7 +29,7 @@ Passage watch_pulse(double mass_ratio) {
   vary(chain, mass, {});
   State<double> state = struck(chain.sites, 1);
   Passage out;
-  evolve(ContactAware{0.01}, chain, state, 120, 0.01, [&](const State<double>& now) {
+  evolve(EventCorrected{0.01}, chain, state, 120, 0.01, [&](const State<double>& now) {
     out.t.push_back(now.t);
     out.here.push_back(now.v[bead]);
     out.next.push_back(now.v[bead + 2]);

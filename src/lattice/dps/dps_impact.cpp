@@ -9,12 +9,12 @@ namespace lattice {
 static void look(DpsOutcome& out, double tau, const Field& field) {
   const auto d = density(field);
   const auto site = front_packet(d);
-  if (tau > 0 && site) out.track.add(tau, d, *site);
+  if (tau > 0 && site) out.path.add(tau, d, *site);
   out.far_end = std::max(out.far_end, std::abs(field.back()));
 }
 
 DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::size_t samples,
-                      const Tolerance& tolerance, const DpsObserver& watch) {
+                      const Tolerance& tolerance, const DpsLook& watch) {
   DpsOutcome out{{}, start};
   out.norm_drift =
       evolve_dps(dps, out.end, duration, samples, tolerance, [&](double tau, const Field& field) {
@@ -24,17 +24,17 @@ DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::
   return out;
 }
 
-Estimate packet_amplitude(const Track& track) {
-  const double end = track.centre.back();
-  Estimate top = track.largest_peak(end - 1, end);
-  if (std::isnan(top.value)) top = track.largest_peak(end - 2, end);
+Estimate packet_amplitude(const Path& path) {
+  const double end = path.centre.back();
+  Estimate top = path.largest_peak(end - 1, end);
+  if (std::isnan(top.value)) top = path.largest_peak(end - 2, end);
   const double amplitude = std::sqrt(top.value);
   return {amplitude, top.error / (2 * amplitude)};
 }
 
 DpsPair follow_dps_to(double tolerance, const Dps& dps, const Field& start, double duration,
-                      std::size_t samples, const DpsObserver& watch) {
-  return {follow_dps(dps, start, duration, samples, 100 * tolerance, Unwatched{}),
+                      std::size_t samples, const DpsLook& watch) {
+  return {follow_dps(dps, start, duration, samples, 100 * tolerance),
           follow_dps(dps, start, duration, 2 * samples, tolerance, watch)};
 }
 

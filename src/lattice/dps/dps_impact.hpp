@@ -9,14 +9,14 @@ $A_1(0) = -i$ and all others zero. The packet is followed in the density $|A_n|^
 #include <functional>
 #include <vector>
 
-#include "lattice/diagnostics/observe.hpp"
+#include "lattice/diagnostics/path.hpp"
 #include "lattice/dps/evolve.hpp"
 
 namespace lattice {
 
-/// The track of the packet, the field at the end, and how far the norm drifts on the way.
+/// The path of the packet, the field at the end, and how far the norm drifts on the way.
 struct DpsOutcome {
-  Track track;  ///< its energy is the norm in the window
+  Path path;  ///< its energy is the norm in the window
   Field end;
   double norm_drift = 0;  ///< relative
   double far_end = 0;     ///< largest |A_n| of the last site that a sample saw
@@ -25,13 +25,13 @@ struct DpsOutcome {
 /// Follows the packet that leaves the struck field `start`; `watch` sees every sample. Throws
 /// std::runtime_error if GSL cannot go on.
 DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::size_t samples,
-                      const Tolerance& tolerance, const DpsObserver& watch);
+                      const Tolerance& tolerance, const DpsLook& watch = {});
 
 /**
 The amplitude of a packet oscillates while it moves from site to site. So `packet_amplitude` is the largest maximum in
-time of $|A_n|$ while the centre moves over the last site of its track, or over the last two if none falls on the last.
+time of $|A_n|$ while the centre moves over the last site of its path, or over the last two if none falls on the last.
 Its error is what the samples leave; both are nan where there is none at all. */
-Estimate packet_amplitude(const Track& track);
+Estimate packet_amplitude(const Path& path);
 
 /**
 For errors the same impact is followed twice: first with a hundred times the tolerance and `samples`
@@ -43,6 +43,6 @@ struct DpsPair {
 
 /// Both runs; `watch` sees the finer one.
 DpsPair follow_dps_to(double tolerance, const Dps& dps, const Field& start, double duration,
-                      std::size_t samples, const DpsObserver& watch);
+                      std::size_t samples, const DpsLook& watch = {});
 
 }  // namespace lattice

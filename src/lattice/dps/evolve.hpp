@@ -17,6 +17,7 @@ times better. Moduli are those of $v_n$. */
 
 #include "lattice/gsl/gsl_ode.hpp"
 #include "lattice/model/dps.hpp"
+#include "lattice/numerics/observer.hpp"
 
 namespace lattice {
 
@@ -33,7 +34,7 @@ struct TurningDps {
 std::vector<double> interleaved(const Field& field);
 
 /// Sees a run at its samples: the slow time and the field.
-using DpsObserver = std::function<void(double tau, const Field& field)>;
+using DpsLook = Observer<double, Field>;
 
 /**
 The integrator controls the error of a single step, and errors add up. The norm is conserved by the
@@ -43,6 +44,6 @@ a number from the run can compare the two. */
 /// `samples` equal intervals; returns the largest relative change of the norm. `equation` is a Dps or a
 /// TurningDps. Throws std::runtime_error if GSL cannot go on.
 double evolve_dps(const Rhs& equation, Field& field, double duration, std::size_t samples,
-                  const Tolerance& tolerance, const DpsObserver& observe);
+                  const Tolerance& tolerance, const DpsLook& observe = {});
 
 }  // namespace lattice

@@ -53,7 +53,7 @@ FlowReport<T> flow(const Chain& chain, State<T>& state, std::type_identity_t<T> 
                    const EventTolerance<T>& rule = {}, Tangent<T>* tangent = nullptr);
 
 /**
-To compare it with other methods, a flow can be used as a stepper of integrate.hpp. It needs no steps; they
+To compare it with other methods, a flow can be used as a method of integrate.hpp. It needs no steps; they
 only say where it may be interrupted. `advance` returns the number of site-force evaluations. */
 struct EventDriven {
   double step;  ///< between two interruptions

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "lattice/integrators/accuracy.hpp"
+#include "lattice/integrators/refinement.hpp"
 
 namespace lattice {
 

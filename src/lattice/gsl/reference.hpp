@@ -19,9 +19,9 @@ std::size_t evolve_reference(const Chain& chain, State<double>& state, double du
                              const Tolerance& tolerance);
 
 /**
-It says whether a state that our own stepper has reached is right. The local tolerance is so small that GSL's
+It says whether a state that our own method has reached is right. The local tolerance is so small that GSL's
 own error does not matter. */
-/// The `distance` (accuracy.hpp) of `end` from where GSL arrives that leaves `start` for `duration`.
+/// The `distance` (refinement.hpp) of `end` from where GSL arrives that leaves `start` for `duration`.
 /// Throws std::runtime_error unless it is below `bound`.
 double distance_from_reference(const Chain& chain, State<double> start, double duration,
                                const State<double>& end, double bound);

@@ -1,12 +1,14 @@
 #include "lattice/impact/impact.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <sstream>
 
 namespace lattice {
 
 // The fastest phonon of a chain whose contacts are as stiff as those of the strongest pulse
-Impact endless(Impact impact) {
+Impact on_long_chain(Impact impact) {
   if (!impact.chain.mass.empty())
     throw std::invalid_argument("masses end with their chain: it has the length that it has");
   const double well = impact.chain.well.stiffness(0.0);
@@ -26,12 +28,18 @@ State<double> struck(std::size_t sites, double velocity) {
   return state;
 }
 
-// Nothing can have come back from an end that has not moved
 bool is_quiet(const Impact& impact, const ImpactRun& run) {
   return run.far_end <= impact.far_end * std::abs(impact.velocity);
 }
 
-void assert_quiet(const Impact& impact, ImpactRun& run) {
+ImpactRun strike(const Method& method, const Impact& impact, const ImpactLook& watch) {
+  ImpactRun run{struck(impact.chain.sites, impact.velocity)};
+  follow(method, impact, run, impact.time, watch);
+  return run;
+}
+
+// If the energy is not conserved, a far end that moves says nothing, and the run is broken
+static void refuse_moving_end(const Impact& impact, ImpactRun& run) {
   if (is_quiet(impact, run)) return;
   if (run.run.energy_defect > largest_defect) {
     run.run.escape_time = run.end.t;
@@ -43,6 +51,30 @@ void assert_quiet(const Impact& impact, ImpactRun& run) {
        << " (allowed: " << impact.far_end * std::abs(impact.velocity)
        << "); take more sites or less time";
   throw FarEndReached(text.str());
+}
+
+void follow(const Method& method, const Impact& impact, ImpactRun& run, double time,
+            const ImpactLook& watch) {
+  const bool strongest = impact.packet == WhichPacket::strongest;
+  const std::size_t each = impact.denser ? std::size_t(1) << method.halvings : 1;
+  std::size_t k = 0;
+  const auto look = [&](const State<double>& now) {
+    run.density = energy_density(impact.chain, now);
+    const bool on = watch(now, run.density), first = k++ == 0;
+    if (strongest) run.path.add(now.t, run.density);
+    if (first) return on;
+    for (double y : now.y)
+      run.largest_displacement = std::max(run.largest_displacement, std::abs(y));
+    run.far_end = std::max(run.far_end, std::abs(now.v.back()));
+    if (!strongest)
+      if (const auto site = front_packet(run.density)) run.path.add(now.t, run.density, *site);
+    const bool passed = impact.until && !run.path.t.empty() && run.path.t.back() == now.t &&
+                        run.path.centre.back() >= *impact.until;
+    return on && is_quiet(impact, run) && ((k - 1) % each != 0 || !passed);
+  };
+  const Every every = impact.denser ? denser(impact.every) : Every(impact.every);
+  run.run = joined(run.run, evolve(method, impact.chain, run.end, time - run.end.t, every, look));
+  refuse_moving_end(impact, run);
 }
 
 double total(const std::vector<double>& e) {

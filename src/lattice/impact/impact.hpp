@@ -8,18 +8,14 @@ and ask what travels away: with harmonic, hard or soft wells, with precompressio
 defect, and in the limit of small amplitude. All of them use the loop in time of this file. It watches the
 energy and the front-most packet, and it sees to it that nothing comes back from the far end. */
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
 #include <stdexcept>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
-#include "lattice/diagnostics/observe.hpp"
-#include "lattice/integrators/accuracy.hpp"
+#include "lattice/diagnostics/path.hpp"
+#include "lattice/integrators/refinement.hpp"
 #include "lattice/model/chain.hpp"
 
 namespace lattice {
@@ -49,22 +45,26 @@ struct FarEndReached : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Which packet is followed: the one that is ahead of all others, or the one around the strongest site.
+enum class WhichPacket { foremost, strongest };
+
 /// What is struck, and how it is watched; dimensionless, as in Eqs. (9), (10) and (26). By default the
 /// impact of the article's section 3.4.
 struct Impact {
   double velocity = 1.87;
   Chain chain{100};
   double time = 600;
-  double sample = 0.2;    ///< time between two looks, at most
+  double every = 0.2;     ///< time between two looks, at most
   double far_end = 1e-9;  ///< the last bead's largest velocity allowed, over `velocity`
-  bool denser = true;     ///< a refinement (accuracy.hpp) also takes more samples
+  bool denser = true;     ///< a refinement (refinement.hpp) also takes more samples
   /// The site at which the run ends, once the packet's centre has passed it.
   std::optional<double> until{};
+  WhichPacket packet = WhichPacket::foremost;
 };
 
 /// The same impact on a chain so long that nothing crosses it within the time of the run; its own length is ignored.
 /// Throws std::invalid_argument for a chain with masses and stiffnesses, since how they go on is not known.
-Impact endless(Impact impact);
+Impact on_long_chain(Impact impact);
 
 /// The chain at rest but for its first bead, Eq. (26). Throws std::invalid_argument without sites.
 State<double> struck(std::size_t sites, double velocity);
@@ -72,79 +72,33 @@ State<double> struck(std::size_t sites, double velocity);
 /**
 ## One run
 
-What comes out is the state at the end, the front-most packet from sample to sample, and what tells whether
-the run can be trusted. */
+What comes out is the state at the end, the packet from sample to sample, and what tells whether the run can be
+trusted. */
 struct ImpactRun {
   State<double> end{};
-  Track track{};
+  Path path{};
   std::vector<double> density{};  ///< energy density at the end
   Run run{};
-  double reach = 0;    ///< largest displacement seen, to be compared with the well's rim
-  double far_end = 0;  ///< largest velocity of the last bead
+  double largest_displacement = 0;  ///< of all that were seen, to be compared with the well's rim
+  double far_end = 0;               ///< largest velocity of the last bead
 };
 
-/**
-A run stops when the far end moves. If its energy is not conserved, this says nothing about the far end, and the run
-is broken. */
-/// Whether the last bead has moved no more than `impact` allows.
+/// Whether the last bead has moved no more than `impact` allows: nothing can have come back from it.
 bool is_quiet(const Impact& impact, const ImpactRun& run);
-/// Throws FarEndReached if it has, or makes `run` one that is broken.
-void assert_quiet(const Impact& impact, ImpactRun& run);
+
+/// Sees every sample: the state and its energy density, Eq. (23). It may return false to end the run.
+using ImpactLook = Observer<State<double>, std::vector<double>>;
 
 /**
-Here is the loop. `go_on` carries a run from where it is to `time`; in between the chain or the method may
-have been changed. `watch(state, density)` sees every sample and may return false to stop the run. Samples
-become denser together with the steps of a refinement, so that the error of a maximum between two samples
-shows in the difference of two runs. Then a run may only stop at instants that the coarser one samples as
-well. */
-template <class Stepper, class Watch = Unwatched>
-void go_on(const Stepper& stepper, const Impact& impact, ImpactRun& run, double time,
-           Watch watch = {}) {
-  const Chain& chain = impact.chain;
-  const int halvings = halvings_of(stepper);
-  const TimeGrid plain = time_grid(time - run.end.t, impact.sample, stepper.step);
-  const TimeGrid grid =
-      impact.denser ? denser_samples(plain, halvings) : shorter_steps(plain, halvings);
-  const std::size_t each = impact.denser ? std::size_t(1) << halvings : 1;
-  std::size_t k = 0;
-  const auto look = [&](const State<double>& now) {
-    run.density = energy_density(chain, now);
-    bool on = true;
-    if constexpr (std::is_same_v<decltype(watch(now, run.density)), bool>)
-      on = watch(now, std::as_const(run.density));
-    else
-      watch(now, std::as_const(run.density));
-    if (k++ == 0) return on;
-    for (double y : now.y) run.reach = std::max(run.reach, std::abs(y));
-    run.far_end = std::max(run.far_end, std::abs(now.v.back()));
-    const auto site = front_packet(run.density);
-    if (site) run.track.add(now.t, run.density, *site);
-    const bool passed = site && impact.until && run.track.centre.back() >= *impact.until;
-    return on && is_quiet(impact, run) && ((k - 1) % each != 0 || !passed);
-  };
-  const Run part = evolve(stepper, chain, run.end, grid, look);
-  run.run = joined(run.run, part);
-  assert_quiet(impact, run);
-}
+`strike` is the impact of Eq. (26) followed by `evolve`. Samples become denser together with the steps of a refinement,
+so that the error of a maximum between two samples shows in the difference of two runs. Then a run may only stop at
+instants that the coarser one samples as well. */
+/// The whole run from the impact on. Throws FarEndReached if the far end moves.
+ImpactRun strike(const Method& method, const Impact& impact, const ImpactLook& watch = {});
 
-/// The whole run from the impact on, of a chain that has a length.
-template <class Stepper, class Watch = Unwatched>
-ImpactRun strike(const Stepper& stepper, const Impact& impact, Watch watch = {}) {
-  ImpactRun run{struck(impact.chain.sites, impact.velocity)};
-  go_on(stepper, impact, run, impact.time, std::move(watch));
-  return run;
-}
-
-/**
-For errors the chain is struck twice, with resolutions that agree to `tolerance` (accuracy.hpp), by default
-in their end states. */
-/// Throws like `converged`, and FarEndReached.
-template <class Differ = EndState>
-Refined<ImpactRun> strike_to(double tolerance, const Impact& impact, Differ differ = {}) {
-  Refinement<ImpactRun, Differ, decltype(&hopeless)> runs(tolerance, differ, hopeless);
-  while (runs.wants_more()) runs.add(strike(runs.stepper(), impact));
-  return converged(std::move(runs).last_two(), tolerance, differ.name);
-}
+/// Carries a run on from where it is to `time`; in between the chain or the method may have been changed.
+void follow(const Method& method, const Impact& impact, ImpactRun& run, double time,
+            const ImpactLook& watch = {});
 
 /**
 Shares of the energy refer to its total. */

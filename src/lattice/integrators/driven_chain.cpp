@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include "lattice/integrators/contact_rkn.hpp"
+#include "lattice/integrators/event_corrected.hpp"
 #include "lattice/numerics/progress.hpp"
 
 namespace lattice {
@@ -93,7 +93,7 @@ class DrivenRun {
 
   const DrivenChain& driven_;
   double h_;
-  ContactAware stepper_;
+  EventCorrected stepper_;
   NystromMemory<double> memory_;
   std::vector<Friction> friction_{};
 };
@@ -107,8 +107,8 @@ double Drive::force(double t, double y) const {
 }
 
 // All energy is accounted for at every sample
-double run_driven(const DrivenChain& driven, State<double>& state, const TimeGrid& grid,
-                  const DrivenObserver& observe) {
+double evolve(const DrivenChain& driven, State<double>& state, const TimeGrid& grid,
+              const DrivenLook& look) {
   const Losses& losses = driven.losses;
   const auto good = [](double rate) { return rate >= 0 && std::isfinite(rate); };
   if (!(good(losses.rate) && good(losses.contact) &&
@@ -123,7 +123,7 @@ double run_driven(const DrivenChain& driven, State<double>& state, const TimeGri
   DrivenRun run(driven, grid.step());
   Window window = waking(driven.chain, state);
   double scale = start, open = 0;
-  if (!observe(state, run.budget)) return 0;
+  if (!look(state, run.budget)) return 0;
   Progress progress(number_label("step", grid.step()), 1);
   for (std::size_t k = 1; k <= grid.samples; ++k) {
     run.advance(state, window, grid.steps);
@@ -132,35 +132,34 @@ double run_driven(const DrivenChain& driven, State<double>& state, const TimeGri
     const double now = energy(driven.chain, state);
     scale = std::max({scale, now, l.work});
     open = std::max(open, std::abs(now + l.beams + l.contacts - l.work - start));
-    if (!observe(state, l)) break;
+    if (!look(state, l)) break;
     progress.reach(double(k) / double(grid.samples));
   }
   return scale > 0 ? open / scale : 0;
 }
 
 // The step is found in runs that nobody observes
-Refined<DrivenEnd> run_driven_to(double tolerance, const DrivenChain& driven, State<double>& state,
-                                 double duration, double sample, const DrivenObserver& observe) {
-  assert_usable(state, tolerance);
+Refined<DrivenEnd> evolve(const Converged& stated, const DrivenChain& driven, State<double>& state,
+                          double duration, Every every, const DrivenLook& look) {
+  assert_usable(state, stated.tolerance);
   const State<double> start = state;
-  const auto run = [&](ContactAware stepper, const DrivenObserver& look) {
+  const auto run = [&](EventCorrected method, const DrivenLook& watch) {
     // A drive that turns round within a step would be seen at a few phases only
     if (driven.drive.by != Drive::By::nothing)
-      stepper.step = std::min(stepper.step, 1 / std::abs(driven.drive.omega));
+      method.step = std::min(method.step, 1 / std::abs(driven.drive.omega));
     DrivenEnd out{start, {}, 0, 0};
-    out.imbalance = run_driven(driven, out.end, time_grid_for(stepper, duration, sample),
-                               [&](const State<double>& now, const EnergyBudget& so_far) {
-                                 out.budget = so_far;
-                                 return look(now, so_far);
-                               });
+    out.imbalance = evolve(driven, out.end, time_grid(method, duration, every),
+                           [&](const State<double>& now, const EnergyBudget& so_far) {
+                             out.budget = so_far;
+                             return watch(now, so_far);
+                           });
     out.energy = energy(driven.chain, out.end);
     return out;
   };
-  const auto unseen = [](const State<double>&, const EnergyBudget&) { return true; };
-  auto pair =
-      converge(tolerance, [&](const ContactAware& stepper) { return run(stepper, unseen); });
-  state = run(pair.stepper, observe).end;
-  return pair;
+  auto runs =
+      refined(stated.tolerance, [&](const EventCorrected& method) { return run(method, {}); });
+  state = run(runs.method, look).end;
+  return runs;
 }
 
 // In units of the collision, and of the root q of the overlap: with a time that passes at the rate dt = 2q ds the motion

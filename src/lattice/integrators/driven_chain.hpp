@@ -14,17 +14,16 @@ drive $G$ is the push of a *piston* that touches the first bead and moves as $a\
 $G = (a\sin\Omega t-y_1)_+^{3/2}$, or the pull of the first beam, whose *base* moves in this way,
 $G = a\sin\Omega t$.
 
-One step alternates these forces with a conservative step of contact_rkn.hpp in the symmetric order of
+One step alternates these forces with a conservative step of event_corrected.hpp in the symmetric order of
 Strang. Each force alone is solved exactly at fixed positions, and the energy that it gives or takes is then
 a difference of kinetic energies. So every joule is in the energy budget: energy plus losses minus work stays
 constant but for the drift of the conservative step. As the budget cannot see the error of the alternation,
 which is of order two, that error is found by halving the step. */
 
 #include <cmath>
-#include <functional>
 #include <vector>
 
-#include "lattice/integrators/accuracy.hpp"
+#include "lattice/integrators/refinement.hpp"
 
 namespace lattice {
 
@@ -65,19 +64,19 @@ struct DrivenChain {
 };
 
 /**
-`run_driven` carries a state forward and shows it with the energy budget at the start and after each sample, until
+`evolve` carries a state forward and shows it with the energy budget at the start and after each sample, until
 the observer returns false. The result is the largest deviation of energy + losses - work from its value at
 the start, relative to the largest energy that was there or came in. */
-using DrivenObserver = std::function<bool(const State<double>&, const EnergyBudget&)>;
+using DrivenLook = Observer<State<double>, EnergyBudget>;
 
 /// Carries `state` over the grid; returns that deviation. Throws std::invalid_argument for losses that are negative or
 /// not finite, for rates that do not fit the chain's length, and if a chain whose ends are not free has losses in its
 /// contacts or is driven.
-double run_driven(const DrivenChain& driven, State<double>& state, const TimeGrid& grid,
-                  const DrivenObserver& observe);
+double evolve(const DrivenChain& driven, State<double>& state, const TimeGrid& grid,
+              const DrivenLook& look = {});
 
 /**
-The same for a stated tolerance (accuracy.hpp): the step is halved until the end states of two runs agree, and
+The same for a stated tolerance (refinement.hpp): the step is halved until the end states of two runs agree, and
 the budgets of both tell how well it is known. */
 /// Where a driven run ends, what was booked on the way, and the energy and deviation there.
 struct DrivenEnd {
@@ -86,9 +85,9 @@ struct DrivenEnd {
   double energy, imbalance;
 };
 
-/// Both runs; `observe` sees the finer one, and `state` becomes its end. Throws like `converge` and `run_driven`.
-Refined<DrivenEnd> run_driven_to(double tolerance, const DrivenChain& driven, State<double>& state,
-                                 double duration, double sample, const DrivenObserver& observe);
+/// Both runs; `look` sees the finer one, and `state` becomes its end. Throws like `refined`, and as above.
+Refined<DrivenEnd> evolve(const Converged& stated, const DrivenChain& driven, State<double>& state,
+                          double duration, Every every, const DrivenLook& look = {});
 
 /**
 The constant $A$ of a material follows from a collision. Two equal beads that meet with the relative

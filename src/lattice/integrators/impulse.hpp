@@ -8,7 +8,7 @@ $$\Delta v = \int_0^1 F\,ds, \qquad \Delta y = \int_0^1 (1-s)\,F\,ds,$$
 since a push at $s$ has the time $1-s$ left to move the bead. Weights made for smooth forces give neither
 well if $x$ passes through zero at some $s^*$, where $F \sim (s-s^*)_+^\alpha$. Here both are computed from
 the overlap, its rate and its acceleration at the two ends of the step, in three parts: an interpolation,
-its roots, and a quadrature to which the singular point does no harm. contact_rkn.hpp puts such impulses
+its roots, and a quadrature to which the singular point does no harm. event_corrected.hpp puts such impulses
 into its steps. */
 
 #include <algorithm>

@@ -36,15 +36,11 @@ TimeGrid time_grid(double duration, double sample, double step) {
   return p;
 }
 
-// Two refinements: of the steps alone, or of the samples together with the steps
-TimeGrid shorter_steps(TimeGrid p, int times) {
-  p.steps <<= times;
-  return p;
-}
-
-TimeGrid denser_samples(TimeGrid p, int times) {
-  p.samples <<= times;
-  return p;
+// The step is halved, and the samples with it if they are to become denser
+TimeGrid time_grid(const Method& method, double duration, Every every) {
+  TimeGrid grid = time_grid(duration, every.time, method.step);
+  (every.denser ? grid.samples : grid.steps) <<= method.halvings;
+  return grid;
 }
 
 Run joined(const Run& first, const Run& second) {
@@ -108,8 +104,9 @@ class Audit {
 }  // namespace
 
 // March from sample to sample, watch energy and rim, and stop where the solution runs away
-Run evolve(const Advance& advance, const Chain& chain, State<double>& state, const TimeGrid& grid,
+Run evolve(const Method& method, const Chain& chain, State<double>& state, const TimeGrid& grid,
            const Look& look) {
+  const Advance advance = method.on(chain);
   const double t0 = state.t, interval = grid.interval();
   Audit audit(chain, state, grid.duration);
   Window window = waking(chain, state);
@@ -131,6 +128,11 @@ Run evolve(const Advance& advance, const Chain& chain, State<double>& state, con
     progress.reach(double(k) / double(grid.samples));
   }
   return run;
+}
+
+Run evolve(const Method& method, const Chain& chain, State<double>& state, double duration,
+           Every every, const Look& look) {
+  return evolve(method, chain, state, time_grid(method, duration, every), look);
 }
 #endif
 

@@ -18,11 +18,10 @@ both. */
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <type_traits>
-#include <utility>
 
 #include "lattice/integrators/schemes.hpp"
 #include "lattice/model/chain.hpp"
+#include "lattice/numerics/observer.hpp"
 
 namespace lattice {
 
@@ -44,8 +43,7 @@ here stage `k` of a run of `steps` steps of length `h`. */
 template <class T>
 Stage<T> stage_at(const Scheme& scheme, double h, std::size_t steps, std::size_t k);
 
-/// A splitting scheme with the largest step that it may take: the plainest stepper. A stepper is
-/// anything that has a `step` and this `advance`.
+/// A splitting scheme with the largest step that it may take: the plainest method.
 struct Splitting {
   Scheme scheme;
   double step;  ///< the largest that it may take
@@ -78,13 +76,21 @@ duration is negative or not finite, or `sample` or `step` is not positive. */
 TimeGrid time_grid(double duration, double sample, double step);
 
 /**
-An error is found by repeating a run with a finer grid. There are two ways to refine: `shorter_steps`
-halves the step `times` times and keeps the samples where they are. */
-TimeGrid shorter_steps(TimeGrid p, int times);
-
-/// Halves the step together with the interval between two samples, `times` times: for maxima and
-/// instants that are read from the samples, whose own error must shrink together with that of the steps.
-TimeGrid denser_samples(TimeGrid p, int times);
+An error is found by repeating a run with a finer grid (refinement.hpp). The step is halved, and either the samples stay
+where they are, or they become denser together with the steps: for maxima and instants that are read from the samples,
+whose own error must shrink together with that of the steps. */
+/// When a run is looked at: at least once in `time`, and with `denser` in half of it wherever the step is halved.
+struct Every {
+  double time;
+  bool denser = false;
+  Every(double apart) : time(apart) {}
+};
+/// Looks that become denser with the steps.
+inline Every denser(double time) {
+  Every every = time;
+  every.denser = true;
+  return every;
+}
 
 /**
 A run reports how far it can be trusted. At every sample its energy is compared with that at the start. The
@@ -98,7 +104,7 @@ struct Run {
   double energy_defect = 0;
   double work = 0;        ///< site-force evaluations
   std::size_t steps = 0;  ///< time steps
-  double error = 0;  ///< of the end state, relative; zero unless from `evolve_to` (accuracy.hpp)
+  double error = 0;  ///< of the end state, relative; zero unless from `Converged` (refinement.hpp)
   double t_end = 0;  ///< time of the last sample that is not a runaway
   /// Time of the first sample that is one.
   double escape_time = std::numeric_limits<double>::infinity();
@@ -127,77 +133,53 @@ inline constexpr double escape_displacement = 1e6;
 /// Whether no displacement is a runaway; one that is not a number is.
 bool bounded(const State<double>& state);
 
-/// Shows `state` to an observer, which may return false to stop the run; if it returns nothing the run
-/// goes on.
-template <class Observer>
-bool goes_on(Observer& observe, const State<double>& state) {
-  if constexpr (std::is_same_v<decltype(observe(state)), bool>) return observe(state);
-  observe(state);
-  return true;
-}
-
 /**
-Some steppers keep work space between two calls of `advance` (contact_rkn.hpp), others need
-none. To a run both look alike. */
+## The loop
+
+A method is anything that has a `step`, the largest that it may take, and that can `advance` a chain; a run of one that
+keeps work space between two calls (event_corrected.hpp) sets it up once. A refinement hands out methods that say how often
+the step is halved. To a run all look alike. */
+/// Carries a state by `count` steps of length `h`; returns the number of site-force evaluations.
 using Advance = std::function<double(State<double>&, Window&, double h, std::size_t count)>;
-using Look = std::function<bool(const State<double>&)>;
 
-/// The stepper at work on a chain. Both must live as long as what is returned.
-template <class Stepper>
-Advance advance_of(const Stepper& stepper, const Chain& chain) {
-  if constexpr (requires { stepper.template memory<double>(chain); })
-    return [&, memory = stepper.template memory<double>(chain)](
-               State<double>& state, Window& window, double h, std::size_t n) mutable {
-      return stepper.advance(chain, state, window, h, n, memory);
+/// Any method, once it is given to a run.
+struct Method {
+  double step;
+  int halvings = 0;
+  std::function<Advance(const Chain&)> on;  ///< at work on a chain, which must live as long
+
+  template <class Any>
+  requires requires(const Any& any) { any.step; }
+  Method(const Any& any) : step(any.step) {
+    if constexpr (requires { any.halvings; }) halvings = any.halvings;
+    on = [any](const Chain& chain) -> Advance {
+      if constexpr (requires { any.template memory<double>(chain); })
+        return [any, &chain, memory = any.template memory<double>(chain)](
+                   State<double>& state, Window& window, double h, std::size_t n) mutable {
+          return any.advance(chain, state, window, h, n, memory);
+        };
+      else
+        return [any, &chain](State<double>& state, Window& window, double h, std::size_t n) {
+          return any.advance(chain, state, window, h, n);
+        };
     };
-  else
-    return [&](State<double>& state, Window& window, double h, std::size_t n) {
-      return stepper.advance(chain, state, window, h, n);
-    };
-}
-
-/**
-`evolve` carries a state forward on a given time grid and shows it to `observe(state)` at the start and after
-every sample. It stops early when `observe` returns false, or when the solution runs away; the runaway
-state is not shown. */
-Run evolve(const Advance& advance, const Chain& chain, State<double>& state, const TimeGrid& grid,
-           const Look& look);
-
-/// The same with any stepper; an observer that returns nothing never stops the run.
-template <class Stepper, class Observer>
-Run evolve(const Stepper& stepper, const Chain& chain, State<double>& state, const TimeGrid& grid,
-           Observer observe) {
-  return evolve(advance_of(stepper, chain), chain, state, grid,
-                Look([&](const State<double>& now) { return goes_on(observe, now); }));
-}
-
-/**
-A refinement (accuracy.hpp) hands out steppers that say how often their step has been halved; for all
-others the answer is zero. */
-template <class Stepper>
-int halvings_of(const Stepper& stepper) {
-  if constexpr (requires { stepper.halvings; }) return stepper.halvings;
-  return 0;
-}
-
-/// The grid for `stepper` with fixed samples: the coarsest that suits its step, then its halvings.
-template <class Stepper>
-TimeGrid time_grid_for(const Stepper& stepper, double duration, double sample) {
-  return shorter_steps(time_grid(duration, sample, stepper.step), halvings_of(stepper));
-}
-
-/// As `evolve` with a grid, for a run of length `duration` with samples `sample` apart or a little less.
-template <class Stepper, class Observer>
-Run evolve(const Stepper& stepper, const Chain& chain, State<double>& state, double duration,
-           double sample, Observer observe) {
-  return evolve(stepper, chain, state, time_grid_for(stepper, duration, sample),
-                std::move(observe));
-}
-
-/**
-The observer of a run of which only the end is wanted. */
-struct Unobserved {
-  void operator()(const State<double>&) const {}
+  }
 };
+
+/// The grid of a run: the coarsest that suits the method's step, then its halvings.
+TimeGrid time_grid(const Method& method, double duration, Every every);
+
+/**
+`evolve` carries a state forward and shows it to `look` at the start and after every sample. It stops early when `look`
+returns false, or when the solution runs away; the runaway state is not shown. */
+using Look = Observer<State<double>>;
+
+/// Over the time `duration`. Throws std::invalid_argument for a grid that cannot be.
+Run evolve(const Method& method, const Chain& chain, State<double>& state, double duration,
+           Every every, const Look& look = {});
+
+/// On a grid whose steps are counted and not measured, as those of a periodic orbit.
+Run evolve(const Method& method, const Chain& chain, State<double>& state, const TimeGrid& grid,
+           const Look& look = {});
 
 }  // namespace lattice

@@ -6,7 +6,7 @@ Two families of time steppers share this file. *Splittings* alternate kicks (a c
 fixed positions) and drifts (a change of the positions at fixed velocities); they are symplectic, which as
 a rule keeps the energy error of a long run bounded. *Runge-Kutta-Nystrom schemes* combine accelerations
 taken at several instants of a step of length $h$. Both are lists of numbers; integrate.hpp and
-contact_rkn.hpp say what is done with them. The tests measure every order claimed here: a scheme has order
+event_corrected.hpp say what is done with them. The tests measure every order claimed here: a scheme has order
 $p$ if the error of a run of fixed duration falls like $h^p$. */
 
 #include <cstddef>
@@ -46,7 +46,7 @@ Scheme blanes_moan_6();
 /**
 For the last digits the size of the error matters more than the cost of a step. The splitting with
 fourteen evaluations (ibid., SRKN 14a) also has order 6, but smaller errors, and is chosen when more
-than ten digits are asked for (accuracy.hpp). It begins and ends with a drift; hence the first and last
+than ten digits are asked for (refinement.hpp). It begins and ends with a drift; hence the first and last
 kicks are zero. Only half of the coefficients are given; the rest follows because the scheme is
 symmetric and its kicks, like its drifts, add up to one whole step. */
 Scheme blanes_moan_6_14();
@@ -79,7 +79,7 @@ struct Nystrom {
 Nystrom dormand_prince_6();
 
 /**
-A splitting can be written as such a scheme, so that the treatment of contacts in contact_rkn.hpp serves
+A splitting can be written as such a scheme, so that the treatment of contacts in event_corrected.hpp serves
 both families. Kick $j$ changes the velocity by $h k_j g(Y_j)$ at time $c_j h$, and the drifts from there
 to stage $i$ turn this into a change of position: $a_{ij} = k_j (c_i - c_j)$ and $b_j = k_j$. */
 Nystrom nystrom(const Scheme& scheme);

@@ -112,7 +112,7 @@ LATTICE_WIDE void sweep_kick_drift(const Onsite onsite, const Contact contact, T
 }
 
 /**
-Methods that combine the accelerations of several stages, such as that of contact_rkn.hpp, must keep
+Methods that combine the accelerations of several stages, such as that of event_corrected.hpp, must keep
 them. For these the same two passes write the accelerations at the positions `y` into `a`. */
 template <class Along, class T, class Onsite, class Contact>
 LATTICE_WIDE void sweep_acceleration(const Onsite onsite, const Contact contact,

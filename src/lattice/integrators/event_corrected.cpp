@@ -1,4 +1,4 @@
-#include "lattice/integrators/contact_rkn.hpp"
+#include "lattice/integrators/event_corrected.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -123,7 +123,7 @@ NystromMemory<T>::NystromMemory(const Nystrom& base, std::size_t sites, double n
 }
 
 template <class T>
-NystromMemory<T> ContactAware::memory(const Chain& chain) const {
+NystromMemory<T> EventCorrected::memory(const Chain& chain) const {
   return {base, chain.sites, std::pow(negligible, 1 / chain.contact.exponent())};
 }
 
@@ -383,8 +383,8 @@ double NystromStep<T, C>::run(State<T>& state, Window& window, double h, std::si
 }  // namespace detail
 
 template <class T>
-double ContactAware::advance(const Chain& chain, State<T>& state, Window& window, double h,
-                             std::size_t count, NystromMemory<T>& at) const {
+double EventCorrected::advance(const Chain& chain, State<T>& state, Window& window, double h,
+                               std::size_t count, NystromMemory<T>& at) const {
   double work = 0;
   detail::with_kind(chain.contact, [&]<class C>(const C& contact) {
     work = detail::NystromStep<T, C>{base, chain, contact, finer}.run(state, window, h, count, at);
@@ -395,8 +395,8 @@ double ContactAware::advance(const Chain& chain, State<T>& state, Window& window
 template struct StageSum<double>;
 template struct StepSums<double>;
 template struct NystromMemory<double>;
-template NystromMemory<double> ContactAware::memory<double>(const Chain&) const;
-template double ContactAware::advance<double>(const Chain&, State<double>&, Window&, double,
-                                              std::size_t, NystromMemory<double>&) const;
+template NystromMemory<double> EventCorrected::memory<double>(const Chain&) const;
+template double EventCorrected::advance<double>(const Chain&, State<double>&, Window&, double,
+                                                std::size_t, NystromMemory<double>&) const;
 
 }  // namespace lattice

@@ -1,6 +1,6 @@
 // Refinement: two resolutions are two runs, what must agree is named, and errors are not omitted.
 
-#include "lattice/integrators/accuracy.hpp"
+#include "lattice/integrators/refinement.hpp"
 
 #include <chrono>
 #include <filesystem>
@@ -40,23 +40,22 @@ Reading<Of> reading(std::string name, Of of) {
 
 const Chain hard{40, Quartic{1}};
 
-/// A result for `refine`: the struck chain after ten units of time, seen every `sample`.
+/// A result for `refined`: the struck chain after ten units of time, seen every `sample`.
 struct Struck {
   State<double> end;
   Run run;
 };
 
-Struck after_impact(const ContactAware& stepper, double sample) {
+Struck after_impact(const EventCorrected& method, double sample) {
   Struck out{struck(hard.sites, 1.9), {}};
-  out.run = evolve(stepper, hard, out.end, 10, sample, Unobserved{});
+  out.run = evolve(method, hard, out.end, 10, sample);
   return out;
 }
 
 /// What is said of a run; nothing if it comes to its time.
 std::string evolved(const Chain& chain, State<double> state, double time, double sample,
                     double tolerance = 1e-6) {
-  const auto said =
-      refusal([&] { evolve_to(tolerance, chain, state, time, sample, Unobserved{}); });
+  const auto said = refusal([&] { evolve(Converged{tolerance}, chain, state, time, sample); });
   return said.empty() && state.t != time ? "a silent short run" : said;
 }
 
@@ -74,13 +73,13 @@ struct Changing {
 TEST_CASE("a halved step halves, whatever the samples", "[unit][accuracy]") {
   for (double sample : {0.03, 0.07, 0.1, 0.2, 0.25, 0.3, 1.0, 10.0}) {
     CAPTURE(sample);
-    const TimeGrid first = time_grid_for(ContactAware{0.2}, 10, sample);
+    const TimeGrid first = time_grid(EventCorrected{0.2}, 10, sample);
     CHECK(first.step() <= 0.2 * (1 + 1e-12));
     CHECK(first.interval() <= sample * (1 + 1e-12));
     for (int k = 1; k <= 5; ++k) {
-      const ContactAware finer = stepper_for(1e-6, 0.2, k);
-      const TimeGrid same = time_grid_for(finer, 10, sample),
-                     dense = dense_time_grid(finer, 10, sample);
+      const EventCorrected finer = method_for(1e-6, 0.2, k);
+      const TimeGrid same = time_grid(finer, 10, sample),
+                     dense = time_grid(finer, 10, denser(sample));
       CHECK(same.samples == first.samples);
       CHECK(same.steps == first.steps << k);
       CHECK(dense.samples == first.samples << k);
@@ -93,11 +92,11 @@ TEST_CASE("a halved step halves, whatever the samples", "[unit][accuracy]") {
 
 TEST_CASE("samples shorter than the step still give two different runs",
           "[convergence][accuracy]") {
-  const auto exact = after_impact(ContactAware{1. / 1024}, 0.1);
+  const auto exact = after_impact(EventCorrected{1. / 1024}, 0.1);
   for (double sample : {0.05, 0.1, 0.25}) {
-    const auto pair = refine(1e-6, [&](const ContactAware& s) { return after_impact(s, sample); });
+    const auto pair =
+        refined(1e-6, [&](const EventCorrected& s) { return after_impact(s, sample); });
     CAPTURE(sample, pair.history);
-    CHECK(pair.converged);
     CHECK(pair.fine.run.steps == 2 * pair.coarse.run.steps);
     CHECK(pair.error > 0);
     CHECK(distance(pair.fine.end, exact.end) <= pair.error);
@@ -105,19 +104,18 @@ TEST_CASE("samples shorter than the step still give two different runs",
 }
 
 TEST_CASE("two identical runs are refused as a proof of agreement", "[unit][accuracy]") {
-  const auto deaf = [](const ContactAware&) { return after_impact(ContactAware{0.2}, 0.1); };
-  CHECK_THROWS_AS(refine(1e-6, deaf), std::logic_error);
+  const auto deaf = [](const EventCorrected&) { return after_impact(EventCorrected{0.2}, 0.1); };
+  CHECK_THROWS_AS(refined(1e-6, deaf), std::logic_error);
   CHECK_THROWS_AS(
-      converge(1e-6, deaf,
-               reading("energies", [](const Struck& s) { return energy(hard, s.end); })),
+      refined(1e-6, deaf, reading("energies", [](const Struck& s) { return energy(hard, s.end); })),
       std::logic_error);
   // A chain at rest has the same bits at every step, and that is no mistake.
-  const auto rest = [](const ContactAware& stepper) {
+  const auto rest = [](const EventCorrected& method) {
     Struck out{State<double>(5), {}};
-    out.run = evolve(stepper, Chain{5, Quartic{1}}, out.end, 10, 1, Unobserved{});
+    out.run = evolve(method, Chain{5, Quartic{1}}, out.end, 10, 1);
     return out;
   };
-  CHECK(refine(1e-6, rest).converged);
+  CHECK(refined(1e-6, rest).error == 0);
 }
 
 TEST_CASE("what must agree is named, and named again where it does not", "[unit][accuracy]") {
@@ -125,11 +123,11 @@ TEST_CASE("what must agree is named, and named again where it does not", "[unit]
     const auto e = energy_density(hard, s.end);
     return e[0] / total(e);
   });
-  const auto compute = [](const ContactAware& s) { return after_impact(s, 1); };
-  const auto loose = converge(1e-2, compute, share), tight = converge(1e-7, compute, share);
+  const auto compute = [](const EventCorrected& s) { return after_impact(s, 1); };
+  const auto loose = refined(1e-2, compute, share), tight = refined(1e-7, compute, share);
   CHECK(tight.error <= 1e-7);
-  CHECK(tight.stepper.halvings > loose.stepper.halvings);
-  const auto message = refusal<RefinementFailed>([&] { converge(0, compute, share); });
+  CHECK(tight.method.halvings > loose.method.halvings);
+  const auto message = refusal<RefinementFailed>([&] { refined(0, compute, share); });
   CHECK(message.find("shares of the first bead") != std::string::npos);
   CHECK(message.find("step 0.1:") != std::string::npos);
 }
@@ -146,17 +144,15 @@ TEST_CASE("a refinement gives up when halvings cannot help any more", "[unit][ac
   CHECK(hopeless(1, 1e-30, 3));
   for (double strange : {std::nan(""), double(INFINITY)}) CHECK_FALSE(hopeless(strange, 1e-4, 5));
 
-  // What never agrees is run six times by `converge`, and to the smallest step by `refine`
+  // What never agrees is run six times
   struct Outcome {
     double x;
     Run run{};
   };
   int runs = 0;
-  const auto erratic = [&](const ContactAware&) { return Outcome{++runs % 2 ? 1.0 : 2.0}; };
+  const auto erratic = [&](const EventCorrected&) { return Outcome{++runs % 2 ? 1.0 : 2.0}; };
   const auto number = reading("numbers", [](const Outcome& out) { return out.x; });
-  CHECK_FALSE(refine(1e-4, erratic, number).converged);
-  CHECK(std::exchange(runs, 0) == 8);
-  const auto message = refusal<RefinementFailed>([&] { converge(1e-4, erratic, number); });
+  const auto message = refusal<RefinementFailed>([&] { refined(1e-4, erratic, number); });
   CHECK(runs == 6);
   CHECK(message.find("differ by more than the tolerance (step 0.1: 0.5, ") != std::string::npos);
   CHECK(message.find("a larger tolerance") != std::string::npos);
@@ -166,8 +162,8 @@ TEST_CASE("a run of no duration returns its start", "[unit][accuracy]") {
   auto s = struck(10, 1);
   const auto start = s;
   int shown = 0;
-  const Run run =
-      evolve_to(1e-9, Chain{10, Quartic{1}}, s, 0, 1, [&](const State<double>&) { ++shown; });
+  const Run run = evolve(Converged{1e-9}, Chain{10, Quartic{1}}, s, 0, 1,
+                         [&](const State<double>&) { ++shown; });
   CHECK(shown == 1);
   CHECK(run.steps == 0);
   CHECK(s.y == start.y);
@@ -199,7 +195,12 @@ TEST_CASE("a run in which a bead runs away says when, whatever the samples are",
     }
   // A strong blow sends the bead away within the first steps
   check_line(evolved(soft, struck(60, 100), 100, 1), "a bead runs away at t = 0.351");
-  CHECK_THROWS_AS(strike_to(1e-4, endless({2.12, {.well = Quartic{-1.0 / 6}}, 100})), RanAway);
+  CHECK_THROWS_AS(
+      refined(1e-4,
+              [&](const EventCorrected& method) {
+                return strike(method, on_long_chain({2.12, {.well = Quartic{-1.0 / 6}}, 100}));
+              }),
+      RanAway);
 }
 
 TEST_CASE("a start that is not finite, or absurd, is refused", "[unit][accuracy]") {
@@ -225,9 +226,18 @@ TEST_CASE("runs that end early prove nothing by their end", "[unit][accuracy]") 
   left.escape_time = 44.5, left.t_end = 44.25, left.leave_time = 41;
   CHECK(broken.broken());
   CHECK_FALSE(left.broken());
+  const auto apart = [](const Run& a, const Run& b) {
+    Attempts two(1, "ends");
+    two.begin(a);
+    CHECK_FALSE(two.agree(a, b, [] { return 0.0; }));
+    return two.error;
+  };
   for (const auto& [a, b] : {std::pair(broken, broken), {broken, left}, {left, whole}})
-    CHECK(std::isinf(escape_difference(a, b)));
-  check_close(escape_difference(left, left), 0.25 / 44.5, 0, 1e-15);
+    CHECK(std::isinf(apart(a, b)));
+  Attempts gone(1e-6, "ends");
+  gone.begin(left);
+  CHECK_FALSE(gone.agree(left, left, [] { return 0.0; }));
+  check_close(gone.error, 0.25 / 44.5, 0, 1e-15);
   State<double> a(3), b(3);
   CHECK(distance(a, b) == 0);
   a.v[1] = std::nan("");
@@ -241,21 +251,23 @@ TEST_CASE("a step that is too long is halved until a run holds", "[convergence][
   vary(light, {1e-6, 1, 1, 1, 1, 1, 1, 1}, {});
   for (const auto& [chain, velocity] : {std::pair(stiff, 100.0), {light, 1.87}}) {
     const Impact impact{velocity, chain, 3, 0.2, may_move};
-    CHECK(strike(stepper_for(1e-4, largest_step, 2), impact).run.broken());
-    const auto runs = strike_to(1e-4, impact);
+    CHECK(strike(method_for(1e-4, largest_step, 2), impact).run.broken());
+    const auto runs =
+        refined(1e-4, [&](const EventCorrected& method) { return strike(method, impact); });
     CAPTURE(runs.history);
     CHECK(runs.history.find("breaks at t = ") < runs.history.find("holds"));
     CHECK(runs.fine.end.t == 3);
     CHECK(runs.error <= 1e-4);
     CHECK(runs.fine.run.energy_drift < 1e-5);
-    const auto finer = strike(stepper_for(1e-4, largest_step, runs.stepper.halvings + 1), impact);
+    const auto finer = strike(method_for(1e-4, largest_step, runs.method.halvings + 1), impact);
     CHECK(distance(runs.fine.end, finer.end) <= runs.error);
   }
   // Stiff contacts divide the steps themselves
   const Impact hard{100, {8, Quartic{0}, PowerContact{10, 0}}, 3, 0.2, may_move};
-  const auto runs = strike_to(1e-4, hard);
+  const auto runs =
+      refined(1e-4, [&](const EventCorrected& method) { return strike(method, hard); });
   CHECK(runs.history.find("breaks") == std::string::npos);
-  const auto finer = strike(stepper_for(1e-4, largest_step, runs.stepper.halvings + 1), hard);
+  const auto finer = strike(method_for(1e-4, largest_step, runs.method.halvings + 1), hard);
   CHECK(distance(runs.fine.end, finer.end) <= runs.error);
   // Free flight is no escape, however far it leads
   CHECK(evolved({2, None{}}, struck(2, 1000), 2000, 1000) == "");
@@ -269,7 +281,9 @@ TEST_CASE("nothing is said to leave a well without a rim", "[property][accuracy]
         const Chain chain{6, well, PowerContact{alpha, 0}};
         CAPTURE(velocity, alpha, describe(well));
         CHECK(evolved(chain, struck(6, velocity), 2, 0.2).find("runs away") == std::string::npos);
-        CHECK_NOTHROW(strike_to(1e-2, {velocity, chain, 2, 0.2, may_move}));
+        CHECK_NOTHROW(refined(1e-2, [&](const EventCorrected& method) {
+          return strike(method, {velocity, chain, 2, 0.2, may_move});
+        }));
       }
 }
 
@@ -288,8 +302,9 @@ TEST_CASE("forces that are nothing or wrong are told by the run", "[unit][accura
     check_line(evolved(chain, start, 20, 1), "with half of the step as well");
   }
   // Under a strong compression the energies are small, and known all the same
-  const auto pressed =
-      strike_to(1e-4, {1e-3, {5, Harmonic{}, PowerContact{8, 8}}, 1, 0.2, may_move});
+  const auto pressed = refined(1e-4, [&](const EventCorrected& method) {
+    return strike(method, {1e-3, {5, Harmonic{}, PowerContact{8, 8}}, 1, 0.2, may_move});
+  });
   CHECK(pressed.fine.run.energy_drift < 1e-5);
   // From rest on a hill the energy is nearly zero, and its relative drift says nothing
   struct Hill {
@@ -330,8 +345,10 @@ TEST_CASE("the peak of a packet is a maximum in time and no flank", "[cli]") {
 
 TEST_CASE("packets are followed with samples that differ, up to the same time",
           "[unit][accuracy]") {
-  const auto runs = strike_to(1e-4, {.velocity = 1, .chain = {60}, .time = 400, .until = 40});
-  const Track &coarse = runs.coarse.track, &fine = runs.fine.track;
+  const auto runs = refined(1e-4, [&](const EventCorrected& method) {
+    return strike(method, {.velocity = 1, .chain = {60}, .time = 400, .until = 40});
+  });
+  const Path &coarse = runs.coarse.path, &fine = runs.fine.path;
   CHECK(runs.fine.end.t == runs.coarse.end.t);
   CHECK(fine.t.size() + 2 >= 2 * coarse.t.size());
   CHECK(coarse.largest_peak(20, 40).value != fine.largest_peak(20, 40).value);

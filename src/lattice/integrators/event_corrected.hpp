@@ -45,7 +45,7 @@ struct StepSums {
 };
 
 /**
-A run consists of many short calls of the stepper, and allocating the stages anew in each would cost more
+A run consists of many short calls of the method, and allocating the stages anew in each would cost more
 than the steps. So the memory is set up once and serves the whole run; outside the window of moving sites
 it stays zero. It also keeps the weights $\sum_i b_i a_{ij}$ with which an error in the force reaches the
 velocity through the stages, and the sums for the latest step lengths. */
@@ -82,12 +82,12 @@ So a step in which a closed contact has $\omega h > 1/2$ is divided into halves,
 $\omega h < 1/8$ wherever a contact is closed. Both numbers are halved with the steps of a refinement (`finer`),
 three times; then the contacts are as exact as rounding allows. Every other resolution begins with thirds, so that
 two of them have no steps in common. Beads of unit mass whose overlaps are below four do not know of all this. */
-struct ContactAware {
+struct EventCorrected {
   double step;  ///< the largest that it may take
   Nystrom base = dormand_prince_6();
   double negligible = 1e-19;  ///< contact force that is not worth a correction
   int finer = 0;              ///< how often the resolution of fast contacts is doubled
-  int halvings = 0;  ///< how often a run halves the steps that `step` asks for (accuracy.hpp)
+  int halvings = 0;  ///< how often a run halves the steps that `step` asks for (refinement.hpp)
 
   /**
   Ahead of a front one contact after the other closes with overlaps such as $10^{-10}$, $10^{-15}$,

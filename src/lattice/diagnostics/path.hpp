@@ -1,0 +1,131 @@
+#pragma once
+/**
+# The path of a packet
+
+Where a packet is, and what it carries, from sample to sample. Every run that follows something along the chain
+keeps a `Path`: an impact its packet (impact.hpp), a kick its breather (kick.hpp), a ring its pulse. Speeds are slopes of
+it. */
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "lattice/diagnostics/observe.hpp"
+#include "lattice/numerics/estimate.hpp"
+#include "lattice/numerics/line_fit.hpp"
+
+namespace lattice {
+
+/**
+The speed is the slope of the centre $X(t)$. The article fits it only where the packet is far from the end where it was
+launched, and gives no number; so the stretch `from <= X <= to` is an argument here and is stated with every result. */
+struct Path {
+  /// One entry per sample: time, centre X (sites, from one), energy of the window, largest density. A path of centres
+  /// alone has the first two.
+  std::vector<double> t, centre, energy, peak;
+
+  /// Appends the packet around `peak_site` of the density `e` at time `time`.
+  void add(double time, const std::vector<double>& e, std::size_t peak_site) {
+    add(time, energy_centre(e, peak_site));
+    energy.push_back(window_sum(e, peak_site));
+    peak.push_back(e[peak_site]);
+  }
+  /// The same around the strongest site.
+  void add(double time, const std::vector<double>& e) {
+    add(time, e, std::size_t(std::max_element(e.begin(), e.end()) - e.begin()));
+  }
+  /// Appends a centre.
+  void add(double time, double x) {
+    t.push_back(time);
+    centre.push_back(x);
+  }
+
+  /**
+  What happens to a packet after it has left the stretch, a reflection for example, does not count. So
+  samples count up to the first one whose centre lies beyond `to`, even if a later one is back within. */
+  /// How many samples count.
+  std::size_t until(double to) const {
+    return std::size_t(
+        std::find_if(centre.begin(), centre.end(), [to](double x) { return x > to; }) -
+        centre.begin());
+  }
+
+  /// Times and centres of the samples between `from` and `to`.
+  std::pair<std::vector<double>, std::vector<double>> between(double from, double to) const {
+    std::pair<std::vector<double>, std::vector<double>> points;
+    for (std::size_t i = 0, end = until(to); i < end; ++i)
+      if (centre[i] >= from) {
+        points.first.push_back(t[i]);
+        points.second.push_back(centre[i]);
+      }
+    return points;
+  }
+
+  /// Line through the centres between `from` and `to`; nothing if fewer than three lie there.
+  std::optional<Line> line(double from, double to) const;
+  /// Speed between two times, with the error of the fit. Throws std::invalid_argument if fewer than three samples lie
+  /// there.
+  Estimate speed_during(double from, double to) const;
+  /// Energy of the packet at the instant when its centre first passes `x`, between two samples.
+  /// Throws std::runtime_error if it never does.
+  double energy_at(double x) const;
+  /// Sites by which the centre moves on in `duration` after it has passed `site`. Throws
+  /// std::runtime_error if the path ends before.
+  double travelled(double site, double duration) const;
+  /// Largest maximum in time of the packet's energy density while its centre is between `from` and `to`, with the error
+  /// that samples leave; nan if it has none there.
+  Estimate largest_peak(double from, double to) const;
+};
+
+/**
+Where does the stretch begin? Our choice is site 20, twice the packet's window away from the struck end.
+An impact follows its front-most packet, because a second and slower one can carry as much energy (as it does at
+$s = -1/6$). */
+inline constexpr double fit_from = 20;
+/// Where no packet ever is: the end of a stretch that has none.
+inline constexpr double far_away = std::numeric_limits<double>::infinity();
+
+/**
+`packet_speed` is the speed of a packet between `fit_from` and `to`, in sites per unit of time, with the
+error of the fit. Throws std::runtime_error if no packet came so far. */
+Estimate packet_speed(const Path& path, double to = far_away);
+
+/// Change of the speed from the first to the second half of the stretch, relative to the speed: small if
+/// the packet moves at a constant speed, which a good fit alone does not show.
+Estimate speed_change(const Path& path, double to = far_away);
+
+/**
+## Smoothed paths
+
+The centre trembles with the internal oscillation, so that its velocity vanishes twice per period. A turning point has
+a meaning only for a smoothed path: the mean over a stated width with the weight $1+\cos(2\pi t/\text{width})$.
+This weight and its slope fall to zero at the ends of the window, so that an oscillation with more than a
+few periods per window is strongly suppressed; a plain mean does so only if the window happens to hold
+whole periods. At the ends of a path, where no window fits, the smoothed path has no values: half a
+window would shift the centre of a moving packet. */
+
+/// The weighted mean of a path over windows of the given width in time, shorter by one width.
+/// Throws std::invalid_argument for fewer than three samples.
+Path smooth(const Path& path, double width);
+
+/**
+A turning point is an extremum of the smoothed path. The parabola through three samples places it between
+them, so that its time is not limited by the sampling. If the three do not enclose an extremum, the sample
+itself is taken. */
+
+/// A site and a time, `nan` where there are none.
+struct Moment {
+  double site = std::numeric_limits<double>::quiet_NaN(),
+         time = std::numeric_limits<double>::quiet_NaN();
+  /// Whether there is one.
+  bool found() const { return !std::isnan(time); }
+};
+
+/// The extremum of the parabola through sample `i` and its neighbours.
+Moment vertex(const Path& path, std::size_t i);
+
+}  // namespace lattice

@@ -1,0 +1,186 @@
+#include "lattice/integrators/refinement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace lattice {
+
+double distance(const State<double>& a, const State<double>& b) {
+  constexpr double far = std::numeric_limits<double>::infinity();
+  if (a.t != b.t || a.y.size() != b.y.size()) return far;
+  double apart = 0, scale = 0;
+  for (std::size_t n = 0; n < a.y.size(); ++n) {
+    const double y = std::abs(a.y[n] - b.y[n]), v = std::abs(a.v[n] - b.v[n]);
+    if (!(y < far && v < far)) return far;
+    apart = std::max({apart, y, v});
+    scale = std::max({scale, std::abs(b.y[n]), std::abs(b.v[n])});
+  }
+  return scale > 0 ? apart / scale : apart;
+}
+
+// Of the times at which two runs end early, from the last sample before to the first one after in both; infinite if
+// only one does, or if one is broken
+static double escape_difference(const Run& a, const Run& b) {
+  if (a.broken() || b.broken() || a.escaped() != b.escaped())
+    return std::numeric_limits<double>::infinity();
+  return (std::max(a.escape_time, b.escape_time) - std::min(a.t_end, b.t_end)) / b.escape_time;
+}
+
+EventCorrected method_for(double tolerance, double step, int halvings) {
+  EventCorrected method{step};
+  if (tolerance < 1e-10) method.base = nystrom(blanes_moan_6_14());
+  method.halvings = halvings;
+  method.finer = halvings;
+  return method;
+}
+
+bool hopeless(double error, double tolerance, int halvings) {
+  const int left = usual_halvings - halvings;
+  return halvings >= 3 && std::isfinite(error) && std::ldexp(error, -6 * left) > tolerance;
+}
+
+// What can be done about it, to be appended to the history
+static constexpr const char* hopeless_advice =
+    ", and smaller steps cannot mend it: the motion is too erratic for so long a run; ask for a "
+    "shorter one or a larger tolerance";
+
+// What a run with a shorter step would cost: seven halvings of one that holds, but many more of one that ends soon
+static bool is_last(int k, const Run& run, int held) {
+  if (k >= most_halvings) return true;
+  return run.escaped() ? k >= usual_halvings && run.steps > many_steps : held >= usual_halvings;
+}
+
+// More is due to steps that are too long, or to forces that are wrong
+static double allowed_defect(double tolerance) {
+  return std::max(tolerance, rounded_defect);
+}
+
+// Of the energy defects, zero if that of `b` is below the tolerance
+static double defect_difference(const Run& a, const Run& b, double tolerance) {
+  if (b.energy_defect <= allowed_defect(tolerance)) return 0;
+  return std::abs(a.energy_defect - b.energy_defect);
+}
+
+static void assert_conserved(const Run& run, double tolerance) {
+  if (run.energy_defect <= allowed_defect(tolerance)) return;
+  std::ostringstream text;
+  text
+      << "the energy drifts by " << run.energy_defect
+      << ", with half of the step as well (allowed: " << allowed_defect(tolerance)
+      << "): a force may not be minus the derivative of its energy; a larger tolerance allows more";
+  throw RefinementFailed(text.str());
+}
+
+// What is said of runs that end early
+static std::string escape_message(const Run& run) {
+  std::ostringstream text;
+  text.precision(4);
+  text << "a bead runs away at t = " << (run.t_end + run.escape_time) / 2
+       << ", having left its well at t = " << run.leave_time
+       << ": take a shorter run or another start (a little more or less velocity may decide it)";
+  return text.str();
+}
+
+static std::string broken_message(const std::string& history) {
+  return "no step is short enough (" + history +
+         "): contacts may be too stiff, a force not finite there, or a well without a rim "
+         "lets go of a bead";
+}
+
+/**
+## The attempts */
+EventCorrected Attempts::method() const {
+  EventCorrected next = method_for(tolerance_, largest_step, runs_);
+  next.finer = held_ + 1;
+  return next;
+}
+
+// The history begins anew where a run ends early
+void Attempts::note(const Run& run) {
+  const int k = runs_++;
+  held_ = run.broken() ? -1 : held_ + 1;
+  spent_ = is_last(k, run, held_);
+  if (run.escaped()) history.clear();
+  if (k == 0 && held_ == 0) return;
+  std::ostringstream text;
+  text << (history.empty() ? "" : ", ") << "step " << std::ldexp(largest_step, -k) << ": ";
+  if (held_ < 0)
+    text << "breaks at t = " << run.escape_time;
+  else if (held_ == 0)
+    text << "holds";
+  else
+    text << error;
+  history += text.str();
+}
+
+void Attempts::begin(const Run& run) {
+  note(run);
+}
+
+bool Attempts::agree(const Run& coarse, const Run& fine, const std::function<double()>& differ) {
+  // Runs that end early are compared by when they do
+  const bool early = coarse.escaped() || fine.escaped();
+  error = early ? escape_difference(coarse, fine)
+                : std::max(differ(), defect_difference(coarse, fine, tolerance_));
+  const bool good = error <= (early ? std::max(tolerance_, escape_tolerance) : tolerance_);
+  note(fine);
+  const bool vain = !good && !spent_ && !early && hopeless(error, tolerance_, held_);
+  if (!good && !spent_ && !vain) return false;
+  // The last two: is it a result?
+  if (fine.broken()) throw RefinementFailed(broken_message(history));
+  if (!good)
+    throw RefinementFailed("the " + (fine.escaped() ? "times of escape" : named_) +
+                           " of two resolutions differ by more than the tolerance (" + history +
+                           ")" + (vain ? hopeless_advice : ""));
+  if (fine.escaped()) throw RanAway(escape_message(fine));
+  assert_conserved(fine, tolerance_);
+  return true;
+}
+
+void assert_usable(const State<double>& start, double tolerance) {
+  const auto refuse = [](const std::string& what, double value, const std::string& allowed) {
+    std::ostringstream text;
+    text << what << value << " (allowed: " << allowed << ")";
+    throw std::invalid_argument(text.str());
+  };
+  if (!(tolerance > 0 && std::isfinite(tolerance)))
+    refuse("tolerance = ", tolerance, "finite and positive");
+  for (std::size_t n = 0; n < start.y.size(); ++n)
+    for (const auto& [name, value] :
+         {std::pair("displacement", start.y[n]), std::pair("velocity", start.v[n])})
+      if (!(std::abs(value) < escape_displacement))
+        refuse("bead " + std::to_string(n + 1) + " starts with the " + name + " ", value,
+               "finite and smaller than a million");
+}
+
+// With a sample for every step only where the run ends early
+namespace {
+
+struct EndOfRun {
+  State<double> end;
+  Run run;
+};
+
+}  // namespace
+
+Run evolve(const Converged& stated, const Chain& chain, State<double>& state, double duration,
+           Every every, const Look& look) {
+  assert_usable(state, stated.tolerance);
+  const auto runs = refined(stated.tolerance, [&](const EventCorrected& method) {
+    EndOfRun out{state, {}};
+    for (double apart : {every.time, std::min(every.time, method.step)}) {
+      out.end = state;
+      out.run = evolve(method, chain, out.end, duration, denser(apart));
+      if (!out.run.escaped()) break;
+    }
+    return out;
+  });
+  Run run = evolve(runs.method, chain, state, duration, every, look);
+  // What two runs agree on beyond rounding nobody knows
+  if (runs.error > 0) run.error = std::max(runs.error, std::numeric_limits<double>::epsilon());
+  return run;
+}
+
+}  // namespace lattice
