@@ -214,17 +214,17 @@ time finds a larger $c_c$. After the printed $6.19\cdot10^{-6}$ the bond-centred
 [35877.4](num:sec33_mobility.hill_time_bond_stretched) (with the contact stretched). By this time the site-centred one has
 moved by [0.368812](num:sec33_mobility.site_by_then) sites after its weak kick. It needs five times as long for two sites, so
 no single length of the runs explains both. */
-void report_horizon(Report& report, const Breathers& at, const TwoPaths& site) {
+void report_horizon(Report& report, const Breathers& at, const TwoRuns<KickedPath>& site) {
   // The printed kick, until the breather is past the next site
-  TwoPaths printed;
+  TwoRuns<KickedPath> printed;
   parallel_for("printed kicks", 2, [&](std::size_t i) {
-    (i ? printed.good : printed.rough) =
+    (i ? printed.fine : printed.coarse) =
         at[1].after(printed_threshold, (i ? fine() : coarse()).thresholds, 1e5,
                     [](const KickedPath& so_far, const State<double>&, const auto&) {
                       return so_far.farthest() < 0.5;
                     });
   });
-  const Estimate then = printed.when(0.5);
+  const Estimate then = when_at(0.5, printed);
   report.facts.add("hill_time_bond_stretched", then);
 
   // Where the site-centred breather of the weak kick is then, and how it passes a site
@@ -233,14 +233,14 @@ void report_horizon(Report& report, const Breathers& at, const TwoPaths& site) {
     while (p.t[k + 1] < then.value) ++k;
     return std::abs(p.moved(k));
   };
-  report.facts.add("site_by_then", compare(by_then(site.rough), by_then(site.good)), "site");
-  report.facts.add("two_sites_time", site.when(2));
+  report.facts.add("site_by_then", site.of(by_then), "site");
+  report.facts.add("two_sites_time", when_at(2, site));
   const auto pace = [](const KickedPath& p, double x) {
     const double since = (x - 0.1) / p.mean_speed(x - 0.1);
     return 0.2 / ((x + 0.1) / p.mean_speed(x + 0.1) - since);
   };
   const auto slowest = [&](const KickedPath& p) { return pace(p, 2) / pace(p, 1.5); };
-  report.facts.add("slow_over_fast", compare(slowest(site.rough), slowest(site.good)));
+  report.facts.add("slow_over_fast", site.of(slowest));
 }
 
 /**
@@ -248,12 +248,12 @@ The bond-centred breather is pinned: in either phase it turns round at a quarter
 is half a site away. For the site-centred one we give the distance at the end of the run, where it still moves. */
 void report_weak(Report& report, const Breathers& at) {
   // All three breathers, each with two schemes
-  std::array<TwoPaths, 3> paths;
+  std::array<TwoRuns<KickedPath>, 3> paths;
   parallel_for("weak kicks", 6, [&](std::size_t i) {
     const std::size_t k = i / 2;
     const double time = report.quick ? 2e4 : std::array{2.5e5, 1.7e5, 8e4}[k];
     const Resolution r = i % 2 ? fine(report.quick) : coarse(report.quick);
-    (i % 2 ? paths[k].good : paths[k].rough) = at[k].after(weak, r.paths, time);
+    (i % 2 ? paths[k].fine : paths[k].coarse) = at[k].after(weak, r.paths, time);
   });
 
   // The figure: the longest run has all times
@@ -263,12 +263,12 @@ void report_weak(Report& report, const Breathers& at) {
   };
   Table& table = report.table(
       "paths", {number("t", "time"), centre(cases[0]), centre(cases[1]), centre(cases[2])});
-  const auto place = [&](const TwoPaths& p, std::size_t k) {
-    if (k >= p.good.centre.size()) return Estimate{std::nan(""), std::nan("")};
-    return Estimate{p.good.centre[k], std::abs(p.good.centre[k] - p.rough.centre[k])};
+  const auto place = [&](const TwoRuns<KickedPath>& p, std::size_t k) {
+    if (k >= p.fine.centre.size()) return Estimate{std::nan(""), std::nan("")};
+    return Estimate{p.fine.centre[k], std::abs(p.fine.centre[k] - p.coarse.centre[k])};
   };
-  for (std::size_t k = 0; k < paths[0].good.t.size(); k += 8)
-    table.add({paths[0].good.t[k], place(paths[0], k), place(paths[1], k), place(paths[2], k)});
+  for (std::size_t k = 0; k < paths[0].fine.t.size(); k += 8)
+    table.add({paths[0].fine.t[k], place(paths[0], k), place(paths[1], k), place(paths[2], k)});
 
   // Around a bond: how far does it come, and does it turn round?
   for (std::size_t k = 1; k < 3; ++k) {
@@ -284,7 +284,7 @@ void report_weak(Report& report, const Breathers& at) {
   report.facts.add("travelled_site",
                    compare(std::abs(rough.travelled()), std::abs(good.travelled())), "site");
   for (std::size_t k = 0; k < 3; ++k) {
-    const double margin = paths[k].good.drift_margin(weak, at[k].energy);
+    const double margin = paths[k].fine.drift_margin(weak, at[k].energy);
     report.facts.add(std::string("drift_margin_weak_") + cases[k].name, {margin, margin});
   }
   if (!report.quick) report_horizon(report, at, paths[0]);

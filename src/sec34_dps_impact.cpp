@@ -90,10 +90,10 @@ highest sample and its neighbours gives the maximum. */
 double amplitude_of(const DpsOutcome& out) {
   return 2 * eps * packet_amplitude(out.path).value;
 }
-Estimate amplitude_of(const DpsPair& runs) {
+Estimate amplitude_of(const TwoRuns<DpsOutcome>& runs) {
   return compare(amplitude_of(runs.coarse), amplitude_of(runs.fine));
 }
-Estimate speed_of(const DpsPair& runs) {
+Estimate speed_of(const TwoRuns<DpsOutcome>& runs) {
   return compare(packet_speed(runs.coarse.path), packet_speed(runs.fine.path));
 }
 
@@ -119,21 +119,22 @@ void report_scales(Report& report) {
   report.facts.add("time_of_tau_250", exact(tau_end / std::sqrt(by_frequency)));
 }
 
-DpsPair report_dps(Report& report, const Resolution& resolution) {
+TwoRuns<DpsOutcome> report_dps(Report& report, const Resolution& resolution) {
   // The run, and every eighth of its samples for the map
   Table& map = report.table(
       "dps_impact_map",
       {number("tau", "slow time"), count("n", "site", "site"), number("density", "|A_n|^2")});
   std::size_t k = 0;
   std::vector<double> first;  // |A_1|^2 in the last fifth of the run
-  DpsPair runs = follow_dps_to(resolution.dps_tolerance, Dps{sites}, dps_impact(sites), tau_end,
-                               resolution.dps_samples, [&](double tau, const Field& field) {
-                                 const auto d = density(field);
-                                 if (tau > 0.8 * tau_end) first.push_back(d[0]);
-                                 for (std::size_t n = 0; k % 8 == 0 && n < sites; ++n)
-                                   map.add({tau, n + 1, d[n]});
-                                 ++k;
-                               });
+  TwoRuns<DpsOutcome> runs =
+      follow_dps_twice(resolution.dps_tolerance, Dps{sites}, dps_impact(sites), tau_end,
+                       resolution.dps_samples, [&](double tau, const Field& field) {
+                         const auto d = density(field);
+                         if (tau > 0.8 * tau_end) first.push_back(d[0]);
+                         for (std::size_t n = 0; k % 8 == 0 && n < sites; ++n)
+                           map.add({tau, n + 1, d[n]});
+                         ++k;
+                       });
   Table& profile = report.table("dps_impact_profile",
                                 {count("n", "site", "site"), number("density", "|A_n|^2")});
   const auto end = density(runs.fine.end);
@@ -315,7 +316,8 @@ double train_apart(const std::vector<double>& chain, const std::vector<double>& 
 }
 
 // The chain is run until its end states agree, and each number takes its error from the last two runs
-void report_comparison(Report& report, const DpsPair& dps, const Resolution& resolution) {
+void report_comparison(Report& report, const TwoRuns<DpsOutcome>& dps,
+                       const Resolution& resolution) {
   const auto runs = refined(resolution.tolerance, [&](const EventCorrected& method) {
     return chain_run(method, resolution.rows);
   });
@@ -432,8 +434,8 @@ void report_other_problems(Report& report, const Resolution& resolution) {
   const auto trial = [&](const std::string& name, Ends end, double factor) {
     Field start = dps_impact(sites);
     start[0] *= factor;
-    const DpsPair runs = follow_dps_to(resolution.dps_tolerance, Dps{sites, end}, start, tau_end,
-                                       resolution.dps_samples);
+    const TwoRuns<DpsOutcome> runs = follow_dps_twice(resolution.dps_tolerance, Dps{sites, end},
+                                                      start, tau_end, resolution.dps_samples);
     const auto &coarse = runs.coarse.path, &fine = runs.fine.path;
     table.add({name, amplitude_of(runs), compare(coarse.centre.back(), fine.centre.back()),
                speed_of(runs)});
@@ -458,7 +460,7 @@ void reproduce(Report& report) {
   report.output.note("tolerance", "end state " + short_text(resolution.tolerance) + ", GSL " +
                                       short_text(resolution.dps_tolerance));
   report_scales(report);
-  const DpsPair dps = report_dps(report, resolution);
+  const TwoRuns<DpsOutcome> dps = report_dps(report, resolution);
   report_comparison(report, dps, resolution);
   report_heights(report, resolution);
   report_other_problems(report, resolution);

@@ -538,7 +538,7 @@ TEST_CASE(
     return out;
   };
   const std::array<Packet, 2> chain{chain_packet({0.2}), chain_packet({0.1})};
-  const DpsPair dps = follow_dps_to(1e-9, Dps{120}, dps_impact(120), tau, 500);
+  const TwoRuns<DpsOutcome> dps = follow_dps_twice(1e-9, Dps{120}, dps_impact(120), tau, 500);
   const auto dps_amplitude = [&](const DpsOutcome& out) {
     return 2 * eps * packet_amplitude(out.path).value;
   };

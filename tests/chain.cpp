@@ -72,8 +72,10 @@ TEST_CASE("accelerations are minus the gradient of the energy over the mass", "[
   for_all_ends([](const auto& chain) {
     const auto y = shaken(12).y;
     const auto a = accelerations(chain, y);
-    for (std::size_t n = 0; n < 12; ++n)
+    for (std::size_t n = 0; n < 12; ++n) {
       check_close(a[n] * chain.mass_of(n), -slope(chain, y, n), 1e-7, 1e-7);
+      CHECK(a[n] == acceleration(chain, y.data(), n));
+    }
   });
 }
 

@@ -54,6 +54,10 @@ double KickedPath::mean_speed(double distance, std::size_t start) const {
                            " sites");
 }
 
+Estimate when_at(double distance, const TwoRuns<KickedPath>& paths) {
+  return paths.of([&](const KickedPath& p) { return p.t[0] + distance / p.mean_speed(distance); });
+}
+
 // `run` gives its drift relative to the breather's energy
 double KickedPath::drift_margin(double c, double energy) const {
   return c * c / 2 / energy / run.energy_drift;

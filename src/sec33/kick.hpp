@@ -65,15 +65,8 @@ struct KickedPath : Path {
   double drift_margin(double c, double energy) const;
 };
 
-/// One path with two schemes or steps, of which the second is the finer.
-struct TwoPaths {
-  KickedPath rough{}, good{};
-  /// When the breather is `distance` sites from its start. Throws as `mean_speed` does.
-  Estimate when(double distance) const {
-    const auto of = [&](const KickedPath& p) { return p.t[0] + distance / p.mean_speed(distance); };
-    return compare(of(rough), of(good));
-  }
-};
+/// When the breather is `distance` sites from its start, from two schemes or steps. Throws as `mean_speed` does.
+Estimate when_at(double distance, const TwoRuns<KickedPath>& paths);
 
 /**
 The samples of eleven periods are added up to one mean of $X$. */

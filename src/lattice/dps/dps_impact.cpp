@@ -32,8 +32,8 @@ Estimate packet_amplitude(const Path& path) {
   return {amplitude, top.error / (2 * amplitude)};
 }
 
-DpsPair follow_dps_to(double tolerance, const Dps& dps, const Field& start, double duration,
-                      std::size_t samples, const DpsLook& watch) {
+TwoRuns<DpsOutcome> follow_dps_twice(double tolerance, const Dps& dps, const Field& start,
+                                     double duration, std::size_t samples, const DpsLook& watch) {
   return {follow_dps(dps, start, duration, samples, 100 * tolerance),
           follow_dps(dps, start, duration, 2 * samples, tolerance, watch)};
 }

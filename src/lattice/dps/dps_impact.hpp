@@ -6,7 +6,6 @@ This is an impact (impact/impact.hpp) in the limit of small amplitude, Eq. (25):
 $A_1(0) = -i$ and all others zero. The packet is followed in the density $|A_n|^2$ and the slow time. */
 
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 #include "lattice/diagnostics/path.hpp"
@@ -37,12 +36,9 @@ Estimate packet_amplitude(const Path& path);
 For errors the same impact is followed twice: first with a hundred times the tolerance and `samples`
 samples, then with `tolerance` and twice as many samples, because amplitudes and speeds are read from
 them. */
-struct DpsPair {
-  DpsOutcome coarse, fine;
-};
-
 /// Both runs; `watch` sees the finer one.
-DpsPair follow_dps_to(double tolerance, const Dps& dps, const Field& start, double duration,
-                      std::size_t samples, const DpsLook& watch = {});
+TwoRuns<DpsOutcome> follow_dps_twice(double tolerance, const Dps& dps, const Field& start,
+                                     double duration, std::size_t samples,
+                                     const DpsLook& watch = {});
 
 }  // namespace lattice

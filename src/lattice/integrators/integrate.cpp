@@ -71,8 +71,9 @@ namespace {
 /// What a run must keep: its energy, and its beads.
 class Audit {
  public:
-  Audit(const Chain& chain, const State<double>& state, double duration)
-      : chain_(chain), start_(energy(chain, state)), far_(farthest(chain, start_, duration)) {}
+  /// Of a run that starts with the energy `start`.
+  Audit(const Chain& chain, double start, double duration)
+      : chain_(chain), start_(start), far_(farthest(chain, start, duration)) {}
 
   /// Enters a sample into the run; false if the solution has run away.
   bool holds(const State<double>& state, const Window& window, Run& run) {
@@ -108,12 +109,13 @@ Run evolve(const Method& method, const Chain& chain, State<double>& state, const
            const Look& look) {
   const Advance advance = method.on(chain);
   const double t0 = state.t, interval = grid.interval();
-  Audit audit(chain, state, grid.duration);
+  Progress progress(number_label("step", grid.step()), 1);
+  const double start = energy(chain, state);
   Window window = waking(chain, state);
+  Audit audit(chain, start, grid.duration);
   Run run{.t_end = t0};
   audit.holds(state, window, run);
   if (!look(state)) return run;
-  Progress progress(number_label("step", grid.step()), 1);
   for (std::size_t k = 1; k <= grid.samples; ++k) {
     heed_stop();
     run.work += advance(state, window, grid.step(), grid.steps);

@@ -85,17 +85,10 @@ struct SameEnd {
 
 /// Two runs that agree.
 template <class Result>
-struct Refined {
-  Result coarse, fine;
+struct Refined : TwoRuns<Result> {
   EventCorrected method;  ///< of the finer run
   double error;           ///< of what must agree: the difference of the two
   std::string history;    ///< steps and errors of all attempts
-
-  /// What `number` reads from the finer run, with its difference from the coarser one.
-  template <class Number>
-  Estimate of(Number number) const {
-    return compare(number(coarse), number(fine));
-  }
 };
 
 /**
@@ -168,8 +161,8 @@ auto refined(double tolerance, Compute compute, Differ differ = {}) {
     Result fine = compute(method);
     refuse_same_run(*coarse, fine);
     if (attempts.agree(run_of(*coarse), run_of(fine), [&] { return differ(*coarse, fine); }))
-      return Refined<Result>{std::move(*coarse), std::move(fine), method, attempts.error,
-                             attempts.history};
+      return Refined<Result>{
+          {std::move(*coarse), std::move(fine)}, method, attempts.error, attempts.history};
     coarse.emplace(std::move(fine));
   }
 }

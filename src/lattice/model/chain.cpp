@@ -117,19 +117,15 @@ std::vector<T> energy_density(const Chain& chain, const State<T>& state) {
   const Window moving = energetic(chain, state);
   const bool loop = std::is_same_v<T, double> && chain.mass.empty();
   const T *y = state.y.data(), *v = state.v.data();
-  detail::with_kind(chain.well, [&](const auto& well) {
+  const auto add_wells = [&](const auto& well) {
     if constexpr (std::is_same_v<T, double>)
       if (loop)
         return sweep_wells(well, y + moving.first, v + moving.first, e.data() + moving.first,
                            moving.last - moving.first);
     for (std::size_t n = moving.first; n < moving.last; ++n)
       e[n] = T(chain.mass_of(n)) * v[n] * v[n] / T(2) + well.energy(y[n]);
-  });
-  detail::with_kind(chain.contact, [&](const auto& contact) {
-    const auto of = [&](std::size_t i) {
-      if (!touches(chain, i)) return T(0);
-      return T(T(chain.eta_of(i)) * contact.energy(stretch(chain, y, i)));
-    };
+  };
+  const auto add_contacts = [&](const auto& contact) {
     // The last contact is the boundary's
     const std::size_t inner = std::min(moving.last, chain.sites - 1);
     std::size_t n = moving.first;
@@ -138,9 +134,15 @@ std::vector<T> energy_density(const Chain& chain, const State<T>& state) {
         sweep_contacts(contact, y + n, e.data() + n, inner - n);
         n = inner;
       }
+    const auto of = [&](std::size_t i) {
+      if (!touches(chain, i)) return T(0);
+      return T(T(chain.eta_of(i)) * contact.energy(stretch(chain, y, i)));
+    };
     for (; n < moving.last; ++n) e[n] = e[n] + of(n + 1);
     e[0] += of(0);
-  });
+  };
+  std::visit(add_wells, chain.well);
+  std::visit(add_contacts, chain.contact);
   return e;
 }
 

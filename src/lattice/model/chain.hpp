@@ -108,6 +108,17 @@ T contact_push(const Chain& chain, const T* y, std::size_t i) {
 }
 
 /**
+This is the equation of motion of the beginning, as code. The inner loops (kernel.hpp) do the same operations for whole
+rows of beads. */
+/// Acceleration of bead `n` at the positions `y`, Eqs. (9) and (32).
+template <class T>
+T acceleration(const Chain& chain, const T* y, std::size_t n) {
+  const T force =
+      chain.well.force(y[n]) + (contact_push(chain, y, n) - contact_push(chain, y, n + 1));
+  return force * inverse_mass<T>(chain, n);
+}
+
+/**
 An impact at one end reaches the far end late, and until then most beads are exactly at rest and need
 no work. So only a window of moving sites is computed. It grows by one site at either edge whenever the
 contact there begins to push. This is tested in every force evaluation; hence a windowed run has the same

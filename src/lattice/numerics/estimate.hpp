@@ -40,6 +40,18 @@ Estimate compare(Count coarse, Count fine) {
           coarse < fine ? double(fine) - double(coarse) : double(coarse) - double(fine)};
 }
 
+/// The same computation at two resolutions, and numbers with errors from it.
+template <class Result>
+struct TwoRuns {
+  Result coarse, fine;
+
+  /// What `number` reads from the finer one, with its difference from the coarser one.
+  template <class Number>
+  Estimate of(Number number) const {
+    return compare(number(coarse), number(fine));
+  }
+};
+
 /**
 Estimates are compared with each other and with what is expected; errors are carried along. */
 /// a / b with the errors of both.
