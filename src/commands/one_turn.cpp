@@ -37,6 +37,7 @@ Table OneTurn::table() const {
   const TurnEstimate read = estimate_turn(runs.coarse.path, runs.fine.path);
   const auto parted = decorrelation_to(runs.method, v, 1e-8, chain_for(4 * time), 4 * time);
   const Turn turn = turn_of(runs.fine.path);
+  // The turn, and when the impacts of two neighbours part
   const std::string by = " by t = " + short_text(time),
                     on = "the packet has not come back by five sites" + by;
   Answers q{"a smaller --tolerance or a shorter --time"};

@@ -223,8 +223,8 @@ Emission drive_chain(const DrivenChain& driven, double duration, std::size_t det
     const double density = (y * y + v * v) / 2;
     counter.look(now.t, density, out.passages);
     out.loudest = std::max(out.loudest, density / (size * size));
-    const double a = acceleration(driven.chain, now.y.data(), 0) + driven.drive.force(now.t, now.y[0]) -
-                     driven.losses.rate * now.v[0];
+    const double a = acceleration(driven.chain, now.y.data(), 0) +
+                     driven.drive.force(now.t, now.y[0]) - driven.losses.rate * now.v[0];
     way = {way.x1, way.w1, way.g1, now.y[0], h * now.v[0], h * h * a / 2};
     if (now.t < (duration + h) / 2)
       half = l.work;

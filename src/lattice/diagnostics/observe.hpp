@@ -12,6 +12,8 @@ with $c$ the site of its largest density and $m = 5$, how fast it moves, and how
 #include <optional>
 #include <vector>
 
+#include "lattice/numerics/ieee.hpp"
+
 namespace lattice {
 
 /**

@@ -53,6 +53,7 @@ static void refuse_moving_end(const Impact& impact, ImpactRun& run) {
   throw FarEndReached(text.str());
 }
 
+// Look at every sample; the run ends where somebody wants it to, the far end moves, or the packet has passed
 void follow(const Method& method, const Impact& impact, ImpactRun& run, double time,
             const ImpactLook& watch) {
   const bool strongest = impact.packet == WhichPacket::strongest;

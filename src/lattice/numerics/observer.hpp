@@ -9,6 +9,8 @@ one that returns nothing never does. */
 #include <type_traits>
 #include <utility>
 
+#include "lattice/numerics/ieee.hpp"
+
 namespace lattice {
 
 /// Any function of what is `Seen`; without one nobody looks.
