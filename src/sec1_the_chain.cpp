@@ -2,18 +2,21 @@
 # 1 The chain, and what this book asks of it
 
 A Newton's cradle is a row of balls that touch. Lift the first one, let it fall, and a pulse runs through the row. Now
-hold every ball in a well of its own, stiff enough to oscillate while the pulse is there: short strings, or elastic
-beams in the place of strings. What travels then is not a pulse but a packet of oscillations, and what stands still may
+hold every ball in a well of its own, so stiff that the ball oscillates while the pulse passes: short strings, or elastic
+beams instead of strings. What travels then is not a pulse but a packet of oscillations, and what stands still may
 be one, too: a *breather*.
 
 ![A packet that travels, one that turns round, a breather, and its Floquet multipliers.](fig:x36)
 
-This chapter is the article in a hundred and fifty lines of code. It needs mechanics, the C++ standard library and Eigen,
-and nothing of ours but the writer of tables: whoever reads it to the end can strike a chain of his own. Then it says how
-many of its digits are right, which questions it cannot answer, and where the book answers them. */
+This chapter is the article by James, Kevrekidis and Cuevas (Physica D 251, 2013) in a hundred and fifty lines of code. It
+needs mechanics, the C++ standard library and Eigen. Of our own it uses only what writes its tables: `Report`, `Estimate`
+and `compare(coarse, fine)`, which is the finer value with its difference from the coarser one as error, and `Failure`, an
+exception. Readers who reach the end can strike their own chain. Then it says how many of its digits are right, which
+questions it cannot answer, and where the book answers them. */
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -30,15 +33,14 @@ using namespace lattice;
 
 Two elastic spheres that overlap by $x$ repel with the force $\gamma\,x^{3/2}$, which is Hertz's law; spheres
 that do not overlap do not act on each other, and none ever pulls. So a contact has no linear part: the gentler the
-motion, the softer it is. The chain of James, Kevrekidis and Cuevas (Physica D 251, 2013) has such contacts between
-neighbours and a well $W$ for every bead, Eqs. (9) and (10):
+motion, the softer it is. The chain has such contacts between neighbours and a well $W$ for every bead, Eqs. (9) and (10) of
+the article:
 $$\ddot y_n = -W'(y_n) + (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},\qquad
   W(y) = \tfrac12y^2 + \tfrac s4\,y^4,$$
 where $(x)_+$ is $x$ if positive and zero otherwise.
 Lengths and times are measured such that the mass of a bead, the stiffness of its well and that of a contact are one; a
 bead alone oscillates with the frequency one. The number $s$ makes the well harmonic ($s = 0$), hard ($s > 0$) or soft
-($s < 0$). Everything in this book is said in these units, except where an experiment is meant
-(cantilever.hpp converts). */
+($s < 0$). These units are used throughout, except where an experiment is meant (cantilever.hpp converts). */
 struct Chain {
   Index sites;
   double s = 0;  // anharmonicity of the wells
@@ -101,8 +103,9 @@ VectorXd energy_density(const Chain& chain, const State& now) {
 ## An impact, and its packet
 
 Strike the first bead of a chain at rest with the velocity $v_0$, Eq. (26), and look at the energy every 0.2 units of
-time, some thirty times in an oscillation. Ahead of the motion the beads are exactly at rest, because contacts at rest do
-not push. So the length of the chain is of no consequence as long as its last bead has not moved. */
+time, some thirty times in an oscillation. Ahead of the packet displacements fall off so fast that a few beads on they are
+too small for a number and exactly zero. So the length of the chain is of no consequence as long as its last bead has not
+moved. */
 constexpr double every = 0.2;
 
 template <class Look>
@@ -117,9 +120,10 @@ void strike(const Chain& chain, double v0, double h, Look look) {
 }
 
 /**
-The packet is where the energy is. Several packets may leave the end; the foremost is the first site, coming from ahead,
-that is the largest of its eleven sites while these hold a hundredth of the energy. Its centre is
-$X = \sum n\,e_n/\sum e_n$ over these sites, Eq. (24). Here bead `n` has the number $n+1$, so that the first is number one. */
+The packet is where the energy is. Several may set out from the struck end. The foremost is at the first site, searching
+from the far end, whose energy is the largest of the eleven around it, provided that these hold at least a hundredth of the
+total. Its centre is $X = \sum n\,e_n/\sum e_n$ over these sites, Eq. (24). Here bead `n` has the number $n+1$, so that the
+first is number one; as long as the packet has not left the first five, the first stands for it. */
 Index foremost(const VectorXd& e) {
   for (Index n = e.size() - 6; n >= 5; --n) {
     const VectorXd window = e.segment(n - 5, 11);
@@ -156,8 +160,8 @@ double packet_speed(double v0, double h) {
 ## A packet that turns round
 
 In hard wells a packet slows down, turns and comes back. Now the strongest packet is followed, because on its way back it
-need not be the foremost one. Its centre swings with the internal oscillation; the mean over 15 units of time, about four
-of its periods, takes that away. The turning point is the furthest of these means. */
+need not be the foremost one. Its centre swings, because the beads of the packet oscillate; the mean over 15 units of time,
+about four of their periods, takes that away. The turning point is the furthest of these means. */
 struct Turn {
   double site = 0, time = 0;
 };
@@ -186,8 +190,8 @@ Turn turning_point(double v0, double s, double h) {
 A breather is a motion that repeats itself, with a frequency $\omega_b$ and the period $T_b = 2\pi/\omega_b$, and is
 confined to a few beads. A bead alone oscillates with the frequency one. A contact pushes a bead back the way
 it came, as the well does, and so raises the frequency: the breathers have $\omega_b > 1$, and those near one are small.
-(At small amplitudes this holds in hard and soft wells too, since the push grows with the power $3/2$ and what they add
-with the third.) Nothing radiates them away, since contacts without a linear part carry no small waves from bead to bead. In the tail each
+(At small amplitudes this holds in hard and soft wells too: the push grows with the power $3/2$, the anharmonic force with
+the power 3.) They do not radiate, since contacts without a linear part carry no small waves from bead to bead. In the tail each
 amplitude is about the power $3/2$ of the one before, a decay faster than any exponential. There are two kinds, symmetric
 about a bead (*site-centred*) or about a contact (*bond-centred*).
 
@@ -207,7 +211,7 @@ VectorXd residual(const Chain& chain, const VectorXd& y, int steps) {
 }
 
 /**
-Small breathers obey the DpS equation of section 3.1. From it the article derives a profile of known size, Eqs. (18) to
+Small breathers obey the discrete $p$-Schrödinger (DpS) equation of section 3.1. From it the article derives a profile of known size, Eqs. (18) to
 (20): $y_n(0) = 2\epsilon\,(-1)^n\,[g(n+\frac12)+g(n-\frac12)]$ with $g(x) = (\frac3{10})^3\cos^6(x/3)$ and
 $\epsilon = (2\tau_0(\omega_b-1))^2$. It misses the breather by twelve per cent, which is close enough for Newton's
 method to converge. */
@@ -250,9 +254,9 @@ VectorXd breather(const Chain& chain, int steps) {
 ## Is it stable?
 
 Disturb the breather a little and wait for one period: the disturbance is multiplied by a matrix, the *monodromy*, whose
-eigenvalues are the Floquet multipliers $\lambda$. One outside of the unit circle means that some disturbance grows. The
-columns of the matrix are again differences. The equation is Hamiltonian, so that with $\lambda$ there is always
-$1/\lambda$. Two multipliers are exactly $+1$, because the breather may be shifted in time, and two are very close to it,
+eigenvalues are the Floquet multipliers $\lambda$. One outside the unit circle means that some disturbance grows. The
+columns of the matrix are again differences. The equation is Hamiltonian, so whenever $\lambda$ is a
+multiplier, $1/\lambda$ is one too. Two multipliers are exactly $+1$, because the breather may be shifted in time, and two are very close to it,
 because it may nearly be shifted along the chain: the *pinning pair*. */
 std::vector<std::complex<double>> multipliers(const Chain& chain, const VectorXd& y, int steps) {
   const Index n = chain.sites;
@@ -276,8 +280,8 @@ std::vector<std::complex<double>> multipliers(const Chain& chain, const VectorXd
 /**
 ## How many digits are right
 
-Every number is computed with a step and with half of it; what this changes is its error. The last column has the same
-number by the methods of this book.
+Every number is computed with a step and with half of it. What this changes is the error of the step; the turning point also
+depends on how the path is smoothed. The last column has the same number by the methods of this book.
 
 | number | here | the book's |
 |---|---|---|
@@ -289,8 +293,8 @@ number by the methods of this book.
 | distance of the fifth multiplier from $+1$ | [0.229543](num:sec1_the_chain.fifth_distance) | [0.229543](num:sec33_floquet.fifth_distance) |
 | the largest distance of the four nearest to it | [0.003](num:sec1_the_chain.fourth_distance) | [0.000214282](num:sec33_floquet.fourth_distance) |
 
-So the speed has four digits that are right, the turning point three, the breather's amplitude and energy four, and so
-have its multipliers, but for the four next to $+1$: of these not one digit is known. */
+So speed, amplitude and energy are right to four digits at least, the fifth multiplier to six, and the turning point to
+three in space and two in time. Of the four multipliers next to $+1$ not one digit is known. */
 void report_impacts(Report& report) {
   const double h = report.quick ? 0.1 : 0.02;
   report.facts.add("speed", compare(packet_speed(1, h), packet_speed(1, h / 2)),
@@ -361,8 +365,8 @@ Four questions of the article cannot be answered in this way, and each has chapt
 
 | question | why not here | what we do | where |
 |---|---|---|---|
-| the barrier: by how much do the energies of the two kinds of breather differ? | by [1.62422e-11](num:sec32_barrier.equal_frequency_linear_110) of an energy of [0.000153599](num:sec32_barrier.energy_110_bond), of which this chapter knows four digits | contact events are located, orbits computed in extended precision | `sec32_barrier`, event_driven.hpp |
-| are the multipliers next to $+1$ on the circle? | an error $\eta$ of the monodromy moves them by $\sqrt\eta$: two that are exactly $+1$ appear at a distance of [0.003](num:sec1_the_chain.fourth_distance) | symmetries remove the exact pair; $\kappa = (\lambda+\lambda^{-1}-2)/4$ in the place of $\lambda$ | `sec33_floquet`, `sec33_multiplier_errors` |
+| the barrier: by how much do the energies of the two kinds of breather differ? | [1.62422e-11](num:sec32_barrier.equal_frequency_linear_110), while the energies themselves are [0.000153599](num:sec32_barrier.energy_110_bond), of which this chapter knows four digits | contact events are located, orbits computed in extended precision | `sec32_barrier`, event_driven.hpp |
+| are the multipliers next to $+1$ on the circle? | an error $\eta$ of the monodromy moves them by $\sqrt\eta$: two that are exactly $+1$ appear at a distance of [0.003](num:sec1_the_chain.fourth_distance) | symmetries remove the exact pair; $\kappa = (\lambda+\lambda^{-1}-2)/4$ instead of $\lambda$ | `sec33_floquet`, `sec33_multiplier_errors` |
 | the smallest kick that sets a breather in motion | it adds $c^2/2 \approx 10^{-11}$ to the energy; within each period Verlet's method changes it by more | impulses of contacts are exact, drift is compared with kick | `sec33_mobility`, `secA_integrators` |
 | where is a packet long after it has turned? | the motion is chaotic: late fates depend on the last digit of the start | two runs that agree, or a count over many runs | `sec34_boomeron`, `sec34_boomeron_why` |
 
@@ -406,13 +410,13 @@ A chapter needs those to the left of it, and the headers that it names. `[2]` is
 ## Try it
 
 1. *Easy.* The packet by the methods of the book:
-   `build/bin/sec34_impact run --velocity 1 --s 0 --sites 80 --time 330` gives `speed` = 0.18780. Hint: `--sites 80` bounds
-   the way on which the speed is fitted to sites 20 to 60.
+   `build/bin/sec34_impact run --velocity 1 --s 0 --sites 80 --time 330` gives `speed` = 0.18780. Hint: `--sites 80`
+   restricts the fit of the speed to sites 20 to 60.
 2. *Easy.* The same for the breather: `build/bin/sec32_newton_breathers breather --omega 1.1` gives `amplitude` =
    0.0107480. Hint: how close does this chapter come with half the step?
-3. *Easy.* Take the wells away: `build/bin/sec34_impact run --well none` gives `speed` = 0.952600 and
-   `packet_energy_fraction` = 0.993661. Which lines of this chapter have to change for that? Hint: two.
-4. *Open.* What do several beads send out that are struck at the same time: one packet, or several? */
+3. *Easy.* Take the wells away: `build/bin/sec34_impact run --well none --velocity 1.87` gives `speed` = 0.952600. Which lines
+   of this chapter have to change for that? Hint: two, and the argument of `packet_speed`.
+4. *Open.* If several beads are struck at once, do they send out one packet or several? */
 void reproduce(Report& report) {
   report_impacts(report);
   report_breather(report);
