@@ -170,7 +170,7 @@ static double residual_of(const OneOrbit::Found& f) {
 /**
 Every quantity needs an error. Times, speeds and energies are compared between double and
 extended precision; what is left behind, and the multipliers of slow orbits, for which extended precision would
-take long, between two tolerances of the landing. */
+take long, between two tolerances of the integration. */
 Table OneOrbit::quantities(const Found& f) const {
   const auto peak = [](const auto& problem, const auto& orbit) {
     const auto e = energy_density(problem.chain, orbit.start);
