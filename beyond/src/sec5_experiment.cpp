@@ -23,7 +23,7 @@ instability show before the breather has died?
 #include "report/program.hpp"
 #include "sec5/damped_packet.hpp"
 #include "sec5/decay.hpp"
-#include "sec5/journey.hpp"
+#include "sec5/arrivals.hpp"
 
 using namespace lattice;
 

@@ -11,7 +11,7 @@
 #include "lattice/impact/impact.hpp"
 #include "sec5/damped_packet.hpp"
 #include "sec5/decay.hpp"
-#include "sec5/journey.hpp"
+#include "sec5/arrivals.hpp"
 
 using namespace lattice;
 

@@ -12,7 +12,7 @@
 #include "lattice/standing/stationary.hpp"
 #include "sec5/decay.hpp"
 #include "sec5/driven_array.hpp"
-#include "sec5/journey.hpp"
+#include "sec5/arrivals.hpp"
 #include "sec5/packet_members.hpp"
 #include "sec5/travelling.hpp"
 

@@ -3,14 +3,14 @@
 # The packet of an impact on the damped array
 
 The array of section 3.6 with 200 cantilevers and losses: its first bead is struck, and the packet is followed contact by
-contact (journey.hpp). Two runs, with a step and half of it, give each quantity with its error. What is given and read off
+contact (arrivals.hpp). Two runs, with a step and half of it, give each quantity with its error. What is given and read off
 is in units of the experiment. */
 
 #include <array>
 
 #include "lattice/model/cantilever.hpp"
 #include "lattice/numerics/estimate.hpp"
-#include "sec5/journey.hpp"
+#include "sec5/arrivals.hpp"
 
 namespace lattice {
 

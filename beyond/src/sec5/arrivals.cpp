@@ -1,4 +1,4 @@
-#include "sec5/journey.hpp"
+#include "sec5/arrivals.hpp"
 
 #include <algorithm>
 #include <array>
