@@ -53,7 +53,7 @@ double largest_shift(const std::vector<Member>& members, double limit, double nu
 double lifetime_of_growth(const std::vector<Member>& members, double limit, double factor);
 
 /**
-What a decaying breather does is read from one bead: its upward passages through zero make periods; frequency
+What a decaying breather does is read from one bead: its upward crossings through zero make periods; frequency
 and energy are means over eight of them. */
 struct DecayMoment {
   double t, omega, energy;  ///< t: middle of the eight periods
