@@ -16,7 +16,8 @@ A few loops take most of the time and are left to the compiler to vectorise: one
 table from its two predecessors, the forces and curvatures (tangent.hpp) along the chain, the kicks of beads of
 unit mass, and the largest difference of two rows of numbers. */
 template <class T>
-LATTICE_WIDE void refine(T* __restrict__ a, const T* __restrict__ b, T gain, std::size_t count) {
+LATTICE_WIDE void extrapolate_entry(T* __restrict__ a, const T* __restrict__ b, T gain,
+                                    std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) a[k] = b[k] + gain * (b[k] - a[k]);
 }
 
@@ -50,7 +51,7 @@ that, so that a comparison of integers finds the largest and misses no runaway. 
 
 /// The largest |a[k] - b[k]|; infinite if anything is not a finite number.
 template <class T>
-T farthest(const T* a, const T* b, std::size_t count) {
+T largest_difference(const T* a, const T* b, std::size_t count) {
   const T infinity = std::numeric_limits<T>::infinity();
   T most(0);
   if constexpr (std::is_same_v<T, double>)
@@ -266,7 +267,7 @@ T SegmentIntegrator<T>::step(Leapfrog<T>& leapfrog, std::vector<T>& z, T length,
     add_scaled(latest.data(), z.data(), T(-1), z.size());
     for (std::size_t i = j - 1; i > 0; --i) {
       const T ratio = T(double(j)) / T(double(i)), gain = T(1) / (ratio * ratio - T(1));
-      refine(table_[i - 1].data(), table_[i].data(), gain, z.size());
+      extrapolate_entry(table_[i - 1].data(), table_[i].data(), gain, z.size());
     }
     if (j > 1) error = difference(table_.front(), previous_);
   }
@@ -281,7 +282,7 @@ template <class T>
 T SegmentIntegrator<T>::difference(const std::vector<T>& a, const std::vector<T>& b) const {
   const std::size_t orbit = 2 * chain_.sites;
   const auto worst = [&](std::size_t from, std::size_t to) {
-    return farthest(a.data() + from, b.data() + from, to - from);
+    return largest_difference(a.data() + from, b.data() + from, to - from);
   };
   const T of_orbit = worst(0, orbit), of_area = worst(orbit, orbit + 1),
           of_vector = worst(orbit + 1, a.size());
