@@ -46,7 +46,7 @@ inline Cradle cradle(std::size_t sites) {
 
 /// The matrix by our own integrator with scalar `T`.
 template <class T>
-Tangent<T> landed(std::size_t sites, T tolerance, double* evaluations = nullptr) {
+Tangent<T> event_driven(std::size_t sites, T tolerance, double* evaluations = nullptr) {
   lattice::State<T> s = breather<T>(sites);
   Tangent<T> m(sites, 2 * sites);
   EventTolerance<T> rule;
@@ -126,16 +126,16 @@ inline void race_monodromies(Book& book, std::size_t sites, int rounds, bool dig
   const std::string name = "M, N=" + std::to_string(sites);
   std::vector<Quad> exact;
   if (digits)
-    exact = landed<Quad>(sites, Quad(1e-21)).entries;
+    exact = event_driven<Quad>(sites, Quad(1e-21)).entries;
   else
-    for (long double x : landed<long double>(sites, 0).entries) exact.emplace_back(x);
+    for (long double x : event_driven<long double>(sites, 0).entries) exact.emplace_back(x);
   const auto peer = [&](const char* label, const gsl_odeiv2_step_type* type) {
     return Method{label, false, 1e-6, std::pow(10, -0.25),
                   [=, &exact](double s) { return adaptive_peer(sites, type, s, exact); }};
   };
   const Method ours{"event location", true, 1e-6, std::pow(10, -0.25), [=, &exact](double s) {
                       Score score;
-                      const auto m = landed<double>(sites, s, &score.evaluations);
+                      const auto m = event_driven<double>(sites, s, &score.evaluations);
                       score.tangent = largest_difference(m.entries, exact);
                       return score;
                     }};
@@ -144,9 +144,9 @@ inline void race_monodromies(Book& book, std::size_t sites, int rounds, bool dig
   race(book, name, methods, {1, 1, 1e-12}, digits ? 1 : 3, 1e-15, rounds);
   if (!digits) return;
   book.ratio(name, "demand: 1e-12", "tangent error, double",
-             largest_difference(landed<double>(sites, 0).entries, exact), 1e-12);
+             largest_difference(event_driven<double>(sites, 0).entries, exact), 1e-12);
   book.ratio(name, "demand: 1e-15", "tangent error, long double",
-             largest_difference(landed<long double>(sites, 0).entries, exact), 1e-15);
+             largest_difference(event_driven<long double>(sites, 0).entries, exact), 1e-15);
 }
 
 }  // namespace bench

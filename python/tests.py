@@ -297,7 +297,7 @@ class OwnChains(unittest.TestCase):
         self.assertLess(heavy.centre, light.centre)
 
     def test_any_orbit_of_any_chain(self):
-        """Values of a program of its own: extrapolated midpoint rule with 64 bits and step control, no landing on contacts."""
+        """Values of a program of its own: extrapolated midpoint rule with 64 bits and step control, no event location."""
         uneven = lattice.Chain(6, [1, 2.5], 1 + 0.25 * np.arange(7), well="quartic", s=-0.3, ends="fixed")
         ring = lattice.Chain(5, contact="power", alpha=2.2, well="pendulum", ends="periodic")
         smooth = lattice.Chain(2, [1, 1.5], ends="fixed",

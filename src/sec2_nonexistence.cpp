@@ -92,7 +92,7 @@ struct Balance {
 };
 
 /// One of these numbers, in some unit, with its error.
-Estimate estimate(const MotionMeans& m, double Balance::*number, double unit = 1) {
+Estimate balance_estimate(const MotionMeans& m, double Balance::*number, double unit = 1) {
   const Balance coarse(m.coarse, m.outermost), fine(m.fine, m.outermost);
   return compare(coarse.*number / unit, fine.*number / unit);
 }
@@ -110,8 +110,8 @@ void of_free_chains(Report& report, std::vector<MotionMeans>& all) {
   const auto add = [&](const std::string& name, const auto& chain, const State<double>& start,
                        double period) {
     all.push_back(means_of(name, chain, start, period, true));
-    spread = larger(spread, estimate(all.back(), &Balance::spread));
-    force = smaller(force, estimate(all.back(), &Balance::largest, largest(start)));
+    spread = larger(spread, balance_estimate(all.back(), &Balance::spread));
+    force = smaller(force, balance_estimate(all.back(), &Balance::largest, largest(start)));
   };
   // Equal beads on a ring: symmetry alone makes the means equal
   Shooting<double> ring{{8, None{}, PowerContact{1.5}, Ends::periodic}, {}, 1}, uneven_ring = ring;
@@ -123,7 +123,7 @@ void of_free_chains(Report& report, std::vector<MotionMeans>& all) {
   Shooting<double> walls{{6, None{}, PowerContact{1.5}, Ends::fixed}, {}, 1};
   const Orbit<double> between = motions::standing_wave(walls, 2);
   add("uneven_ring", uneven_ring.chain, standing.start, standing.period());
-  report.facts.add("mean_force_spread_uneven_ring", estimate(all.back(), &Balance::spread));
+  report.facts.add("mean_force_spread_uneven_ring", balance_estimate(all.back(), &Balance::spread));
   add("walls", walls.chain, between.start, between.period());
   add("mixed_exponents", motions::mixed_chain(1).chain, motions::mixed_wave(),
       2 * std::numbers::pi);
@@ -133,9 +133,9 @@ void of_free_chains(Report& report, std::vector<MotionMeans>& all) {
   // A motion that does not return
   State<double> wrong = standing.start;
   wrong.y[0] *= 1.001;
-  report.facts.add(
-      "mean_force_spread_not_periodic",
-      estimate(means_of("", uneven_ring.chain, wrong, standing.period(), true), &Balance::spread));
+  report.facts.add("mean_force_spread_not_periodic",
+                   balance_estimate(means_of("", uneven_ring.chain, wrong, standing.period(), true),
+                                    &Balance::spread));
 }
 
 /**
@@ -153,8 +153,8 @@ void of_wells(Report& report, std::vector<MotionMeans>& all) {
     const auto problem = breather_problem(centre, 1.5, 0, sites_of(centre, Length::spare));
     const Orbit<double> orbit = find_breather(problem);
     all.push_back(means_of(name, problem.chain, orbit.start, orbit.period(), false));
-    spread = smaller(spread, estimate(all.back(), &Balance::spread));
-    imbalance = larger(imbalance, estimate(all.back(), &Balance::imbalance));
+    spread = smaller(spread, balance_estimate(all.back(), &Balance::spread));
+    imbalance = larger(imbalance, balance_estimate(all.back(), &Balance::imbalance));
   }
   report.facts.add("mean_force_spread_wells", spread);
   report.facts.add("mean_force_imbalance_wells", imbalance);
@@ -221,7 +221,7 @@ void report_searches(Report& report) {
   for (const char* name : searches::end_names) table.add({name});
   Estimate rest{HUGE_VAL};
   for (const searches::Series& of : series) {
-    const searches::Counts counts = search_all(of, seeds);
+    const searches::EndCounts counts = search_all(of, seeds);
     table.columns.push_back(count(of.name, "searches with 128 steps a period"));
     table.columns.push_back(count(of.name + "_fine", "searches with 256 steps a period"));
     for (std::size_t k : {0, 1})
@@ -252,7 +252,7 @@ with its wells and once without, and watch two quantities: the energy on the nin
 of the contact beside its central bead, averaged from the start up to $t$. Two runs with different steps and samples
 agree to the errors in the table. Without wells [0.00162601](num:sec2_nonexistence.mean_force_core_free) of the energy
 stays in the core up to $t = 200$, with them [0.999982](num:sec2_nonexistence.mean_force_core_wells). */
-struct Course {
+struct Dispersal {
   std::vector<double> t, core, mean;
   std::int64_t woken = 0;  ///< sites that are not exactly at rest when the run ends
   Run run{};
@@ -268,14 +268,14 @@ State<double> breather_in_long_chain() {
 
 /**
 The mean push is an integral over samples. They follow the steps, so that both become denser together. */
-Course course(const Well& well, double time, int halvings) {
+Dispersal disperse(const Well& well, double time, int halvings) {
   const Chain chain{401, well};
   State<double> state = breather_in_long_chain();
   const double all = energy(chain, state);
   EventCorrected method{0.05};
   method.halvings = halvings;
   const TimeGrid grid = time_grid(method, time, denser(0.05));
-  Course out;
+  Dispersal out;
   double impulse = 0, before = 0;
   std::size_t k = 0;
   out.run = evolve(method, chain, state, grid, [&](const State<double>& now) {
@@ -297,9 +297,9 @@ the time it falls to one half. In the free chain the fall misses one half by
 [0.0247840](num:sec2_nonexistence.mean_force_late_mean_free), and in wells the mean changes by the fraction
 [0.006581](num:sec2_nonexistence.mean_force_late_mean_wells). Some beads are still at rest at the end, so that the ends
 of the chain do not matter. */
-Estimate deviation(const Course& coarse, const Course& fine, double expected) {
-  const auto late = [&](const Course& course) {
-    return course.mean.back() / course.mean[course.mean.size() / 2] - expected;
+Estimate deviation(const Dispersal& coarse, const Dispersal& fine, double expected) {
+  const auto late = [&](const Dispersal& run) {
+    return run.mean.back() / run.mean[run.mean.size() / 2] - expected;
   };
   const Estimate e = compare(late(coarse), late(fine));
   return {std::abs(e.value), e.error};
@@ -309,16 +309,16 @@ Estimate deviation(const Course& coarse, const Course& fine, double expected) {
 void report_dispersal(Report& report) {
   // Without and with wells, each at two resolutions
   const double time = report.quick ? 60 : 200;
-  std::array<Course, 4> runs;
+  std::array<Dispersal, 4> runs;
   parallel_for(4, [&](std::size_t k) {
     const int halvings = int(k % 2);
-    runs[k] = course(k < 2 ? Well{None{}} : Well{Harmonic{}}, time, halvings);
+    runs[k] = disperse(k < 2 ? Well{None{}} : Well{Harmonic{}}, time, halvings);
   });
 
   // What the figure shows, instant by instant
   Table& table = report.table("dispersal");
   for (std::size_t c : {0, 1}) {
-    const Course &coarse = runs[2 * c], &fine = runs[2 * c + 1];
+    const Dispersal &coarse = runs[2 * c], &fine = runs[2 * c + 1];
     const std::string name = c == 0 ? "free" : "wells";
     for (std::size_t i = 0; i < fine.t.size(); ++i)
       table.add({{"chain", "free or wells", name},

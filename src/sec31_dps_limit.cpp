@@ -101,7 +101,7 @@ Field start_field(std::size_t which) {
 /**
 The cost of a run grows like $\epsilon^{-1/2}$. The runs with the smallest $\epsilon$ begin first, so that no processor
 is left with a long run at the end. */
-struct Point {
+struct ErrorPoint {
   std::size_t start;
   double eps;
   std::vector<Estimate> error{};
@@ -111,13 +111,13 @@ struct Point {
 };
 
 /// Two points a decade from 1e-2 on, ordered by start and then from the largest eps to the smallest.
-std::vector<Point> measure(std::size_t decades) {
-  std::vector<Point> points;
+std::vector<ErrorPoint> measure_errors(std::size_t decades) {
+  std::vector<ErrorPoint> points;
   for (std::size_t start = 0; start < starts.size(); ++start)
     for (std::size_t k = 0; k <= 2 * decades; ++k)
       points.push_back({start, std::pow(10, -2 - double(k) / 2)});
   parallel_for("error of the approximation", points.size(), [&](std::size_t i) {
-    Point& p = points[points.size() - 1 - i];  // the longest runs first
+    ErrorPoint& p = points[points.size() - 1 - i];  // the longest runs first
     p.error = refined_deviations({start_field(p.start)}, p.eps, horizons);
   });
   return points;
@@ -141,10 +141,10 @@ struct Order {
   std::vector<Estimate> order{};
 };
 
-std::vector<Order> local_orders(const std::vector<Point>& points, std::size_t start) {
+std::vector<Order> local_orders(const std::vector<ErrorPoint>& points, std::size_t start) {
   std::vector<Order> orders;
   for (std::size_t i = 1; i < points.size(); ++i) {
-    const Point &large = points[i - 1], &small = points[i];
+    const ErrorPoint &large = points[i - 1], &small = points[i];
     if (large.start != start || small.start != start) continue;
     Order o{std::sqrt(large.eps * small.eps)};
     for (std::size_t k = 0; k < horizons.size(); ++k)
@@ -165,7 +165,7 @@ Estimate mean_order(const std::vector<Estimate>& orders) {
   return mean;
 }
 
-Estimate mean_last_order(const std::vector<Point>& points) {
+Estimate mean_last_order(const std::vector<ErrorPoint>& points) {
   std::vector<Estimate> last;
   for (std::size_t start = 0; start < starts.size(); ++start) {
     const Order o = local_orders(points, start).back();
@@ -174,7 +174,7 @@ Estimate mean_last_order(const std::vector<Point>& points) {
   return mean_order(last);
 }
 
-void report_errors(Report& report, const std::vector<Point>& points) {
+void report_errors(Report& report, const std::vector<ErrorPoint>& points) {
   // Errors, and the lines of slope 3/2 through the points of smallest eps
   Table& errors = report.table("dps_error",
                                {count("start", "0: impact, 1: pair"),
@@ -184,8 +184,8 @@ void report_errors(Report& report, const std::vector<Point>& points) {
                                 number("constant", "error over eps^(3/2)"),
                                 number("line", "power law 3/2 through the point of smallest eps")});
   for (std::size_t k = 0; k < horizons.size(); ++k)
-    for (const Point& p : points) {
-      const Point& smallest = points[(p.start + 1) * points.size() / starts.size() - 1];
+    for (const ErrorPoint& p : points) {
+      const ErrorPoint& smallest = points[(p.start + 1) * points.size() / starts.size() - 1];
       errors.add({p.start, horizons[k], p.eps, p.error[k], p.constant(k),
                   smallest.error[k].value * three_halves(p.eps / smallest.eps)});
     }
@@ -212,10 +212,10 @@ smallest $\epsilon$, and the change from the next larger $\epsilon$ is its error
 [4.48](num:sec31_dps_limit.constant_pair_tau_1), [7.017](num:sec31_dps_limit.constant_pair_tau_4) and
 [18.81](num:sec31_dps_limit.constant_pair_tau_10). The numerical error of a deviation is at most
 [0.004](num:sec31_dps_limit.largest_resolution_error) of the deviation. */
-void report_constants(Report& report, const std::vector<Point>& points) {
+void report_constants(Report& report, const std::vector<ErrorPoint>& points) {
   double worst = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
-    const Point &before = points[i - 1], &p = points[i];
+    const ErrorPoint &before = points[i - 1], &p = points[i];
     for (const Estimate& e : p.error) worst = std::max(worst, e.error / e.value);
     if (i + 1 < points.size() && points[i + 1].start == p.start) continue;
     for (std::size_t k = 0; k < horizons.size(); ++k)
@@ -336,7 +336,7 @@ void reproduce(Report& report) {
 
   report.facts.add("tau_0_by_quadrature", compare(tau_0(), tau_0_by_quadrature()));
 
-  const auto points = measure(report.quick ? 2 : 4);
+  const auto points = measure_errors(report.quick ? 2 : 4);
   report_errors(report, points);
 
   // One order, two that show how it is approached, and the constants

@@ -89,7 +89,7 @@ std::vector<Zero> find_zeros(const std::vector<BreatherPairs>& families) {
         if ((a.*gap).value * (b.*gap).value < 0) zeros.push_back({w, gap, &a, &b});
       }
   parallel_for("zeros", zeros.size(), [&](std::size_t i) {
-    zeros[i].omega = zero_between(*zeros[i].left, *zeros[i].right, zeros[i].gap);
+    zeros[i].omega = frequency_of_zero(*zeros[i].left, *zeros[i].right, zeros[i].gap);
   });
   return zeros;
 }

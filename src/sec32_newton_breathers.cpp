@@ -441,7 +441,7 @@ void report_other_wells(Report& report) {
   std::vector<std::pair<double, std::string>> wells{{1, "1"}};
   if (!report.quick)
     wells.insert(wells.begin(), {{-1, "minus_1"}, {-0.5, "minus_05"}, {0.5, "05"}});
-  std::vector<Family> families(2 * wells.size());
+  std::vector<FamilyExtent> families(2 * wells.size());
   parallel_for("other wells", families.size(), [&](std::size_t i) {
     families[i] = family_from_rest(both_centres[i % 2], wells[i / 2].first);
   });

@@ -217,12 +217,13 @@ $(\sum|v_n|^2)^2/\sum|v_n|^4$, in every reading. Whether it stays in its place w
 narrow reading: how many leave a site, and how many leave a bond? */
 void report_motion(Report& report, const std::vector<Group>& groups) {
   // One noise for both breathers
-  const auto share = [](const std::vector<Trial>& trials, std::size_t Census::*what) {
-    return quotient(compare(tally(trials, &Trial::rough).*what, tally(trials, &Trial::good).*what),
-                    exact(double(trials.size())));
+  const auto share = [](const std::vector<NoiseTrial>& trials, std::size_t Census::*what) {
+    return quotient(
+        compare(tally(trials, &NoiseTrial::rough).*what, tally(trials, &NoiseTrial::good).*what),
+        exact(double(trials.size())));
   };
-  const auto& site = trials_of(groups, Case::site, noise_readings[1]);
-  const auto& bond = trials_of(groups, Case::bond, noise_readings[1]);
+  const auto& site = trials_of(groups, NoiseCase::site, noise_readings[1]);
+  const auto& bond = trials_of(groups, NoiseCase::bond, noise_readings[1]);
   report.facts.add("leaving_share_narrow_site", share(site, &Census::left));
   report.facts.add("leaving_share_narrow_bond", share(bond, &Census::left));
   report.facts.add("moving_share_narrow_site", share(site, &Census::moved));
@@ -230,16 +231,16 @@ void report_motion(Report& report, const std::vector<Group>& groups) {
   // The structure, under noise of any kind
   Estimate spread{};
   for (const Group& group : groups)
-    if (group.which == Case::bond) spread = larger(spread, largest_spread(group.trials));
+    if (group.which == NoiseCase::bond) spread = larger(spread, largest_spread(group.trials));
   report.facts.add("bond_robust_spread", spread);
 
   // The controls, in the main reading
-  const auto& controls = trials_of(groups, Case::control);
+  const auto& controls = trials_of(groups, NoiseCase::control);
   for (const double by : {500.0, 600.0, 750.0, 1000.0})
-    report.facts.add(
-        "controls_moved_by_" + short_text(by),
-        compare(tally(controls, &Trial::rough, by).moved, tally(controls, &Trial::good, by).moved));
-  const auto& free = trials_of(groups, Case::site);
+    report.facts.add("controls_moved_by_" + short_text(by),
+                     compare(tally(controls, &NoiseTrial::rough, by).moved,
+                             tally(controls, &NoiseTrial::good, by).moved));
+  const auto& free = trials_of(groups, NoiseCase::site);
   const Delay delay = delay_of(controls, free);
   report.facts.add("controls_later_share", delay.later);
   report.facts.add("controls_delay", delay.ratio);
@@ -264,8 +265,8 @@ For each reading and case we count the breathers that left their place ($|X| > \
 the median time of departure; in the main reading the range of speeds, too, each the mean over one site. */
 void report_census(Report& report, const Group& group) {
   const double by = group.many() ? trial_time : group.time();
-  const Census rough = tally(group.trials, &Trial::rough, by),
-               good = tally(group.trials, &Trial::good, by);
+  const Census rough = tally(group.trials, &NoiseTrial::rough, by),
+               good = tally(group.trials, &NoiseTrial::good, by);
   const auto add = [&](const char* what, const Estimate& e, const std::string& unit = "") {
     report.facts.add(what + group.name, e, unit);
   };
@@ -274,7 +275,7 @@ void report_census(Report& report, const Group& group) {
   add("moved", compare(rough.moved, good.moved));
   if (std::isfinite(good.departure()))
     add("departure", compare(rough.departure(), good.departure()), "unit of time");
-  if (!group.main() || group.which != Case::site) return;
+  if (!group.main() || group.which != NoiseCase::site) return;
   const std::string speed = "site per unit of time";
   add("onward", compare(rough.speeds.size(), good.speeds.size()));
   add("slowest", compare(rough.speeds.front(), good.speeds.front()), speed);
@@ -319,23 +320,23 @@ void report_pendulum(Report& report, const std::vector<Group>& groups, const Bre
   const double predicted = breathers.bond.freeing_push();
   facts.add("freeing_push_of_pendulum",
             compare(predicted * (1 + rate.error / rate.value), predicted));
-  const auto& free = trials_of(groups, Case::site);
+  const auto& free = trials_of(groups, NoiseCase::site);
   facts.add("departure_difference",
-            compare(departure_difference(free, &Trial::rough, breathers.site),
-                    departure_difference(free, &Trial::good, breathers.site)));
-  const auto& bound = trials_of(groups, Case::bond);
-  const PushCount low = count_pushes(bound, &Trial::rough, push.value - push.error);
-  const PushCount high = count_pushes(bound, &Trial::good, push.value + push.error);
+            compare(departure_difference(free, &NoiseTrial::rough, breathers.site),
+                    departure_difference(free, &NoiseTrial::good, breathers.site)));
+  const auto& bound = trials_of(groups, NoiseCase::bond);
+  const PushCount low = count_pushes(bound, &NoiseTrial::rough, push.value - push.error);
+  const PushCount high = count_pushes(bound, &NoiseTrial::good, push.value + push.error);
   facts.add("pushed_over", compare(low.over, high.over));
   facts.add("told_by_push", compare(low.told, high.told));
-  const auto drift = [&](Course Trial::*run) {
+  const auto drift = [&](DpsBreatherRun NoiseTrial::*which) {
     double top = 0;
     for (const Group& group : groups)
-      for (const Trial& trial : group.trials)
-        top = std::max({top, (trial.*run).energy_drift, (trial.*run).norm_drift});
+      for (const NoiseTrial& trial : group.trials)
+        top = std::max({top, (trial.*which).energy_drift, (trial.*which).norm_drift});
     return top;
   };
-  facts.add("largest_drift", compare(drift(&Trial::rough), drift(&Trial::good)));
+  facts.add("largest_drift", compare(drift(&NoiseTrial::rough), drift(&NoiseTrial::good)));
 }
 
 /**
@@ -363,14 +364,15 @@ void report_trials(Report& report, const Group& group, const PinnedBreather& sit
   Table& paths = report.table("paths" + suffix,
                               {count("seed", "seed of the generator"), number("t", "time", time),
                                number("X", "displacement", "site")});
-  for (const Trial& trial : group.trials) {
-    const Course run = trial.good.until(trial_time), rough = trial.rough.until(trial_time);
+  for (const NoiseTrial& trial : group.trials) {
+    const DpsBreatherRun run = trial.good.until(trial_time), rough = trial.rough.until(trial_time);
     const double leaves = run.reaches(0.5), pendulum = site.departure(trial.growing);
     const auto apart = [&](auto of) { return Estimate{of(run), std::abs(of(run) - of(rough))}; };
     table.add({trial.seed, trial.kick.real(), trial.kick.imag(), std::abs(trial.kick.imag()),
-               trial.growing, apart([](const Course& c) { return c.reaches(0.5); }),
-               group.which == Case::site ? pendulum : std::nan(""), 1 / (run.reaches(1.5) - leaves),
-               apart([](const Course& c) { return c.largest(); }), run.energy_drift});
+               trial.growing, apart([](const DpsBreatherRun& c) { return c.reaches(0.5); }),
+               group.which == NoiseCase::site ? pendulum : std::nan(""),
+               1 / (run.reaches(1.5) - leaves),
+               apart([](const DpsBreatherRun& c) { return c.largest(); }), run.energy_drift});
     for (std::size_t k = 0; k < run.t.size(); k += 10) paths.add({trial.seed, run.t[k], run.X[k]});
   }
 }
@@ -397,11 +399,12 @@ early, beside its control and beside a bond-centred breather under noise of the 
 long.](fig:10) */
 constexpr std::size_t map_seed = 10;
 
-void report_map(Report& report, const Breathers& breathers, Case which, const std::string& name) {
+void report_map(Report& report, const Breathers& breathers, NoiseCase which,
+                const std::string& name) {
   Table& map =
       report.table("map_" + name, {number("t", "time", "unit of time"), count("n", "site", "site"),
                                    number("density", "|v_n|^2")});
-  Trial trial{map_seed};
+  NoiseTrial trial{map_seed};
   const Field start = breathers.start(noise_readings[0], which, trial);
   follow_breather(breathers.of(which), start, trial_time, {fine_trial.tolerance, 0.5},
                   [&](double t, const Field& v) {

@@ -351,7 +351,7 @@ Computed with $\omega_b-1 = 2\cdot10^{-4}$ and $10^{-4}$, the rate goes like $\e
 over $\omega_b-1$ tends to [0.00155770](num:sec33_floquet.slow_rate_limit), but slowly: at $\omega_b-1 = 10^{-4}$ it is
 [0.0015503](num:sec33_floquet.slow_rate), and at $\omega_b = 1.1$ only a quarter of the limit. At
 $\omega_b-1 = 10^{-4}$ $\kappa$ is so small that extended precision is needed for the rates. */
-Estimate growth_rate(double beyond_one) {
+Estimate site_growth_rate(double beyond_one) {
   // ln(lambda) / T_b, since sinh(ln(lambda) / 2) is the root of kappa
   const auto problem = problem_at(Centre::site, {1 + beyond_one, 0});
   const Orbit<double> orbit = find_breather(problem);
@@ -363,7 +363,7 @@ Estimate growth_rate(double beyond_one) {
 void report_slow(Report& report) {
   const double beyond[] = {4e-4, 2e-4, 1e-4};
   std::array<Estimate, 3> rate;
-  parallel_for(rate.size(), [&](std::size_t k) { rate[k] = growth_rate(beyond[k]); });
+  parallel_for(rate.size(), [&](std::size_t k) { rate[k] = site_growth_rate(beyond[k]); });
 
   // The exponent in eps, and what the rate over omega_b - 1 tends to, linearly
   const auto exponent = [&](std::size_t k) {

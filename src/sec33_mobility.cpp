@@ -76,16 +76,17 @@ account of the opening and closing of contacts (event_corrected.hpp), achieve th
 steps that we tried do not, as each such event costs them an error of $h^{5/2}$ with the step $h$. For the speeds a
 method of order six with five forces a step is enough; the long runs need one with fourteen stages. Each run is repeated
 with another step or another scheme, and the difference is the error. Figure x15 shows the reasons for these choices. */
-struct Resolution {
+struct KickMethods {
   EventCorrected glides, speeds, paths, thresholds;
 };
 
-Resolution fine(bool quick = false) {
-  return quick ? Resolution{{0.2}, {0.2}, {0.3}, {0.3}}
-               : Resolution{{0.1}, {0.2}, fourteen_stages(0.051), fourteen_stages(0.06)};
+KickMethods fine(bool quick = false) {
+  return quick ? KickMethods{{0.2}, {0.2}, {0.3}, {0.3}}
+               : KickMethods{{0.1}, {0.2}, fourteen_stages(0.051), fourteen_stages(0.06)};
 }
-Resolution coarse(bool quick = false) {
-  return quick ? Resolution{{0.4}, {0.4}, {0.4}, {0.4}} : Resolution{{0.2}, {0.3}, {0.15}, {0.15}};
+KickMethods coarse(bool quick = false) {
+  return quick ? KickMethods{{0.4}, {0.4}, {0.4}, {0.4}}
+               : KickMethods{{0.2}, {0.3}, {0.15}, {0.15}};
 }
 
 /**
@@ -127,7 +128,7 @@ std::array<double, 3> report_glides(Report& report) {
   const Breathers at = all_ready(52, 52);
   std::array<Glide, 6> runs;
   parallel_for("strong kicks", 6, [&](std::size_t i) {
-    const Resolution r = i % 2 ? fine(report.quick) : coarse(report.quick);
+    const KickMethods r = i % 2 ? fine(report.quick) : coarse(report.quick);
     runs[i] = glide(at[i / 2], r.glides, time);
   });
 
@@ -252,7 +253,7 @@ void report_weak(Report& report, const Breathers& at) {
   parallel_for("weak kicks", 6, [&](std::size_t i) {
     const std::size_t k = i / 2;
     const double time = report.quick ? 2e4 : std::array{2.5e5, 1.7e5, 8e4}[k];
-    const Resolution r = i % 2 ? fine(report.quick) : coarse(report.quick);
+    const KickMethods r = i % 2 ? fine(report.quick) : coarse(report.quick);
     (i % 2 ? paths[k].fine : paths[k].coarse) = at[k].after(weak, r.paths, time);
   });
 
@@ -355,7 +356,7 @@ std::vector<Prediction> report_thresholds(Report& report, const std::vector<Rest
   report.facts.add("effective_barrier", p.barrier);
 
   // What the chain does
-  const Resolution rough = coarse(report.quick), good = fine(report.quick);
+  const KickMethods rough = coarse(report.quick), good = fine(report.quick);
   auto found = freeing_kicks(bonds, predictions, rough.thresholds, good.thresholds);
   if (!report.quick) confirm(bonds[0], predictions[0], good.thresholds, found[0]);
   for (std::size_t k : {0, 1}) {
@@ -385,7 +386,7 @@ How does the speed depend on the kick? If the Peierls-Nabarro potential is a sin
 periods (kick.hpp), from the first and from the second of them.
 
 ![Mean speed against kick, and the drift of several integrators against their work.](fig:x15) */
-Estimate speed_over_a_site(const RestingBreather& at, double c, const Resolution& r) {
+Estimate speed_over_a_site(const RestingBreather& at, double c, const KickMethods& r) {
   const KickedPath path =
       at.after(c, r.speeds, 1e6, [](const KickedPath& so_far, const State<double>&, const auto&) {
         return std::abs(so_far.travelled()) < 1.1;

@@ -49,13 +49,13 @@ All is dimensionless. The packet's own oscillation, its *internal period*, takes
 |---|---|---|
 | $\dot y_1(0) = v_0$, $s$ | `velocity`, `s` | impact velocity, anharmonicity of the well |
 | $X$, $e_n$ | `Path::centre`, `energy_density` | energy centre and density | */
-struct Case {
+struct NamedImpact {
   const char* name;  ///< in the facts
   Impact impact;     ///< of this velocity, s, length of the run, sites
 };
-const Case cases[] = {{"150", turning_impact(1.5, 1, 5500, 260)},
-                      {"187", turning_impact(1.87, 1, 1300)},
-                      {"190", turning_impact(1.9, 1, 1200)}};
+const NamedImpact impacts[] = {{"150", turning_impact(1.5, 1, 5500, 260)},
+                               {"187", turning_impact(1.87, 1, 1300)},
+                               {"190", turning_impact(1.9, 1, 1200)}};
 
 /**
 ## The motion (figure 22)
@@ -64,12 +64,12 @@ A packet pulsates while it travels, and a map that samples the pulsation at near
 stripes that do not exist. So figure 22 shows the energy density averaged over about one internal period,
 and over one unit of time in the zoom. The dashed line marks the time after which the motion is no longer
 determined by what we know of the impact; what the map shows beyond it is one possibility among many. */
-struct Frame {
+struct MapPanel {
   std::int64_t panel;
   double velocity, to, interval;
   std::size_t sites;
 };
-const Frame frames[] = {{1, 1.5, 1000, 4, 110}, {2, 1.9, 2500, 5, 40}, {3, 1.9, 900, 1, 28}};
+const MapPanel panels[] = {{1, 1.5, 1000, 4, 110}, {2, 1.9, 2500, 5, 40}, {3, 1.9, 900, 1, 28}};
 
 // A colour can be read to a few per cent at best, so the maps come from runs with a longer step
 void report_maps(Report& report, double determined_until) {
@@ -79,7 +79,7 @@ void report_maps(Report& report, double determined_until) {
                     number("t", "time"), count("n", "site", "site"),
                     number("e", "energy density, averaged over the interval between two times")});
   table.meta = {{"decorrelation_time", number_text(determined_until)}};
-  for (const Frame& f : frames) {
+  for (const MapPanel& f : panels) {
     std::vector<double> sum(f.sites, 0.0);
     double weight = 0, next = f.interval;
     const auto average = [&](const State<double>& now, const std::vector<double>& e) {
@@ -116,9 +116,9 @@ std::vector<TurnEstimate> report_turns(Report& report) {
   const std::vector<double> steps =
       report.quick ? std::vector<double>{0.2, 0.1} : std::vector<double>{0.1, 0.05, 0.025};
   const std::size_t count = steps.size();
-  std::vector<ImpactRun> runs(std::size(cases) * count);  // by case and step
+  std::vector<ImpactRun> runs(std::size(impacts) * count);  // by impact and step
   parallel_for(runs.size(), [&](std::size_t i) {
-    runs[i] = strike(EventCorrected{steps[i % count]}, cases[i / count].impact);
+    runs[i] = strike(EventCorrected{steps[i % count]}, impacts[i / count].impact);
   });
 
   // Each moment at every step
@@ -130,16 +130,16 @@ std::vector<TurnEstimate> report_turns(Report& report) {
        number("apex_time", "time of the turning point"), number("return_time", "time of rebound")});
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const Turn turn = turn_of(runs[i].path);
-    table.add({cases[i / count].impact.velocity, steps[i % count], turn.stop.time, turn.apex.site,
+    table.add({impacts[i / count].impact.velocity, steps[i % count], turn.stop.time, turn.apex.site,
                turn.apex.time, turn.rebound.time});
   }
 
   // The facts come from the two finer steps; at v0 = 1.5 the way out takes most of the run
   std::vector<TurnEstimate> reads;
-  for (std::size_t k = 0; k < std::size(cases); ++k) {
+  for (std::size_t k = 0; k < std::size(impacts); ++k) {
     const ImpactRun* last = &runs[(k + 1) * count - 1];
     reads.push_back(estimate_turn(last[-1].path, last[0].path));
-    const std::string name = cases[k].name;
+    const std::string name = impacts[k].name;
     report.facts.add("stop_time_" + name, reads[k].stop_time);
     report.facts.add("stop_site_" + name, reads[k].stop_site, "site");
     report.facts.add("apex_site_" + name, reads[k].apex_site, "site");
@@ -167,9 +167,9 @@ The article does not say how constant *almost constant* is. The ratio of back an
 within a factor of two the force is constant on the two ways, but not around the turning point. At $v_0 = 1.5$ it is
 [-0.000171](num:sec34_boomeron.force_150) and in the linear well [-9e-5](num:sec34_boomeron.force_linear_well): there too a
 packet slows down, though none was seen to turn. */
-struct Deceleration {
+struct ImpactAcceleration {
   double velocity, s;
-  Stretch stretch = Stretch::out;
+  Leg leg = Leg::out;
   Acceleration seen{};
 };
 
@@ -180,23 +180,21 @@ value is smaller than an earlier one beyond the errors of both, and the last exc
 [3.7](num:sec34_boomeron.force_grows_velocity_last_over_first) and of
 [5](num:sec34_boomeron.force_grows_s_last_over_first). Below $v_0 = 1.5$ the errors are larger than the differences between
 neighbours. */
-std::vector<Deceleration> report_accelerations(Report& report, double step) {
-  std::vector<Deceleration> list;
+std::vector<ImpactAcceleration> report_accelerations(Report& report, double step) {
+  std::vector<ImpactAcceleration> list;
   for (double v : {1.1, 1.3, 1.5, 1.6, 1.7, 1.8, 1.9, 2.0}) list.push_back({v, 1});
   for (double s : {0.0, 0.25, 0.5, 0.75}) list.push_back({1.9, s});
-  for (Stretch stretch : {Stretch::back, Stretch::between}) list.push_back({1.9, 1, stretch});
+  for (Leg leg : {Leg::back, Leg::between}) list.push_back({1.9, 1, leg});
   const auto path = [&](double velocity, double s, double time, double h) {
     return strike(EventCorrected{h}, turning_impact(velocity, s, time)).path;
   };
   std::array<Path, 2> returning;
   parallel_for(2, [&](std::size_t k) { returning[k] = path(1.9, 1, 1000, k ? step : 2 * step); });
-  const auto row = [&](Deceleration& p) {
-    p.seen = p.stretch == Stretch::out
-                 ? acceleration_of(path(p.velocity, p.s, 300, 2 * step),
-                                   path(p.velocity, p.s, 300, step), p.stretch)
-                 : acceleration_of(returning[0], returning[1], p.stretch);
-    return Cells{
-        p.s, p.velocity, p.stretch, p.seen.mean.value, p.seen.mean.error, p.seen.bend.value};
+  const auto row = [&](ImpactAcceleration& p) {
+    p.seen = p.leg == Leg::out ? acceleration_of(path(p.velocity, p.s, 300, 2 * step),
+                                                 path(p.velocity, p.s, 300, step), p.leg)
+                               : acceleration_of(returning[0], returning[1], p.leg);
+    return Cells{p.s, p.velocity, p.leg, p.seen.mean.value, p.seen.mean.error, p.seen.bend.value};
   };
   report
       .table(
@@ -228,7 +226,7 @@ Estimate slowing(double step) {
 
 void report_force(Report& report) {
   const double step = report.quick ? 0.1 : 0.05;
-  const std::vector<Deceleration> list = report_accelerations(report, step);
+  const std::vector<ImpactAcceleration> list = report_accelerations(report, step);
   const Estimate slow = list[2].seen.mean, fast = list[6].seen.mean, back = list[12].seen.mean;
   const std::string unit = "site per squared unit of time";
   report.facts.add("force_150", slow, unit);
@@ -491,9 +489,9 @@ void report_check(Report& report) {
                               strike(EventCorrected{0.0125}, impact).end, 1e-7);
   report.facts.add("independent_route_difference", compare(0.0, apart));
   const double step = report.quick ? 0.1 : 0.025;
-  const ImpactRun one = strike(EventCorrected{step}, cases[2].impact),
+  const ImpactRun one = strike(EventCorrected{step}, impacts[2].impact),
                   other =
-                      strike(EventCorrected{step, nystrom(blanes_moan_6_14())}, cases[2].impact);
+                      strike(EventCorrected{step, nystrom(blanes_moan_6_14())}, impacts[2].impact);
   report.facts.add("other_scheme_return_time",
                    compare(turn_of(one.path).rebound.time, turn_of(other.path).rebound.time));
   report.facts.add("energy_drift_190", compare(one.run.energy_drift, other.run.energy_drift),

@@ -102,12 +102,12 @@ The article prints no values of $s$ for its curves; we take the linear well and 
 that it uses elsewhere. A bead that passes the maximum of a soft well, at $|y| = (-s)^{-1/2}$,
 runs away to infinity. So each soft well has a largest velocity worth trying, and a range
 in which its blow-up is looked for. Both are our choice. */
-struct Struck {
+struct SweptWell {
   double s;
   std::string name;
   double fastest, band_from, band_to;
 };
-const Struck wells[] = {
+const SweptWell wells[] = {
     {0, "s_0", 2.5, 0, 0}, {-1.0 / 6, "s_1_6", 2.2, 2.05, 2.85}, {-0.7, "s_0_7", 1.0, 0.93, 1.33}};
 
 using Curve = std::vector<SweepPoint>;
@@ -184,7 +184,7 @@ two steps, and what must agree is the *outcome*; where it does not, the velocity
 
 In both wells the scan begins with survivors and ends with escapes, but the transition is not sharp.
 [](finding:blowup.bands) */
-void report_band(Report& report, const Struck& well, const EscapeBand& band) {
+void report_band(Report& report, const SweptWell& well, const EscapeBand& band) {
   report.facts.add("blowup_first_escape_" + well.name, {band.first_escape, band.spacing});
   report.facts.add("blowup_last_survivor_" + well.name, {band.last_survivor, band.spacing});
   report.facts.add("blowup_disputed_" + well.name, exact(band.disputed));
@@ -204,7 +204,7 @@ void report_sweep(Report& report) {
                     count("agree", "1 where both resolutions agree on the outcome")});
   const std::size_t trials = report.quick ? 31 : 801;
   std::vector<EscapeBand> bands;
-  for (const Struck& well : wells) {
+  for (const SweptWell& well : wells) {
     if (well.s == 0) continue;
     std::vector<Escape> all(trials);
     for (std::size_t i = 0; i < trials; ++i)
@@ -230,7 +230,7 @@ void report_sweep(Report& report) {
                     estimate("energy", "energy of the packet when it passes site 60"),
                     count("ending", "1 in the last 0.05 of a curve that ends in a blow-up")});
   std::vector<Curve> curves;
-  for (const Struck& well : wells) {
+  for (const SweptWell& well : wells) {
     const EscapeBand* band = well.s == 0 ? nullptr : &bands[curves.size() - 1];
     const double spacing = report.quick ? 0.05 : 0.01;
     Curve& curve = curves.emplace_back();

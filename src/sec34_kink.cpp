@@ -55,13 +55,13 @@ at least one well; a kink that crosses the whole chain moves all beads. `ejected
 of the far half that have advanced by more wells than the bead in the middle of the chain: they have
 separated from it and leave at the far end. `ejected_near` have gone backwards over a maximum and leave
 at the near end. */
-struct Counts {
+struct WellCounts {
   std::int64_t moved = 0, ejected_far = 0, ejected_near = 0;
-  friend bool operator==(const Counts&, const Counts&) = default;
+  friend bool operator==(const WellCounts&, const WellCounts&) = default;
 };
 
-Counts count_wells(const State<double>& state) {
-  Counts counts;
+WellCounts count_wells(const State<double>& state) {
+  WellCounts counts;
   const auto well = [&](std::size_t n) { return std::lround(state.y[n] / (2 * std::numbers::pi)); };
   const std::size_t half = state.y.size() / 2;
   for (std::size_t n = 0; n < state.y.size(); ++n) {
@@ -78,7 +78,7 @@ Counts count_wells(const State<double>& state) {
 Just above the transition a kink is slow, may stop, and may come back, so a count can be taken too
 early. The loop in time therefore goes on until the counts have stayed the same while the time
 doubled, and gives up at the time `patience`: such a velocity is undecided. */
-struct Strike {
+struct KinkImpact {
   static constexpr Title title{"run",
                                "one impact: who moved on (pendulums: a kink needs a well "
                                "beside every well)"};
@@ -95,20 +95,20 @@ struct Strike {
 constexpr double first_look = 100;  // a kink needs about sixty units of time for the fifty sites
 
 struct Verdict {
-  Counts counts{};
+  WellCounts counts{};
   bool settled = false;
   State<double> end{};
   Run run{};
 };
 
-Verdict follow(const Strike& impact, const EventCorrected& method) {
+Verdict count_after_impact(const KinkImpact& impact, const EventCorrected& method) {
   const Impact whole{
       impact.velocity, {impact.sites, Pendulum{}}, impact.patience, first_look, may_move, false};
   Verdict verdict;
   double next = first_look;
   const auto look = [&](const State<double>& now, const auto&) {
     if (now.t < next * (1 - 1e-9)) return true;
-    const Counts counts = count_wells(now);
+    const WellCounts counts = count_wells(now);
     verdict.settled = next > first_look && counts == verdict.counts;
     verdict.counts = counts;
     next *= 2;
@@ -120,15 +120,15 @@ Verdict follow(const Strike& impact, const EventCorrected& method) {
 }
 
 // Among the velocities of a scan some stay undecided: their counts have not settled, or differ at two steps
-struct Point {
+struct ScanPoint {
   double velocity = 0;
-  Counts counts{};
+  WellCounts counts{};
   bool decided = false;
 
   void measure() {
-    const Strike impact{.velocity = velocity};
-    const Verdict coarse = follow(impact, method(velocity, 0)),
-                  fine = follow(impact, method(velocity, 1));
+    const KinkImpact impact{.velocity = velocity};
+    const Verdict coarse = count_after_impact(impact, method(velocity, 0)),
+                  fine = count_after_impact(impact, method(velocity, 1));
     counts = fine.counts;
     decided = coarse.settled && fine.settled && fine.counts == coarse.counts;
   }
@@ -140,11 +140,11 @@ struct Point {
 Among the decided velocities we look for the last breather, up to which no bead has moved on when the counts have
 settled, and for the first certain kink, from which on *every* impact moves the whole chain and ejects a bead at the far
 end. A velocity that is in neither range counts as undecided: a third regime would be there. */
-bool is_breather(const Point& p) {
+bool is_breather(const ScanPoint& p) {
   return p.counts.moved == 0;
 }
-bool is_kink(const Point& p) {
-  return p.counts.ejected_far > 0 && p.counts.moved == std::int64_t(Strike{}.sites);
+bool is_kink(const ScanPoint& p) {
+  return p.counts.ejected_far > 0 && p.counts.moved == std::int64_t(KinkImpact{}.sites);
 }
 
 struct Transition {
@@ -153,9 +153,9 @@ struct Transition {
   double undecided;                  ///< share of the scan
 };
 
-Transition find_transition(std::vector<Point> points) {
+Transition find_transition(std::vector<ScanPoint> points) {
   const auto all = double(points.size());
-  std::erase_if(points, [](const Point& p) { return !p.decided; });
+  std::erase_if(points, [](const ScanPoint& p) { return !p.decided; });
   std::size_t breathers = 0, first = points.size();
   while (breathers < points.size() && is_breather(points[breathers])) ++breathers;
   while (first > 0 && is_kink(points[first - 1])) --first;
@@ -185,7 +185,7 @@ first bead passes: after 4.0 and 4.4 it does so and is thrown back all the same.
 each pays 2 on the way up and gets 2 back on the way down, so that a kink, once on its way, can go on. We have no theory that
 gives 4.7. */
 void report_transition(Report& report) {
-  const std::size_t sites = Strike{}.sites;
+  const std::size_t sites = KinkImpact{}.sites;
 
   // Two impacts, one below the transition and one above, show what the counts mean
   Table& examples =
@@ -202,7 +202,7 @@ void report_transition(Report& report) {
 
   // The scan; the figure marks the undecided velocities, so the table keeps them
   const double from = 1, to = 8, spacing = report.quick ? 0.25 : 0.02;
-  std::vector<Point> points(std::size_t(std::lround((to - from) / spacing)) + 1);
+  std::vector<ScanPoint> points(std::size_t(std::lround((to - from) / spacing)) + 1);
   for (std::size_t i = 0; i < points.size(); ++i) points[i].velocity = from + spacing * double(i);
   Table& scan =
       report.table("kink_transition",
@@ -211,7 +211,7 @@ void report_transition(Report& report) {
                     count("ejected_far", "beads thrown off the far end"),
                     count("ejected_near", "beads thrown back at the near end"),
                     count("decided", "1 where the counts have settled and agree at two steps")});
-  const auto row = [&](Point& p) {
+  const auto row = [&](ScanPoint& p) {
     p.measure();
     return Cells{p.velocity, double(p.counts.moved) / double(sites), p.counts.ejected_far,
                  p.counts.ejected_near, p.decided};
@@ -227,7 +227,7 @@ void report_transition(Report& report) {
   report.facts.add("first_certain_kink", {found.first_kink, spacing});
 
   // The recoil throws beads back already at smaller velocities
-  const auto back = std::find_if(points.begin(), points.end(), [](const Point& p) {
+  const auto back = std::find_if(points.begin(), points.end(), [](const ScanPoint& p) {
     return p.decided && p.counts.ejected_near > 0;
   });
   if (back != points.end()) report.facts.add("first_thrown_back", {back->velocity, spacing});
@@ -246,9 +246,12 @@ void report_confinement(Report& report) {
       report.quick ? std::vector{2.0, 6.0} : std::vector{2.0, 3.0, 4.0, 5.0, 6.0};
   std::vector<Confinement> all(velocities.size());
   parallel_for(all.size(), [&](std::size_t i) {
-    const Impact impact{
-        velocities[i], {Strike{}.sites, Pendulum{}}, report.quick ? 200.0 : 2000.0, 0.2, may_move,
-        false};
+    const Impact impact{velocities[i],
+                        {KinkImpact{}.sites, Pendulum{}},
+                        report.quick ? 200.0 : 2000.0,
+                        0.2,
+                        may_move,
+                        false};
     all[i] = confinement(impact, method(velocities[i], 0), method(velocities[i], 1));
   });
 
@@ -313,28 +316,28 @@ struct SamePlaces {
   static constexpr double places = 1e-3;  ///< the tolerance, which is that of the energy as well
 };
 
-Table Strike::table() const {
+Table KinkImpact::table() const {
   const auto runs = refined(
-      SamePlaces::places, [&](const EventCorrected& at) { return follow(*this, at); },
+      SamePlaces::places, [&](const EventCorrected& at) { return count_after_impact(*this, at); },
       SamePlaces{});
   const Verdict &coarse = runs.coarse, &fine = runs.fine;
   if (!fine.settled)
     throw Failure("the counts have not settled: --patience is too short, or the motion is erratic");
-  const auto both = [&](std::int64_t Counts::*count) {
+  const auto both = [&](std::int64_t WellCounts::*count) {
     return compare(coarse.counts.*count, fine.counts.*count);
   };
   Answers q;
-  q.add_small("moved", both(&Counts::moved), "beads",
+  q.add_small("moved", both(&WellCounts::moved), "beads",
               "beads that have advanced by at least one well");
-  q.add_small("ejected_far", both(&Counts::ejected_far), "beads",
+  q.add_small("ejected_far", both(&WellCounts::ejected_far), "beads",
               "beads of the far half that have advanced by more wells than the middle bead");
-  q.add_small("ejected_near", both(&Counts::ejected_near), "beads",
+  q.add_small("ejected_near", both(&WellCounts::ejected_near), "beads",
               "beads of the near half that have gone backwards over a maximum of the potential");
   return q.table;
 }
 
 int main(int argc, char** argv) {
   return run({"sec34_kink", "3.4", "Breather and kink in pendulum wells (section 3.4)", reproduce,
-              commands<Strike>()},
+              commands<KinkImpact>()},
              argc, argv);
 }

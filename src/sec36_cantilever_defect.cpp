@@ -221,7 +221,7 @@ the wave train near the struck end. If $r_0$ is what lies before site 96 in an a
 arrives, and of this the defect reflects, keeps and transmits the *net* shares (scattering.hpp)
 $$\frac{r-r_0}{1-r_0},\qquad \frac{d}{1-r_0},\qquad \frac{t}{1-r_0}.$$
 ![Reflected, remaining and transmitted energy against the radius of the defect.](fig:x09) */
-Estimate left_behind(const ScatteringSetup& setup) {
+Estimate reflected_without_defect(const ScatteringSetup& setup) {
   return compare(setup.without[0].reflected, setup.without[1].reflected);
 }
 
@@ -252,7 +252,7 @@ void report_shares(Report& report, const ScatteringSetup& setup) {
       report.facts.add(named.name + name, named.share, named.unit);
     report.facts.add("budget" + name, f.budget);
   }
-  report.facts.add("left_behind", left_behind(setup), "share of the energy");
+  report.facts.add("left_behind", reflected_without_defect(setup), "share of the energy");
   const double struck = setup.blow.struck_velocity();
   const Estimate train = in_train(setup, total);
   report.facts.add("wavetrain_sites",
@@ -296,8 +296,8 @@ void report_large(Report& report, const ScatteringSetup& setup, const Table& map
 
 // The map of all radii takes longest and comes last: its rows wait in the folder until all tables are written
 void report_map(Report& report, const ScatteringSetup& setup, const std::filesystem::path& folder) {
-  Sweep sweep = map_sweep(folder, report.quick);
-  compute_map(sweep, setup, report.quick, {});
+  Sweep sweep = defect_map_sweep(folder, report.quick);
+  compute_defect_map(sweep, setup, report.quick, {});
   const Table table = sweep.table();
   const auto near = table.numbers("near"), budget = table.numbers("budget");
   const auto most = std::size_t(std::max_element(near.begin(), near.end()) - near.begin());
@@ -482,9 +482,9 @@ Table OneDefect::table() const {
 }
 
 Table DefectMap::table() const {
-  Sweep sweep = map_sweep(folder, false);
+  Sweep sweep = defect_map_sweep(folder, false);
   if (sweep.known(mine()) < sweep.size(mine()))
-    compute_map(sweep, setup_for(StruckArray{}, false), false, mine());
+    compute_defect_map(sweep, setup_for(StruckArray{}, false), false, mine());
   return sweep.table(mine());
 }
 

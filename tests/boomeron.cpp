@@ -80,8 +80,8 @@ TEST_CASE("hard wells turn the packet, linear and soft ones do not", "[property]
 }
 
 TEST_CASE("at small amplitude only s v0^(3/2) counts", "[property][boomeron]") {
-  const auto apex = [](double velocity, double kappa) {
-    return outcome_of(velocity, kappa / (velocity * std::sqrt(velocity)), 40, 0).apex;
+  const auto apex = [](double velocity, double chi) {
+    return outcome_of(velocity, chi / (velocity * std::sqrt(velocity)), 40, 0).apex;
   };
   const double small = apex(0.002, 1.3), smaller = apex(0.001, 1.3);
   check_close(small, smaller, 0, 0.1);

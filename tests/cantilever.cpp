@@ -107,7 +107,7 @@ TEST_CASE("the shared way to the defect changes nothing", "[property][cantilever
   const StruckArray blow = short_array();
   const Scattering there = scatter(blow, 1.6, approach(blow, 0.05), 0.05, 28);
   const ImpactRun run = strike(EventCorrected{0.05}, blow.impact(1.6, 28, blow.scales.time(28)));
-  const Division straight = division_of(blow, run.density);
+  const EnergyShares straight = energy_shares(blow, run.density);
   check_close(there.later.reflected, straight.reflected, 1e-8);
   check_close(there.later.transmitted, straight.transmitted, 1e-8);
 }

@@ -20,8 +20,8 @@ State<double> after(const Stepper& method, const Chain& chain, State<double> s, 
 }
 
 template <class T = double>
-State<T> landed(const Chain& chain, const State<double>& start, double time,
-                Tangent<T>* tangent = nullptr) {
+State<T> event_driven(const Chain& chain, const State<double>& start, double time,
+                      Tangent<T>* tangent = nullptr) {
   State<T> s(chain.sites);
   std::copy(start.y.begin(), start.y.end(), s.y.begin());
   std::copy(start.v.begin(), start.v.end(), s.v.begin());
@@ -116,13 +116,13 @@ TEST_CASE("the order at t = 100 on the hard impact is at least 4.5", "[convergen
 TEST_CASE("three families agree on the same problems", "[property][contact]") {
   const auto compare = [](const auto& chain, const State<double>& start, double time) {
     const auto aware = after(EventCorrected{0.005}, chain, start, time);
-    auto theirs = start, land = landed(chain, start, time);
-    land.t = aware.t;
+    auto theirs = start, ours = event_driven(chain, start, time);
+    ours.t = aware.t;
     evolve_reference(chain, theirs, time, 1e-13);
     theirs.t = aware.t;
-    check_close(distance(aware, land), 0, 2e-11);
-    check_close(distance(theirs, land), 0, 2e-11);
-    check_close(distance(after(Splitting{blanes_moan_6(), 5e-4}, chain, start, time), land), 0,
+    check_close(distance(aware, ours), 0, 2e-11);
+    check_close(distance(theirs, ours), 0, 2e-11);
+    check_close(distance(after(Splitting{blanes_moan_6(), 5e-4}, chain, start, time), ours), 0,
                 1e-8);
   };
   compare(Chain{30, Quartic{1}}, struck(30, 1.9), 15);
@@ -236,17 +236,17 @@ struct Graze {
 /// they came. The truth is computed without any look-out: since the instant is known, a run with
 /// 64-bit mantissas ends there and another one begins.
 Graze graze(const Chain& chain, const State<double>& turn) {
-  const auto past = landed<long double>(chain, turn, 1);
+  const auto past = event_driven<long double>(chain, turn, 1);
   State<double> start(2);
   for (int n : {0, 1}) start.y[n] = double(past.y[n]), start.v[n] = -double(past.v[n]);
 
   Tangent<long double> fine(2, 4);
-  auto exact = landed<long double>(chain, start, 1, &fine);
+  auto exact = event_driven<long double>(chain, start, 1, &fine);
   Graze found{double(exact.y[1] - exact.y[0]) - chain.contact.opening(), 0, 0, 0};
   flow(chain, exact, 1.0L, EventTolerance<long double>{}, &fine);
 
   Tangent<double> m(2, 4);
-  const auto with = landed(chain, start, 2, &m), alone = landed(chain, start, 2);
+  const auto with = event_driven(chain, start, 2, &m), alone = event_driven(chain, start, 2);
   const auto aware = after(EventCorrected{0.05}, chain, start, 2);
   const auto off = [](double a, long double b) { return double(std::abs(a - b)); };
   for (std::size_t i = 0; i < 16; ++i)
@@ -277,7 +277,7 @@ void check_graze(const Graze& found, double gap) {
 }  // namespace
 
 // The wells have the frequencies 1 and 1/2, so that beads that swing out together part by themselves.
-TEST_CASE("beads that almost or just touch are followed exactly", "[property][contact][landing]") {
+TEST_CASE("beads that almost or just touch are followed exactly", "[property][contact][events]") {
   Chain chain{2};
   vary(chain, {1, 4}, {});
   for (double lift : lifts()) {
@@ -287,7 +287,7 @@ TEST_CASE("beads that almost or just touch are followed exactly", "[property][co
   }
 }
 
-TEST_CASE("beads that almost or just part are followed exactly", "[property][contact][landing]") {
+TEST_CASE("beads that almost or just part are followed exactly", "[property][contact][events]") {
   const Chain chain{2, {}, CompressedHertz{0.25}};
   for (double lift : lifts()) {
     State<double> turn(2);
@@ -341,10 +341,10 @@ TEST_CASE("contacts that are shorter than a step are not missed", "[property][co
     const double scale = std::max(1.0, std::abs(c.v_end));
     check_close(s.y[0], c.y_end, 3 * run.error * scale);
     check_close(s.v[0], c.v_end, 3 * run.error * scale);
-    auto landing = c.start();
-    flow(c.chain(), landing, c.time);
-    check_close(landing.y[0], c.y_end, 1e-10);
-    check_close(landing.v[0], c.v_end, 1e-9);
+    auto event_driven = c.start();
+    flow(c.chain(), event_driven, c.time);
+    check_close(event_driven.y[0], c.y_end, 1e-10);
+    check_close(event_driven.v[0], c.v_end, 1e-9);
   }
 }
 
@@ -387,27 +387,27 @@ TEST_CASE("a tolerance that chaos forbids is refused with its history", "[proper
   CHECK(message.find("step 0.1:") != std::string::npos);
 }
 
-TEST_CASE("the landing flow is exact, reversible and conserves energy", "[property][landing]") {
+TEST_CASE("the event-driven flow is exact, reversible and conserves energy", "[property][events]") {
   const Chain chain{16, Quartic{0.5}, Hertz{.floor = 0}};
   const auto start = random_state(16, 1, 17);
   auto s = start;
   const auto there = flow(chain, s, 12.0);
   CHECK(there.energy_drift < 1e-12);
-  CHECK(there.switchings > 20);
-  const auto fine = landed<long double>(chain, start, 12);
+  CHECK(there.contact_events > 20);
+  const auto fine = event_driven<long double>(chain, start, 12);
   for (std::size_t n = 0; n < 16; ++n) check_close(s.y[n], double(fine.y[n]), 1e-12);
   for (double& v : s.v) v = -v;
   flow(chain, s, 12.0);
   for (std::size_t n = 0; n < 16; ++n) check_close(s.y[n], start.y[n], 1e-11);
 }
 
-TEST_CASE("the tangent map is symplectic, and good to twelve digits", "[property][landing]") {
+TEST_CASE("the tangent map is symplectic, and good to twelve digits", "[property][events]") {
   const Chain chain{8, Quartic{0.5}, Hertz{.floor = 0}};
   const auto start = random_state(8, 0.7, 19);
   Tangent<double> m(8, 16);
   Tangent<long double> fine(8, 16);
-  landed(chain, start, 6, &m);
-  landed(chain, start, 6, &fine);
+  event_driven(chain, start, 6, &m);
+  event_driven(chain, start, 6, &fine);
   for (std::size_t i = 0; i < 16; ++i)
     for (std::size_t j = 0; j < 16; ++j) {
       check_close(m(i, j), double(fine(i, j)), 1e-12);
@@ -417,7 +417,7 @@ TEST_CASE("the tangent map is symplectic, and good to twelve digits", "[property
     }
 }
 
-TEST_CASE("tiny contacts in a tail are neither missed nor looped on", "[property][landing]") {
+TEST_CASE("tiny contacts in a tail are neither missed nor looped on", "[property][events]") {
   const Chain chain{12, {}, Hertz{.floor = 0}};
   State<double> s(12);
   for (std::size_t n = 0; n < 12; ++n)
@@ -427,9 +427,9 @@ TEST_CASE("tiny contacts in a tail are neither missed nor looped on", "[property
   rule.floor = 0;
   const auto f = flow(chain, s, 6.0, rule);
   CHECK(f.steps < 5000);
-  CHECK(f.switchings > 10);
-  CHECK(f.unlanded == 0);
-  const auto fine = landed<long double>(chain, start, 6);
+  CHECK(f.contact_events > 10);
+  CHECK(f.missed_events == 0);
+  const auto fine = event_driven<long double>(chain, start, 6);
   for (std::size_t n = 0; n < 12; ++n) check_close(s.y[n], double(fine.y[n]), 0, 1e-9);
   State<double> rest(12);
   CHECK(flow(chain, rest, 6.0).steps < 100);

@@ -126,9 +126,9 @@ TEST_CASE("a stationary state stands still in the turning frame", "[property][dp
   for (Centre centre : {Centre::site, Centre::bond}) {
     const PinnedBreather breather(centre, 10, length(centre));
     check_close(quartic_centre(centre, breather.u), 0, 1e-13);
-    const Course course = follow_breather(breather, breather.u, 20, {1e-10, 1});
-    CHECK(course.largest() < 1e-9);
-    CHECK(course.energy_drift < 1e-12);
+    const DpsBreatherRun run = follow_breather(breather, breather.u, 20, {1e-10, 1});
+    CHECK(run.largest() < 1e-9);
+    CHECK(run.energy_drift < 1e-12);
   }
 }
 
@@ -137,8 +137,8 @@ TEST_CASE("a pendulum tells which push frees a breather, and when one leaves", "
   for (double factor : {0.95, 1.1}) {
     Field v = bond.u;
     bond.pair.add({0, factor * bond.freeing_push()}, v);
-    const Course course = follow_breather(bond, v, 500, {1e-9, 1});
-    CHECK((course.largest() > 1) == (factor > 1));
+    const DpsBreatherRun run = follow_breather(bond, v, 500, {1e-9, 1});
+    CHECK((run.largest() > 1) == (factor > 1));
   }
   for (double growing : {0.05, 1.0}) {
     Field v = site.u;
@@ -197,7 +197,7 @@ TEST_CASE("a breather of the DpS equation and its pendulum", "[unit][dps]") {
     }
   }
   for (bool pinned : {true, false}) {
-    Trial trial{5};
+    NoiseTrial trial{5};
     const Field w = perturbed(site, shape, pinned, trial), noise = shape(site.u, 5);
     std::complex<double> kick = 0;
     for (std::size_t n = 0; n < 9; ++n) kick += noise[n] * site.pair.V[Eigen::Index(n)];
@@ -209,5 +209,5 @@ TEST_CASE("a breather of the DpS equation and its pendulum", "[unit][dps]") {
     check_close(std::abs(trial.kick - (pinned ? kick : 0)), 0, 1e-14);
     check_close(trial.growing, pinned ? std::abs(growing) : 0, 1e-14);
   }
-  CHECK((Trial{}.growing == 0 && Trial{}.kick == 0.0));
+  CHECK((NoiseTrial{}.growing == 0 && NoiseTrial{}.kick == 0.0));
 }

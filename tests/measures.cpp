@@ -62,8 +62,8 @@ Front compact(double width) {
 }
 
 /// Breathers of three sites, of which the first `moving` pass a site, as both tolerances say.
-std::vector<Trial> breathers(std::size_t count, std::size_t moving, double time = 4) {
-  std::vector<Trial> list(count);
+std::vector<NoiseTrial> breathers(std::size_t count, std::size_t moving, double time = 4) {
+  std::vector<NoiseTrial> list(count);
   for (std::size_t k = 0; k < count; ++k) {
     list[k].good.sites = list[k].good.most_sites = 3;
     list[k].good.t = {0, time};

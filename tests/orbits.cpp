@@ -140,19 +140,19 @@ TEST_CASE("an orbit is refused where its flow is not accurate", "[unit][orbits]"
   const Problem good = breather_problem(Centre::site, 1.1, 0, 31);
   const Orbit<double> orbit = find_breather(good);
   struct Careless : Problem {
-    std::size_t unlanded = 0;
+    std::size_t missed_events = 0;
     double error = 0;
     Shot<double> shoot(const Vector<double>& x, const EventTolerance<double>& rule,
                        bool jacobian = true) const {
       Shot<double> shot = Problem::shoot(x, rule, jacobian);
-      shot.flow.unlanded += unlanded;
+      shot.flow.missed_events += missed_events;
       shot.flow.error += error;
       return shot;
     }
   };
   CHECK_NOTHROW(solve(Careless{good}, orbit.x));
   CHECK_THROWS_AS(solve(Careless{good, 1}, orbit.x), NewtonFailed);
-  NewtonRule<double> every;  // lands on every switching, and still may not miss one that matters
+  NewtonRule<double> every;  // locates every event, and still may not miss one that matters
   every.events.floor = 0;
   CHECK_NOTHROW(solve(Careless{good}, orbit.x, every));
   CHECK_THROWS_AS(solve(Careless{good, 1}, orbit.x, every), NewtonFailed);

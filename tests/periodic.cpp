@@ -235,7 +235,7 @@ TEST_CASE("a zero of the barrier does not depend on the pairs around it",
       for (int k : {0, 1}) r.orbit[k] = find_breather(problem_of(both_centres[k], r.omega));
       measure(r);
     }
-    return zero_between(pairs[0], pairs[1], gap);
+    return frequency_of_zero(pairs[0], pairs[1], gap);
   };
   const auto agree = [](const Estimate& a, const Estimate& b) {
     CAPTURE(a.value, a.error, b.value, b.error);

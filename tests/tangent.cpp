@@ -119,7 +119,7 @@ TEST_CASE("at rest the tangent is drift, rotation or growth, exactly", "[unit][t
 
 TEST_CASE("a bead light enough to feel a faint contact belongs to the core", "[unit][tangent]") {
   Chain chain{3, {}, Hertz{.floor = 0}};
-  Record<double> record;
+  StepRecord<double> record;
   const std::vector<double> wells_and_links{1, 1, 1, 0, 1e-18, 0, 0};
   std::copy(wells_and_links.begin(), wells_and_links.end(), record.nodes.add(3, 0, 0));
   CHECK(core_of(chain, record, 1e-16) == Window{3, 3});
@@ -167,7 +167,7 @@ std::vector<double> stepped(const Chain& chain, std::vector<double> z, double dt
 
 }  // namespace
 
-TEST_CASE("the probe is the derivative of a step, on every site of every kind of chain",
+TEST_CASE("the tangent vector is the derivative of a step, on every site of every kind of chain",
           "[unit][tangent]") {
   for (Ends ends : {Ends::free, Ends::fixed, Ends::periodic})
     for (std::size_t n : {1U, 2U, 3U, 6U})
@@ -179,7 +179,7 @@ TEST_CASE("the probe is the derivative of a step, on every site of every kind of
         if (heavy) vary(chain, mass, {});
         for (std::size_t i = 0; i < 2 * n; ++i) z.push_back(std::sin(3.0 * double(i) + 0.4));
         z.push_back(0);
-        // The probe, and the step from two neighbours along it
+        // The tangent vector, and the step from two neighbours along it
         std::vector<double> with = z, ahead = z, behind = z;
         const double change = 1e-6, dt = 0.1;
         for (std::size_t i = 0; i < 2 * n; ++i) {

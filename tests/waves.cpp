@@ -246,15 +246,15 @@ TEST_CASE("a tail on one side is not one on both", "[unit]") {
 namespace {
 
 /// One pulse until `split`, then two; the energy gathers at t = 1000.
-RingCourse drawn(double split, bool apart = true) {
-  RingCourse course;
-  course.gathered = 1000;
+RingPair drawn(double split, bool apart = true) {
+  RingPair pair;
+  pair.gathered = 1000;
   for (double t = 50; t <= 5000; t += 50) {
     const RingSample at{t, 6, t < 1000 ? 150.0 : 60.0, t >= 1000 && t < split ? 0.1 : 0.9,
                         t >= 1000 && (apart || t < split)};
-    course.samples.push_back({at, at});
+    pair.samples.push_back({at, at});
   }
-  return course;
+  return pair;
 }
 
 }  // namespace
@@ -400,8 +400,8 @@ TEST_CASE("a packet by its densities, site by site", "[unit]") {
   check_close(at.boundary, sum(0, 4) / all, 1e-13);
   check_close(at.participation, all * all / all_squares, 1e-10);
   check_close(at.packet_sites, inside * inside / squares, 1e-10);
-  CHECK(packet_reach == 20);
-  CHECK(envelope_reach == 10);
+  CHECK(compressed_half_width == 20);
+  CHECK(envelope_half_width == 10);
 }
 
 TEST_CASE("a run ends where a bead leaves", "[unit]") {

@@ -13,7 +13,7 @@ contours = draw.read(f"{data}/sec34_boomeron_map/contours.ecsv")
 
 figure, (axes, line) = plt.subplots(1, 2, figsize=(draw.TWO_COLUMNS, 80 * draw.MM),
                                     width_ratios=[1.25, 1], layout="constrained")
-vs, kappas = np.unique(cells["velocity"]), np.unique(cells["kappa"])
+vs, chis = np.unique(cells["velocity"]), np.unique(cells["kappa"])
 
 
 def edges(x):
@@ -22,26 +22,26 @@ def edges(x):
 
 
 def image(column):
-    shown = np.full((len(kappas), len(vs)), np.nan)
-    shown[np.searchsorted(kappas, cells["kappa"]), np.searchsorted(vs, cells["velocity"])] = \
+    shown = np.full((len(chis), len(vs)), np.nan)
+    shown[np.searchsorted(chis, cells["kappa"]), np.searchsorted(vs, cells["velocity"])] = \
         cells[column]
     return shown
 
 
 fate = image("fate")
 colours = ["#FFFFFF", "#FFFFFF", "#BBBBBB", "#E69F00"]
-axes.pcolormesh(edges(vs), edges(kappas), fate, cmap=ListedColormap(colours), vmin=-0.5, vmax=3.5,
+axes.pcolormesh(edges(vs), edges(chis), fate, cmap=ListedColormap(colours), vmin=-0.5, vmax=3.5,
                 rasterized=True)
-picture = axes.pcolormesh(edges(vs), edges(kappas), np.ma.masked_invalid(image("apex")),
+picture = axes.pcolormesh(edges(vs), edges(chis), np.ma.masked_invalid(image("apex")),
                           norm=LogNorm(5, 40), cmap="viridis", rasterized=True)
 levels = [0.005, 0.05, 0.5, 5]
-axes.contour(vs, kappas, np.log10(image("s")), levels=np.log10(levels), colors="black",
+axes.contour(vs, chis, np.log10(image("s")), levels=np.log10(levels), colors="black",
              linewidths=0.6, linestyles="dotted")
 for s, v in zip(levels, [33, 7.1, 1.53, 0.33]):
     axes.text(v, 0.78, f"$s={s:g}$", fontsize=6.5, rotation=72, ha="left", va="bottom")
 axes.plot(law["velocity"], law["kappa"], "o", ms=3, mfc="white", mec="black", mew=0.7)
 axes.set(xscale="log", yscale="log", xlabel="impact velocity $v_0$", ylabel=r"$\chi = s\,v_0^{3/2}$",
-         xlim=(edges(vs)[0], edges(vs)[-1]), ylim=(edges(kappas)[0], edges(kappas)[-1]))
+         xlim=(edges(vs)[0], edges(vs)[-1]), ylim=(edges(chis)[0], edges(chis)[-1]))
 axes.set_yticks([1, 2, 5, 10, 20], ["1", "2", "5", "10", "20"])
 axes.minorticks_off()
 axes.legend(handles=[Patch(fc=colour, ec="black", lw=0.5, label=name) for colour, name in

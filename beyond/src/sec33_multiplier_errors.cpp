@@ -153,7 +153,7 @@ struct Around {
   Orbit<double> orbit;
 };
 
-struct Trial {
+struct MatrixTrial {
   std::string name, method;
   double setting;  ///< tolerance, or increment relative to the amplitude
   std::function<Matrix<double>(const Around&)> map;
@@ -210,8 +210,8 @@ Matrix<double> differences(const Orbit<double>& orbit, double increment,
 /**
 Which setting gives the printed pair? We vary the tolerance of two methods for the variational equations,
 and the increment for the differences of a well resolved flow. */
-std::vector<Trial> all_trials() {
-  std::vector<Trial> out;
+std::vector<MatrixTrial> all_trials() {
+  std::vector<MatrixTrial> out;
   const auto power = [](int k) { return std::pow(10.0, k); };
   for (const std::string method : {"rk8pd", "rkf45"})
     for (int k = -7; k >= -11; --k) {
@@ -286,7 +286,7 @@ void report_printed(Report& report) {
   // Accurate breathers in all wells, for every trial the same
   const int steps = report.quick ? 2 : 10;
   const auto wells = std::size_t(2 * steps + 1);
-  std::vector<Trial> trials = all_trials();
+  std::vector<MatrixTrial> trials = all_trials();
   if (report.quick) trials.resize(3);
   std::vector<Around> around(2 * wells);
   parallel_for(around.size(), [&](std::size_t i) {

@@ -51,7 +51,8 @@ in the DpS equation (`sec34_dps_impact`); $y^{1/2}$ only sets how slowly. Measur
 and the hardness is the ratio of the two. So in this limit what happens at which site depends on this ratio only,
 $s\,y^{3/2}$, and as $y$ is proportional to $v_0$, on the *scaled hardness*
 $$\chi = s\,v_0^{3/2},$$
-which is `kappa` in tables and facts. So we expect packets to turn before a given site if $s$ is above
+which stands under the name `kappa` in tables and facts, though it has nothing to do with multipliers. So we expect
+packets to turn before a given site if $s$ is above
 $$s_c(v_0) = v_0^{-3/2}\,(\chi_0 + \chi_1 v_0^{1/2} + \dots),$$
 where the second term is the first correction, in $y^{1/2}$, to that limit, and both coefficients belong to
 the site. The contour thus crosses many decades of $s$ while $\chi$ changes little, and we place the points of each
@@ -68,7 +69,7 @@ struct MapGrid {
 constexpr double softest = 0.005;  // the smallest s of the article
 
 // Each row is stored as soon as it is known, together with all parameters that determine it (sweep.hpp)
-Sweep map_sweep(const std::filesystem::path& folder, const MapGrid& grid) {
+Sweep turning_map_sweep(const std::filesystem::path& folder, const MapGrid& grid) {
   const std::vector<Column> columns{
       number("velocity", "impact velocity"),
       number("s", "anharmonicity of the well"),
@@ -85,7 +86,7 @@ Sweep map_sweep(const std::filesystem::path& folder, const MapGrid& grid) {
 /**
 Each point is computed with two steps. Where they disagree on the fate, the motion is erratic and
 either answer would be an accident: such a point is marked as undecided. */
-void compute_map(Sweep& sweep, const MapGrid& grid, Part part) {
+void compute_turning_map(Sweep& sweep, const MapGrid& grid, Part part) {
   sweep.compute(part, [&](std::size_t i) {
     const double v = grid.velocity(i), chi = grid.scaled(i), s = chi / (v * std::sqrt(v));
     const double none = std::nan("");
@@ -103,26 +104,26 @@ void compute_map(Sweep& sweep, const MapGrid& grid, Part part) {
 Beside the map we need single points of the contour, by bisection: one between a packet that escapes and one that does not,
 with either step. The finer step begins where the coarser one has ended. If the fate changes in that last interval with the
 finer step too, this is the result; if not, the finer step goes all the way by itself. */
-struct Interval {
+struct Bracket {
   double low, high;
 };
 
 /// The middles of the last intervals, with the coarse and with the fine step. `escapes(x, halvings)` holds at
 /// the lower end.
 template <class Middle, class Escapes>
-std::pair<double, double> bisect_twice(Interval all, int bisections, Middle middle,
+std::pair<double, double> bisect_twice(Bracket all, int bisections, Middle middle,
                                        Escapes escapes) {
   const auto bisect = [&](int halvings) {
-    Interval at = all;
+    Bracket at = all;
     for (int k = 0; k < bisections; ++k) {
       const double x = middle(at.low, at.high);
       (escapes(x, halvings) ? at.low : at.high) = x;
     }
     return at;
   };
-  const Interval coarse = bisect(0);
+  const Bracket coarse = bisect(0);
   const bool same = escapes(coarse.low, 1) && !escapes(coarse.high, 1);
-  const Interval fine = same ? coarse : bisect(1);
+  const Bracket fine = same ? coarse : bisect(1);
   return {middle(coarse.low, coarse.high), middle(fine.low, fine.high)};
 }
 
@@ -324,8 +325,8 @@ further out we do not know. At $s=0$ none turned before site 40. */
 void reproduce(Report& report) {
   MapGrid grid;
   if (report.quick) grid.columns = grid.rows = 8;
-  Sweep sweep = map_sweep(report.output.folder(), grid);
-  compute_map(sweep, grid, {});
+  Sweep sweep = turning_map_sweep(report.output.folder(), grid);
+  compute_turning_map(sweep, grid, {});
   report.output.add("reversal_map", sweep.table());
   report_law(report);
   report_horizons(report);
@@ -368,8 +369,8 @@ struct TurningMap : MapPart {
     p.add("rows", grid.rows, "anharmonicities", {2, 1000});
   }
   Table table() const {
-    Sweep sweep = map_sweep(folder, grid);
-    compute_map(sweep, grid, mine());
+    Sweep sweep = turning_map_sweep(folder, grid);
+    compute_turning_map(sweep, grid, mine());
     return sweep.table(mine());
   }
 };

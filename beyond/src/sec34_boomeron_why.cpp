@@ -57,7 +57,7 @@ constexpr double hard = 1, velocity = 1.9, long_time = 1e4;
 constexpr std::size_t length = 800;  // of the chain
 
 /// Two steps of one experiment, and what became of the packet.
-struct Experiment {
+struct WakeExperiment {
   std::string name;
   WavesRemoved impact;
   double until;
@@ -77,13 +77,13 @@ Seven experiments are made at $v_0 = 1.9$: the undisturbed impact, the two absor
 Where the outcome is that a packet does *not* return, only a long run can say so. Absorbing behind the packet
 keeps the moving part of the chain short, so this run goes to $t = 10^4$; waves of a packet that was cut out
 spread over hundreds of sites, and those runs end at 4000. */
-std::vector<Experiment> experiments(bool quick) {
-  std::vector<Experiment> list{{"waves", {}, 1000},
-                               {"behind", {.behind = 6}, long_time},
-                               {"end", {.first_bead = true}, 4000}};
+std::vector<WakeExperiment> wake_experiments(bool quick) {
+  std::vector<WakeExperiment> list{{"waves", {}, 1000},
+                                   {"behind", {.behind = 6}, long_time},
+                                   {"end", {.first_bead = true}, 4000}};
   for (int t : {60, 120, 200, 300})
     list.push_back({"cut" + std::to_string(t), {.cut = double(t)}, 4000});
-  for (Experiment& e : list) e.until = quick ? 600 : e.until;
+  for (WakeExperiment& e : list) e.until = quick ? 600 : e.until;
   return list;
 }
 
@@ -100,15 +100,15 @@ Those with the waves absorbed behind them and those cut out at $t = 60$ and 300 
 order in the four cuts: what becomes of a packet that drifts slowly seems a matter of chance. Had the two steps disagreed on
 a packet, we could say no more than that its motion is chaotic by then. */
 void report_experiments(Report& report) {
-  std::vector<Experiment> list = experiments(report.quick);
+  std::vector<WakeExperiment> list = wake_experiments(report.quick);
   parallel_for("experiments", 2 * list.size(), [&](std::size_t i) {
-    Experiment& e = list[i / 2];
+    WakeExperiment& e = list[i / 2];
     e.fate[i % 2] =
         late_fate(e.impact, i % 2 ? 0.05 : 0.1, e.until, length, i % 2 ? &e.path : nullptr);
   });
 
   // What became of each packet, from both steps
-  for (const Experiment& e : list) {
+  for (const WakeExperiment& e : list) {
     const auto& [coarse, fine] = e.fate;
     const auto back = [](const LateFate& f) { return f.late == Late::returns ? 1.0 : 0.0; };
     report.facts.add("returned_" + e.name, counted(back(coarse), back(fine)), "1 if it came back");
@@ -139,13 +139,13 @@ The acceleration $\ddot X$ on the way out, between $t = 100$ and 220, is the slo
 (sec34/acceleration.hpp); it is negative where the packet slows down. If waves act from afar, its modulus should grow with
 the distance $d$ up to which they are left; if it is the packet's own fresh wake that acts, it should grow in the same way
 after a cut. The linear well, in which we saw no packet turn, is the control. */
-struct Deceleration {
+struct WakeAcceleration {
   double s, cut;
   std::size_t behind;
   Estimate mean{};
 };
 
-Estimate acceleration(const WavesRemoved& impact, double step, double from, double to) {
+Estimate packet_acceleration(const WavesRemoved& impact, double step, double from, double to) {
   const Path p = smooth(follow_without(impact, step, 240, 150), path_smoothing);
   const double look = p.t[1] - p.t[0];
   const auto half = std::size_t(std::lround(5 / look));
@@ -165,17 +165,17 @@ is [-0.000192](num:sec34_boomeron_why.force_cut_15) with all of the fresh wake a
 [-0.000191](num:sec34_boomeron_why.force_cut_5) with five sites of it. In the linear well it does not matter what is
 left: [-9.0e-5](num:sec34_boomeron_why.force_linear_15) and [-8.9e-5](num:sec34_boomeron_why.force_linear_5). */
 void report_distance(Report& report) {
-  std::vector<Deceleration> list;
+  std::vector<WakeAcceleration> list;
   for (double s : {hard, 0.0})
     for (double cut : {0.0, 60.0})
       for (std::size_t d : {4, 5, 6, 7, 8, 10, 12, 15, 20, 0}) list.push_back({s, cut, d});
   const double step = report.quick ? 0.2 : 0.1, from = 100, to = 220;
 
   // The error is that of the fit and of the step
-  const auto row = [&](Deceleration& p) {
+  const auto row = [&](WakeAcceleration& p) {
     const WavesRemoved impact{p.s, velocity, p.cut, p.behind};
-    p.mean =
-        compare(acceleration(impact, step, from, to), acceleration(impact, step / 2, from, to));
+    p.mean = compare(packet_acceleration(impact, step, from, to),
+                     packet_acceleration(impact, step / 2, from, to));
     return Cells{p.s, p.cut, p.behind, p.mean.value, p.mean.error};
   };
   report
@@ -185,7 +185,7 @@ void report_distance(Report& report) {
               number("force", "acceleration of the centre", "site per squared unit of time"),
               number("force_uncertainty", "fit and step", "site per squared unit of time")})
       .fill(list, row, "distances");
-  for (const Deceleration& p : list) {
+  for (const WakeAcceleration& p : list) {
     const std::string name = p.s == 0 ? "linear" : p.cut > 0 ? "cut" : "waves";
     if ((p.behind == 5 || p.behind == 15) && (p.s > 0 || p.cut == 0))
       report.facts.add("force_" + name + "_" + std::to_string(p.behind), p.mean,

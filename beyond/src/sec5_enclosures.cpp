@@ -195,8 +195,8 @@ chain in the supremum norm. Proved, for each of the two centres: there is a peri
 frequency and the symmetry of its centre, even in time, which falls double-exponentially along the chain. It
 differs by no more than `radius` from the guess, a sum of cosines, in each contact at each time, and among the
 solutions with these symmetries it is the only one that differs by no more than `unique_radius`. Amplitude and
-energy follow. The table `bounds` has the constants of the proof, all rounded upwards: $\kappa \ge \|A\|-1$, the
-residual of the guess, $\eta \le (1+\kappa)\,$residual, and $q$.
+energy follow. The table `bounds` has the constants of the proof, all rounded upwards: $\beta \ge \|A\|-1$ (column
+`kappa`), the residual of the guess, $\eta \le (1+\beta)\,$residual, and $q$.
 
 The amplitudes are [0.0107480](num:sec5_enclosures.amplitude_site) (site) and
 [0.00978427](num:sec5_enclosures.amplitude_bond) (bond), the energies [0.000153599](num:sec5_enclosures.energy_site) and
@@ -205,7 +205,7 @@ resolve. Not proved is anything about Floquet multipliers. */
 const std::pair<int, int> omega_b{11, 10};
 
 Table bound_table(const Column& which) {
-  return {{which, number("kappa", "norm of the inverse minus one"),
+  return {{which, number("kappa", "beta: norm of the inverse minus one"),
            number("delta", "how badly the matrix is inverted"),
            number("epsilon", "what broken lines miss of the operator"),
            number("residual", "of the guess, in the supremum norm"),
@@ -226,7 +226,7 @@ void report_chain(Report& report) {
   for (std::size_t i = 0; i < 2; ++i) {
     const ChainBreather& b = found[i];
     const std::string name = centres[i].second;
-    bounds.add({name, b.kappa, b.delta, b.epsilon, b.residual, b.unique.eta, b.unique.q,
+    bounds.add({name, b.inverse_excess, b.delta, b.epsilon, b.residual, b.unique.eta, b.unique.q,
                 b.unique.radius, b.exists.radius});
     report.facts.add("amplitude_" + name, estimate_of(b.amplitude), "largest |y_n(0)|");
     report.facts.add("energy_" + name, estimate_of(b.energy));
@@ -263,7 +263,7 @@ void report_kernel_waves(Report& report) {
   for (std::size_t i = 0; i < 2; ++i) {
     const EnclosedWave& w = found[i];
     const std::string name = signs[i].second;
-    bounds.add({name, w.kappa, w.delta, w.epsilon, w.residual, w.unique.eta, w.unique.q,
+    bounds.add({name, w.inverse_excess, w.delta, w.epsilon, w.residual, w.unique.eta, w.unique.q,
                 w.unique.radius, w.exists.radius});
     report.facts.add("wave_energy_" + name, estimate_of(w.energy));
     report.facts.add("wave_peak_" + name, estimate_of(w.peak), "largest compression");
@@ -298,7 +298,7 @@ void report_lemma(Report& report) {
 `sec5_enclosures dps --centre bond` prints the bounds for the DpS equation, `sec5_enclosures breather --centre site`
 those for the chain and `sec5_enclosures wave --sign minus` those for the kernel equation. The barriers belong to
 both centres. A quantity that cannot be certified is not printed. */
-struct Bounds {
+struct EnclosureTable {
   Table table{{label("quantity", "what is enclosed"), number("lower", "lower bound"),
                number("upper", "upper bound"), label("meaning", "what the quantity is, in words")}};
   void add(const std::string& quantity, const Interval<double>& x, const std::string& meaning) {
@@ -321,7 +321,7 @@ struct EnclosedDps {
     const Both both;
     const DpsBreather<double>& b = both.of(centre);
     const DpsBarrier<double> barrier = certain_barrier(both);
-    Bounds bounds;
+    EnclosureTable bounds;
     bounds.add("u0", b.largest(), "largest |u_n| of the breather");
     bounds.add("norm", b.norm(), "sum of u_n^2 over all sites");
     bounds.add(
@@ -350,7 +350,7 @@ struct EnclosedBreather {
   }
   Table table() const {
     const ChainBreather b = enclose_chain(centre, omega_b.first, omega_b.second);
-    Bounds bounds;
+    EnclosureTable bounds;
     bounds.add("amplitude", b.amplitude,
                "largest displacement of a bead at t = 0, when all are at rest");
     bounds.add("energy", b.energy, "energy of the whole chain, Eq. (6)");
@@ -371,7 +371,7 @@ struct EnclosedWaves {
   }
   Table table() const {
     const EnclosedWave w = enclose_wave(int(sign));
-    Bounds bounds;
+    EnclosureTable bounds;
     bounds.add("energy", w.energy, "energy of the whole lattice that carries the wave, Eq. (6)");
     bounds.add("peak", w.peak, "largest compression of a contact");
     bounds.add("action", w.action,

@@ -21,9 +21,9 @@ instability show before the breather has died?
 #include "commands/damped_array.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
+#include "sec5/arrivals.hpp"
 #include "sec5/damped_packet.hpp"
 #include "sec5/decay.hpp"
-#include "sec5/journey.hpp"
 
 using namespace lattice;
 
@@ -69,23 +69,23 @@ itself: with this *weight*, $e^{-\nu t/2} = (1-\nu s/4)^2$, the strongest push c
 [](finding:experiment.clock) In the centre of the energy the factor cancels. For lifetimes of 10 ms and more the
 distance of the strongest push is right to the fraction [0.0102055](num:sec5_experiment.way_off_slow). Without the
 weight of the push the law would be wrong by up to [0.398939](num:sec5_experiment.way_off_bare). */
-struct JourneyRow {
+struct DampedRow {
   double velocity = 0, lifetime = 0;
-  TwoJourneys found{}, law{};
+  TwoDampedRuns found{}, law{};
 };
 
 // Packets without losses come first, with which the law of the slow clock begins
-std::vector<JourneyRow> journey_rows(const Report& report) {
+std::vector<DampedRow> damped_rows(const Report& report) {
   const auto& h = report.quick ? quick_steps : steps;
-  std::vector<JourneyRow> rows;
+  std::vector<DampedRow> rows;
   for (double velocity : report.quick ? std::vector{1.0} : std::vector{0.5, 0.7, 1.0})
     for (double life : {0.0, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0})
       rows.push_back({velocity, life});
   parallel_for(rows.size(), [&](std::size_t i) {
-    rows[i].found = two_journeys(rows[i].velocity, rows[i].lifetime, 0, 13, h);
+    rows[i].found = two_damped_runs(rows[i].velocity, rows[i].lifetime, 0, 13, h);
   });
-  const JourneyRow* free = nullptr;
-  for (JourneyRow& row : rows) {
+  const DampedRow* free = nullptr;
+  for (DampedRow& row : rows) {
     if (row.lifetime == 0) free = &row;
     row.law = slowed_both(free->found, array36.rate(row.lifetime));
   }
@@ -94,7 +94,7 @@ std::vector<JourneyRow> journey_rows(const Report& report) {
 
 /// How far the law is from the runs, without its sign.
 template <class Of>
-Estimate distance(const TwoJourneys& law, const TwoJourneys& found, Of of) {
+Estimate relative_deviation(const TwoDampedRuns& law, const TwoDampedRuns& found, Of of) {
   return relative_distance(quotient(law.both(of), found.both(of)), 1);
 }
 
@@ -110,7 +110,7 @@ $\frac32$ from site to site: each maximum comes $4\ln\frac32 =$ [1.62186](num:se
 after the one before. Between the fifteenth and the twentieth lifetime a site takes
 [1.57424](num:sec5_experiment.front_dwell) of them. */
 // Tables: packets after 10 ms, and how far the law is off
-Columns journey_columns() {
+Columns damped_columns() {
   return {number("velocity", "impact velocity", "m/s"),
           number("lifetime", "of the energy; 0: no damping", "ms"),
           estimate("sites", "travelled in 10 ms, by the strongest pushes", "site"),
@@ -126,31 +126,31 @@ Columns journey_columns() {
           number("budget", "energy and losses against the energy at the start, relative")};
 }
 
-void report_deviations(Report& report, const std::vector<JourneyRow>& rows) {
+void report_deviations(Report& report, const std::vector<DampedRow>& rows) {
   const double t10 = array36.time(ten_ms);
-  const auto way = [&](const Journey& j) { return way_after(j, t10).sites; };
-  const auto centre = [&](const Journey& j) { return centre_after(j, t10); };
+  const auto way = [&](const Arrivals& j) { return travelled_after(j, t10).sites; };
+  const auto centre = [&](const Arrivals& j) { return centre_after(j, t10); };
   Estimate off{}, slow_off{}, bare_off{}, centre_off{};
-  const TwoJourneys* free = &rows.front().found;
-  for (const JourneyRow& row : rows) {
+  const TwoDampedRuns* free = &rows.front().found;
+  for (const DampedRow& row : rows) {
     if (row.lifetime == 0) free = &row.found;
     if (row.lifetime == 0) continue;
-    const Estimate here = distance(row.law, row.found, way);
+    const Estimate here = relative_deviation(row.law, row.found, way);
     off = larger(off, here);
     if (row.lifetime >= ten_ms) slow_off = larger(slow_off, here);
-    centre_off = larger(centre_off, distance(row.law, row.found, centre));
+    centre_off = larger(centre_off, relative_deviation(row.law, row.found, centre));
     // The clock alone, as if the strongest push were at its place on the undamped way
     const double s = slow_clock(array36.rate(row.lifetime), t10);
-    const Estimate bare = free->of_way(s, &Progressed::sites);
+    const Estimate bare = free->of_travelled(s, &Travelled::sites);
     bare_off = larger(bare_off, relative_distance(quotient(bare, row.found.both(way)), 1));
     if (row.velocity != 1 || row.lifetime != 1) continue;
     // One lifetime of 1 ms
     const double t4 = array36.time(4);
     report.facts.add("sites_1ms", row.found.both(way), "sites");
-    report.facts.add("sites_4_free", free->of_way(t4, &Progressed::sites), "sites");
+    report.facts.add("sites_4_free", free->of_travelled(t4, &Travelled::sites), "sites");
     report.facts.add("centre_1ms", row.found.both(centre), "sites");
     report.facts.add("centre_4_free",
-                     free->both([&](const Journey& j) { return centre_after(j, t4); }), "sites");
+                     free->both([&](const Arrivals& j) { return centre_after(j, t4); }), "sites");
   }
   report.facts.add("way_off", off);
   report.facts.add("way_off_slow", slow_off);
@@ -158,20 +158,20 @@ void report_deviations(Report& report, const std::vector<JourneyRow>& rows) {
   report.facts.add("centre_off", centre_off);
 }
 
-std::vector<JourneyRow> report_journeys(Report& report) {
+std::vector<DampedRow> report_damped_runs(Report& report) {
   const double t10 = array36.time(ten_ms), per_second = array36.per_second(1);
-  const auto centre = [&](const Journey& j) { return centre_after(j, t10); };
-  const auto hertz = [&](const Journey& j) { return per_second / way_after(j, t10).period; };
-  auto rows = journey_rows(report);
-  Table& table = report.table("journeys", journey_columns());
-  for (const JourneyRow& row : rows) {
-    const TwoJourneys& found = row.found;
-    const Progressed law = way_after(row.law.runs[1], t10);
-    table.add({row.velocity, row.lifetime, found.of_way(t10, &Progressed::sites), law.sites,
-               found.of_way(t10, &Progressed::oscillations), law.oscillations, found.both(centre),
-               centre(row.law.runs[1]), found.of_way(t10, &Progressed::speed, per_second),
-               law.speed * per_second, found.both(hertz), per_second / law.period,
-               found.runs[1].budget});
+  const auto centre = [&](const Arrivals& j) { return centre_after(j, t10); };
+  const auto hertz = [&](const Arrivals& j) { return per_second / travelled_after(j, t10).period; };
+  auto rows = damped_rows(report);
+  Table& table = report.table("journeys", damped_columns());
+  for (const DampedRow& row : rows) {
+    const TwoDampedRuns& found = row.found;
+    const Travelled law = travelled_after(row.law.runs[1], t10);
+    table.add({row.velocity, row.lifetime, found.of_travelled(t10, &Travelled::sites), law.sites,
+               found.of_travelled(t10, &Travelled::oscillations), law.oscillations,
+               found.both(centre), centre(row.law.runs[1]),
+               found.of_travelled(t10, &Travelled::speed, per_second), law.speed * per_second,
+               found.both(hertz), per_second / law.period, found.runs[1].budget});
   }
   report_deviations(report, rows);
   return rows;
@@ -187,50 +187,52 @@ We read more since our speed is a mean over the last five contacts, which the pa
 read in the same way, the law's share (columns `speed` and `speed_law` of the table `journeys`) lies between the two;
 the rest is within the few per cent by which such a mean jumps from one contact to the next. */
 /// The packet of 1 m/s with this lifetime.
-const TwoJourneys& journey_of(const std::vector<JourneyRow>& rows, double lifetime) {
+const TwoDampedRuns& runs_of(const std::vector<DampedRow>& rows, double lifetime) {
   return std::ranges::find_if(
              rows,
-             [&](const JourneyRow& row) { return row.velocity == 1 && row.lifetime == lifetime; })
+             [&](const DampedRow& row) { return row.velocity == 1 && row.lifetime == lifetime; })
       ->found;
 }
 
-void report_ten(Report& report, const std::vector<JourneyRow>& rows) {
+void report_ten(Report& report, const std::vector<DampedRow>& rows) {
   const double t10 = array36.time(ten_ms);
-  const TwoJourneys &free = journey_of(rows, 0), &found = journey_of(rows, ten_ms);
-  const Estimate sites = found.of_way(t10, &Progressed::sites);
-  const Estimate speed = found.of_way(t10, &Progressed::speed);
-  const Estimate period = found.of_way(t10, &Progressed::period);
+  const TwoDampedRuns &free = runs_of(rows, 0), &found = runs_of(rows, ten_ms);
+  const Estimate sites = found.of_travelled(t10, &Travelled::sites);
+  const Estimate speed = found.of_travelled(t10, &Travelled::speed);
+  const Estimate period = found.of_travelled(t10, &Travelled::period);
   report.facts.add("sites_10ms", sites, "sites");
-  report.facts.add("sites_5ms", journey_of(rows, ten_ms / 2).of_way(t10, &Progressed::sites),
+  report.facts.add("sites_5ms", runs_of(rows, ten_ms / 2).of_travelled(t10, &Travelled::sites),
                    "sites");
-  report.facts.add("sites_undamped", free.of_way(t10, &Progressed::sites), "sites");
-  report.facts.add("periods_10ms", found.of_way(t10, &Progressed::oscillations));
-  report.facts.add("speed_share", quotient(speed, free.of_way(t10, &Progressed::speed)));
-  const Estimate slower = quotient(free.of_way(t10, &Progressed::period), period);
+  report.facts.add("sites_undamped", free.of_travelled(t10, &Travelled::sites), "sites");
+  report.facts.add("periods_10ms", found.of_travelled(t10, &Travelled::oscillations));
+  report.facts.add("speed_share", quotient(speed, free.of_travelled(t10, &Travelled::speed)));
+  const Estimate slower = quotient(free.of_travelled(t10, &Travelled::period), period);
   report.facts.add("frequency_change", {1 - slower.value, slower.error});
-  const TwoJourneys law = slowed_both(free, array36.rate(ten_ms));
-  report.facts.add("law_over_sites", quotient(law.of_way(t10, &Progressed::sites), sites));
+  const TwoDampedRuns law = slowed_both(free, array36.rate(ten_ms));
+  report.facts.add("law_over_sites", quotient(law.of_travelled(t10, &Travelled::sites), sites));
   report.facts.add("budget_10ms", {found.runs[1].budget, found.runs[0].budget});
 }
 
 // The strongest push long after; the law's error at 5 ms, and that of an impact 64 times weaker, in which
 // all takes eight times as long
-void report_limits(Report& report, const std::vector<JourneyRow>& rows) {
+void report_limits(Report& report, const std::vector<DampedRow>& rows) {
   const auto& h = report.quick ? quick_steps : steps;
-  std::array<TwoJourneys, 3> runs;
+  std::array<TwoDampedRuns, 3> runs;
   parallel_for(3, [&](std::size_t i) {
-    runs[i] = i < 2 ? two_journeys(1. / 64, i ? 40 : 0, 0, 104, h) : two_journeys(1, 1, 0, 23, h);
+    runs[i] =
+        i < 2 ? two_damped_runs(1. / 64, i ? 40 : 0, 0, 104, h) : two_damped_runs(1, 1, 0, 23, h);
   });
-  report.facts.add("front_dwell", runs[2].both([&](const Journey& j) {
-    return 5 / (way_after(j, array36.time(20)).sites - way_after(j, array36.time(15)).sites);
+  report.facts.add("front_dwell", runs[2].both([&](const Arrivals& j) {
+    return 5 / (travelled_after(j, array36.time(20)).sites -
+                travelled_after(j, array36.time(15)).sites);
   }));
   report.facts.add("front_dwell_dps", exact(4 * std::log(1.5)));
-  const auto off = [&](const TwoJourneys& free, const TwoJourneys& found, double slower) {
-    return distance(slowed_both(free, array36.rate(5 * slower)), found, [&](const Journey& j) {
-      return way_after(j, array36.time(ten_ms * slower)).sites;
-    });
+  const auto off = [&](const TwoDampedRuns& free, const TwoDampedRuns& found, double slower) {
+    return relative_deviation(
+        slowed_both(free, array36.rate(5 * slower)), found,
+        [&](const Arrivals& j) { return travelled_after(j, array36.time(ten_ms * slower)).sites; });
   };
-  report.facts.add("way_off_5ms", off(journey_of(rows, 0), journey_of(rows, 5), 1));
+  report.facts.add("way_off_5ms", off(runs_of(rows, 0), runs_of(rows, 5), 1));
   report.facts.add("way_off_weak", off(runs[0], runs[1], 8));
 }
 
@@ -249,14 +251,14 @@ void report_ranges(Report& report) {
   const auto& h = report.quick ? quick_steps : steps;
   const std::vector<double> lives =
       report.quick ? std::vector{1.0, 2.0} : std::vector{1.0, 2.0, 3.0, 5.0, 7.0, 10.0, 14.0, 20.0};
-  std::vector<TwoJourneys> found(lives.size());
-  TwoJourneys free;
+  std::vector<TwoDampedRuns> found(lives.size());
+  TwoDampedRuns free;
   parallel_for(2 * lives.size() + 2, [&](std::size_t i) {
     // An amplitude falls by a factor of 500 in 12.5 lifetimes
     if (i >= 2 * lives.size())
-      free.runs[i % 2] = journey(1, 0, 0, report.quick ? 10 : 85, h[i % 2]);
+      free.runs[i % 2] = damped_arrivals(1, 0, 0, report.quick ? 10 : 85, h[i % 2]);
     else
-      found[i / 2].runs[i % 2] = journey(1, lives[i / 2], 0, 12.5 * lives[i / 2], h[i % 2]);
+      found[i / 2].runs[i % 2] = damped_arrivals(1, lives[i / 2], 0, 12.5 * lives[i / 2], h[i % 2]);
   });
   Table& table = report.table(
       "sights", {number("lifetime", "of the energy", "ms"),
@@ -265,12 +267,12 @@ void report_ranges(Report& report) {
                  number("seen_law", "the same from the slow clock", "site")});
   Estimate off{};
   for (std::size_t i = 0; i < lives.size(); ++i) {
-    const TwoJourneys law = slowed_both(free, array36.rate(lives[i]));
+    const TwoDampedRuns law = slowed_both(free, array36.rate(lives[i]));
     for (double r : resolutions) {
-      const auto range = [v = array36.velocity(r)](const Journey& j) { return seen_until(j, v); };
+      const auto range = [v = array36.velocity(r)](const Arrivals& j) { return seen_until(j, v); };
       const Estimate seen = found[i].both(range);
       table.add({lives[i], r, seen, range(law.runs[1])});
-      off = larger(off, distance(law, found[i], range));
+      off = larger(off, relative_deviation(law, found[i], range));
       if (lives[i] == ten_ms && r == resolutions.front())
         report.facts.add("seen_best", seen, "sites");
       if (lives[i] == ten_ms && r == resolutions.back())
@@ -303,13 +305,13 @@ void report_contacts(Report& report) {
   Estimate quoted{};
   table.fill(values, [&](double e) {
     const double contact = contact_loss(e, array36.velocity(1));
-    const TwoJourneys found = two_journeys(1, 0, contact, 13, h);
-    if (e == 0.9) quoted = found.of_way(t10, &Progressed::sites);
+    const TwoDampedRuns found = two_damped_runs(1, 0, contact, 13, h);
+    if (e == 0.9) quoted = found.of_travelled(t10, &Travelled::sites);
     return Cells{e,
                  array36.milliseconds(contact) * 1e3,
-                 found.of_way(t10, &Progressed::sites),
-                 found.of_way(t10, &Progressed::oscillations),
-                 found.of_way(t10, &Progressed::speed, array36.per_second(1)),
+                 found.of_travelled(t10, &Travelled::sites),
+                 found.of_travelled(t10, &Travelled::oscillations),
+                 found.of_travelled(t10, &Travelled::speed, array36.per_second(1)),
                  found.runs[1].budget};
   });
   report.facts.add("sites_restitution_90", quoted, "sites");
@@ -458,7 +460,7 @@ m/s and 10 ms the law gives [0.992759](num:sec5_experiment.law_over_sites) of th
 that of the energy or of the amplitude, which is twice as long; here all are those of the energy. What a clamped beam
 loses to the ground is not computed but given, and friction between beam and clamp, which is not linear, is left out. */
 void reproduce(Report& report) {
-  const auto rows = report_journeys(report);
+  const auto rows = report_damped_runs(report);
   report_ten(report, rows);
   report_limits(report, rows);
   report_ranges(report);

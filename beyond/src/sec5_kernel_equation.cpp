@@ -245,7 +245,7 @@ negative where the phase is pinned, and look for the zeros of both: does stabili
 where the quotients exchange their order? A wave between the two, without symmetry, could carry it over an interval. The
 signs can be told apart down to $\alpha = 1.38$; below that their difference is rounding, and below $\alpha = 3/2$ so
 is $\kappa$ (two_signs.hpp). */
-std::vector<double> exponents(bool quick) {
+std::vector<double> contact_exponents(bool quick) {
   if (quick) return {2, 3, 4};
   return {1.2,  1.3, 1.35, 1.38, 1.4, 1.42, 1.44, 1.46, 1.48, 1.5, 1.52, 1.55, 1.58, 1.6, 1.62,
           1.65, 1.7, 1.72, 1.75, 1.8, 1.85, 1.9,  1.95, 2,    2.1, 2.2,  2.3,  2.4,  2.6, 2.8,
@@ -466,7 +466,7 @@ void reproduce(Report& report) {
   report_bounds(report, all);
   report_profiles(report, {all[0], all[1]});
   report_ascents(report);
-  const std::vector<TwoSigns> sweep = compare_signs(exponents(quick));
+  const std::vector<TwoSigns> sweep = compare_signs(contact_exponents(quick));
   report_quotients(report, sweep);
   report_exchanges(report, sweep);
   report_type_two(report);

@@ -40,7 +40,7 @@ into other wells and compare them with packets; the last one sorts what is prove
 The wells are linear, later those of Eq. (10), and the contacts those of Eq. (9),
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}.$$
 All is dimensionless. $T$, the inverse of the speed, is called the *shift time* (`shift_time`); `sign` is that of the
-velocity $\dot y_0(0)$ of the central bead; and `reach` is $L$, where an orbit has the sites $-L \le n \le L+1$. */
+velocity $\dot y_0(0)$ of the central bead; and `half_length` is $L$, where an orbit has the sites $-L \le n \le L+1$. */
 constexpr double two_pi = 2 * std::numbers::pi;
 
 /**
@@ -165,15 +165,15 @@ double log_size(const State<double>& z, std::size_t i, double amplitude) {
 
 /// The orbit again on a longer chain, from a guess that is disturbed so that Newton's method takes the
 /// steps that the new sites of the tail need.
-Orbit<double> lengthened(const Exact& e, std::size_t reach) {
-  Vector<double> x = Vector<double>::Zero(2 * Eigen::Index(reach) + 1);
-  const auto old = Eigen::Index(usual_reach);
+Orbit<double> lengthened(const Exact& e, std::size_t half_length) {
+  Vector<double> x = Vector<double>::Zero(2 * Eigen::Index(half_length) + 1);
+  const auto old = Eigen::Index(usual_half_length);
   x.head(old) = 1.01 * e.orbit.x.head(old);
-  x.segment(Eigen::Index(reach), old + 1) = 1.01 * e.orbit.x.tail(old + 1);
-  return newton(type_one<double>(e.k, reach), x);
+  x.segment(Eigen::Index(half_length), old + 1) = 1.01 * e.orbit.x.tail(old + 1);
+  return newton(type_one<double>(e.k, half_length), x);
 }
 
-constexpr std::size_t longer = 9, shorter = usual_reach;
+constexpr std::size_t longer = 9, shorter = usual_half_length;
 
 /**
 The table holds one half only, the other being its mirror image. */
@@ -246,7 +246,7 @@ integrators have nothing in common, in one long chain. */
 /// The largest of the beads that have been passed.
 double passed(const State<double>& z, std::size_t shifts) {
   double left = 0;
-  for (std::size_t n = 0; n + usual_reach < shifts; ++n)
+  for (std::size_t n = 0; n + usual_half_length < shifts; ++n)
     left = std::max(left, std::hypot(z.y[n], z.v[n]));
   return left;
 }
@@ -255,7 +255,7 @@ double passed(const State<double>& z, std::size_t shifts) {
 After each round of twenty shifts we look at the beads that have been passed and drop them. */
 double by_steps(const Exact& e, std::size_t shifts, double step) {
   constexpr std::size_t round = 20;
-  const Chain chain{round + 3 * usual_reach};
+  const Chain chain{round + 3 * usual_half_length};
   State<double> state = embed(e.orbit.start, chain.sites, 0);
   const auto steps = std::size_t(std::ceil(e.shift_time() / step));
   double left = 0;
@@ -270,7 +270,7 @@ double by_steps(const Exact& e, std::size_t shifts, double step) {
 /**
 GSL needs no frame: its chain holds all the sites that the packet passes. */
 double by_gsl(const Exact& e, std::size_t shifts, double tolerance) {
-  const Chain chain{shifts + 3 * usual_reach};
+  const Chain chain{shifts + 3 * usual_half_length};
   State<double> state = embed(e.orbit.start, chain.sites, 0);
   evolve_reference(chain, state, double(shifts) * e.shift_time(), Tolerance(tolerance));
   return passed(state, shifts) / e.orbit.amplitude;

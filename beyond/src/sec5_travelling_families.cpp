@@ -94,7 +94,7 @@ The contact lies ahead of the packet at first; the four beads on its right are m
 has left them behind. */
 Left set_free(const Orbit<double>& member, double step) {
   const Chain chain{64};
-  const std::size_t contact = 2 * usual_reach, beads = 4;
+  const std::size_t contact = 2 * usual_half_length, beads = 4;
   const double time = shift_time(member);
   State<double> state = embed(member.start, chain.sites, 0);
   const std::complex<double> before = sum_from(state, contact);

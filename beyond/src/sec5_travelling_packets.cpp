@@ -42,8 +42,8 @@ type I. A packet need not be exact: its envelope may move on by one site in $T$ 
 $\vartheta$ may tend to zero while $T/2\pi$ tends to a number that is not whole. Such a packet leaves nothing behind
 either, but one site further on it is the same only up to a phase of its oscillation: it is quasi-periodic, and no exact
 orbit in our sense. */
-/// The same course in two frames and with two steps.
-struct TwoCourses {
+/// The same packet in two frames and with two steps.
+struct TwoLongRuns {
   double velocity;
   LongRun coarse{}, fine{};
 };
@@ -80,8 +80,8 @@ std::vector<double> logs(std::vector<double> x) {
   return x;
 }
 
-/// What is read off one course.
-struct CourseReading {
+/// What is read off one run.
+struct TailReading {
   double exponent, energy_lost, contact_lost, contact_early, contact_late, speed, energy, contact;
   double early_growth, growth, early_pulse,
       pulse;           ///< of 1/angle per site; |g|, near site 300 and at the end
@@ -93,7 +93,7 @@ Exponents are those of the last decade of sites. The growth of $1/\vartheta$ and
 four rows, a third of a decade, from site 200 on and at the end. Final speed, energy and contact energy are
 extrapolated to $\vartheta = 0$ by straight lines through the last half decade, six rows. How much this depends on the
 stretch shows when `half` is changed to three rows or to a whole decade. */
-CourseReading read_off(const LongRun& c, std::size_t half = 6) {
+TailReading read_off(const LongRun& c, std::size_t half = 6) {
   constexpr std::size_t decade = 12, few = 4;
   const std::size_t last = c.t.size() - 1, from = last - few;
   const auto growth = [&](std::size_t i, std::size_t j) {
@@ -132,9 +132,9 @@ beyond $k = 1$ it is an extrapolation. If the final state is like an orbit of ty
 at its own speed. Two impacts are followed: $v_0 = 0.66$, whose packet ends slower than the orbit $k = 1$, and 1.5,
 whose packet ends faster. */
 struct FinalState {
-  CourseReading coarse, fine, shorter, longer;
+  TailReading coarse, fine, shorter, longer;
 
-  explicit FinalState(const TwoCourses& p)
+  explicit FinalState(const TwoLongRuns& p)
       : coarse(read_off(p.coarse)),
         fine(read_off(p.fine)),
         shorter(read_off(p.fine, 3)),
@@ -160,21 +160,21 @@ has the exponent [-0.72067](num:sec5_travelling_packets.tail_exponent_v66); but 
 divided by the growth of $1/\vartheta$ per site, is constant there, so that this is no law. */
 // What belongs to the last decade as it is has the difference of the two runs as its error
 void report_tail(Quantities& facts, const FinalState& state) {
-  const auto fact = [&](const std::string& what, double CourseReading::*of,
+  const auto fact = [&](const std::string& what, double TailReading::*of,
                         const std::string& unit = "") {
     facts.add(what + "_v66", compare(state.coarse.*of, state.fine.*of), unit);
   };
-  fact("tail_exponent", &CourseReading::exponent);
-  fact("angle_growth_early", &CourseReading::early_growth,
+  fact("tail_exponent", &TailReading::exponent);
+  fact("angle_growth_early", &TailReading::early_growth,
        "of its inverse, per site, sites 200 to 431");
-  fact("angle_growth", &CourseReading::growth, "of its inverse, per site, at the end");
-  fact("pulse_early", &CourseReading::early_pulse, "|g(1)|, sites 200 to 431");
-  fact("pulse", &CourseReading::pulse, "|g(1)|, at the end");
-  fact("energy_lost", &CourseReading::energy_lost, "share, in the last decade of sites");
-  fact("contact_energy_lost", &CourseReading::contact_lost, "share, in the last decade of sites");
-  fact("angle_end", &CourseReading::angle, "at the end");
-  fact("turn_end", &CourseReading::turn, "of the internal phase from site to site, at the end");
-  fact("contact_energy_early", &CourseReading::contact_early, "mean, sites 43 to 113");
+  fact("angle_growth", &TailReading::growth, "of its inverse, per site, at the end");
+  fact("pulse_early", &TailReading::early_pulse, "|g(1)|, sites 200 to 431");
+  fact("pulse", &TailReading::pulse, "|g(1)|, at the end");
+  fact("energy_lost", &TailReading::energy_lost, "share, in the last decade of sites");
+  fact("contact_energy_lost", &TailReading::contact_lost, "share, in the last decade of sites");
+  fact("angle_end", &TailReading::angle, "at the end");
+  fact("turn_end", &TailReading::turn, "of the internal phase from site to site, at the end");
+  fact("contact_energy_early", &TailReading::contact_early, "mean, sites 43 to 113");
 }
 
 /**
@@ -209,7 +209,7 @@ Whether another orbit captures the packet beyond these sites is not known. */
 // The final state beside the line of the exact orbits at its own speed
 void report_end(Quantities& facts, const std::string& name, const FinalState& state,
                 const ExactLine& line) {
-  using Reading = CourseReading;
+  using Reading = TailReading;
   const auto on_line = [&](const std::vector<double>& y, int power) {
     const double c = state.fine.speed, shorter = line.at(c, y, 1) * std::pow(c, power);
     Estimate e =
@@ -231,7 +231,7 @@ void report_end(Quantities& facts, const std::string& name, const FinalState& st
             "at the final speed");
 }
 
-void report_courses(Report& report, const std::vector<TwoCourses>& runs) {
+void report_long_runs(Report& report, const std::vector<TwoLongRuns>& runs) {
   Table& table = report.table(
       "courses",
       {number("velocity", "of the impact"), number("t", "time"),
@@ -246,7 +246,7 @@ void report_courses(Report& report, const std::vector<TwoCourses>& runs) {
        number("turns", "shift time over 2 pi"), number("energy", "mean energy of the packet"),
        number("contact", "mean contact energy of the packet")});
   // The two columns that the figure draws have errors; the others are means that fluctuate
-  for (const TwoCourses& p : runs)
+  for (const TwoLongRuns& p : runs)
     for (std::size_t i = 0; i < p.fine.t.size(); ++i) {
       const LongRun &f = p.fine, &c = p.coarse;
       table.add({p.velocity, f.t[i], f.site[i], std::log10(f.site[i]),
@@ -270,10 +270,10 @@ void report_line(Report& report, const ExactLine& line) {
 }
 
 void report_packets(Report& report, std::size_t rows) {
-  std::vector<TwoCourses> runs{{0.66}, {1.5}};
+  std::vector<TwoLongRuns> runs{{0.66}, {1.5}};
   if (report.quick) runs.resize(1);
   parallel_for(2 * runs.size(), [&](std::size_t i) {
-    TwoCourses& p = runs[i / 2];
+    TwoLongRuns& p = runs[i / 2];
     if (i % 2)
       p.fine = long_run(p.velocity, {96, 16, 0.1}, rows);
     else
@@ -281,9 +281,9 @@ void report_packets(Report& report, std::size_t rows) {
   });
   const ExactLine line = exact_line();
   report_tail(report.facts, FinalState(runs[0]));
-  for (const TwoCourses& p : runs)
+  for (const TwoLongRuns& p : runs)
     report_end(report.facts, "_v" + short_text(100 * p.velocity), FinalState(p), line);
-  report_courses(report, runs);
+  report_long_runs(report, runs);
   report_line(report, line);
 }
 
@@ -307,7 +307,7 @@ $-0.25$. */
 std::vector<DpsMember> dps_family(double tolerance, double to, double step) {
   DpsTravelling problem;
   problem.tolerance = tolerance;
-  std::vector<DpsMember> all{dps_member(problem, cut_dps_packet(40, problem.reach))};
+  std::vector<DpsMember> all{dps_member(problem, cut_dps_packet(40, problem.half_length))};
   for (int i = 1; std::abs(i * step) <= std::abs(to) + 1e-9; ++i) {
     problem.phase = i * step;
     Vector<double> guess = all.back().x;
@@ -418,18 +418,18 @@ void report_dps_family(Report& report, const std::vector<DpsMember>& coarse,
 }
 
 // Beside the exact profile that of a struck packet, cut out at site 20 and at site 100 and scaled to the same shift time
-void report_dps_profiles(Report& report, const DpsMember& exact, std::size_t reach) {
+void report_dps_profiles(Report& report, const DpsMember& exact, std::size_t half_length) {
   Table& table = report.table(
       "dps_profiles", {count("n", "site", "site"), number("re", "real part, exact"),
                        number("im", "imaginary part, exact"), number("modulus", "modulus, exact"),
                        number("early", "modulus of the packet at site 20"),
                        number("late", "modulus of the packet at site 100")});
   const DpsTravelling problem;
-  const Field early = problem.expand(cut_dps_packet(20, reach)),
-              late = problem.expand(cut_dps_packet(100, reach));
-  for (std::size_t j = 0; j <= 2 * reach; ++j) {
+  const Field early = problem.expand(cut_dps_packet(20, half_length)),
+              late = problem.expand(cut_dps_packet(100, half_length));
+  for (std::size_t j = 0; j <= 2 * half_length; ++j) {
     const auto a = exact.field[j];
-    table.add({long(j) - long(reach), a.real(), a.imag(), std::abs(a), std::abs(early[j]),
+    table.add({long(j) - long(half_length), a.real(), a.imag(), std::abs(a), std::abs(early[j]),
                std::abs(late[j])});
   }
 }
@@ -466,7 +466,7 @@ void reproduce(Report& report) {
   report_dps_family(report, family[0], family[1]);
   report.facts.add("dps_sum_impact",
                    compare(relative_sum(family[2].back()), relative_sum(family[3].back())));
-  report_dps_profiles(report, family[1].front(), DpsTravelling{}.reach);
+  report_dps_profiles(report, family[1].front(), DpsTravelling{}.half_length);
 }
 
 /**

@@ -43,16 +43,16 @@ Chain free_chain(std::size_t sites) {
   return {sites, None{}};
 }
 
-struct Record {
+struct BeadVelocities {
   std::vector<double> t{};
   std::vector<std::vector<double>> v{};  ///< of each bead that is watched
   State<double> end{};
 };
 
 /// The velocities of `beads`, counted from one, in samples `sample` apart.
-Record watch_beads(std::size_t sites, double duration, double step, double sample,
-                   const std::vector<std::size_t>& beads) {
-  Record out;
+BeadVelocities watch_beads(std::size_t sites, double duration, double step, double sample,
+                           const std::vector<std::size_t>& beads) {
+  BeadVelocities out;
   out.v.resize(beads.size());
   out.end = struck(sites, 1);
   evolve(EventCorrected{step}, free_chain(sites), out.end, duration, sample,
@@ -71,7 +71,7 @@ that of the impact (printed where another program is validated: 0.68), and the p
 the wave's own energy is [0.555556](num:secB_other_numbers.pulse_kinetic), the 5/9 of Slepyan. */
 Estimate pulse_amplitude() {
   const auto heights = [](double step) {
-    const Record run = watch_beads(100, 110, step, step, {40, 80});
+    const BeadVelocities run = watch_beads(100, 110, step, step, {40, 80});
     return std::pair(largest_modulus(run.t, run.v[0]), largest_modulus(run.t, run.v[1]));
   };
   const auto coarse = heights(0.04), fine = heights(0.02);
@@ -92,8 +92,8 @@ struct WaveNumbers {
   double crest, speed_deficit, half_deficit, width, share, c1, energy;
 };
 
-WaveNumbers wave_numbers(std::size_t points, std::size_t reach) {
-  const SolitaryWave w = solitary_wave(1.5, points, reach);
+WaveNumbers wave_numbers(std::size_t points, std::size_t half_width) {
+  const SolitaryWave w = solitary_wave(1.5, points, half_width);
   const double crest = w.velocity[0];
   const double long_wave = std::pow(0.8, 0.4) * std::pow(crest, 0.2);
   const double cosine_half = 2 * std::sqrt(2.5) * std::acos(std::pow(0.5, 0.25));
@@ -115,7 +115,7 @@ double sampled_width(double step, double speed) {
   const double mass = 7780 * std::numbers::pi / 6 * 1e-6;
   const double stiffness = 4. / 3 * 203e9 / (2 * (1 - 0.3 * 0.3)) * std::sqrt(0.005 / 2);
   const double sample = 2e-6 / std::pow(mass / stiffness, 0.4);
-  const Record run = watch_beads(60, 60, step, sample, {31});
+  const BeadVelocities run = watch_beads(60, 60, step, sample, {31});
   const double crest = *std::max_element(run.v[0].begin(), run.v[0].end());
   return speed * time_above(run.t, run.v[0], 0.01 * crest);
 }

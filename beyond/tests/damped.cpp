@@ -9,9 +9,9 @@
 #include "check.hpp"
 #include "lattice/dps/evolve.hpp"
 #include "lattice/impact/impact.hpp"
+#include "sec5/arrivals.hpp"
 #include "sec5/damped_packet.hpp"
 #include "sec5/decay.hpp"
-#include "sec5/journey.hpp"
 
 using namespace lattice;
 
@@ -61,7 +61,7 @@ TEST_CASE("equal rates of single sites are one rate", "[unit][damped]") {
   CHECK(energy(chain, a) < 0.75 * energy(chain, struck(30, 1.9)));
 }
 
-TEST_CASE("a DpS field with friction is one without at the slow clock", "[property][journey]") {
+TEST_CASE("a DpS field with friction is one without at the slow clock", "[property][arrivals]") {
   const double nu = 0.1, t = 40;
   check_close(true_time(nu, slow_clock(nu, t)), t, 1e-9);
   check_close(slow_clock(0, 5), 5, 0);
@@ -89,25 +89,26 @@ TEST_CASE("a DpS field with friction is one without at the slow clock", "[proper
   CHECK(apart(1.001 * slow_clock(nu, t)) > 1e-4);
 }
 
-TEST_CASE("the slow clock of a weak packet needs the weight of a push", "[property][journey]") {
+TEST_CASE("the slow clock of a weak packet needs the weight of a push", "[property][arrivals]") {
   // Ten lifetimes; the undamped run goes on beyond four
   const double velocity = 0.01, life = 80, nu = 1 / life, t = 10 * life;
-  const auto free = follow_packet({Chain{40}}, velocity, 5 * life, 38, 0.2);
-  const auto lossy = follow_packet({Chain{40}, {nu, 0}}, velocity, 13 * life, 38, 0.2);
+  const auto free = packet_arrivals({Chain{40}}, velocity, 5 * life, 38, 0.2);
+  const auto lossy = packet_arrivals({Chain{40}, {nu, 0}}, velocity, 13 * life, 38, 0.2);
   const auto law = slowed(free, nu);
-  const double s = slow_clock(nu, t), way = way_after(lossy, t).sites;
-  CAPTURE(way, way_after(law, t).sites, way_after(free, s).sites, centre_after(lossy, t));
-  check_close(way_after(law, t).sites, way, 0, 0.02);
+  const double s = slow_clock(nu, t), way = travelled_after(lossy, t).sites;
+  CAPTURE(way, travelled_after(law, t).sites, travelled_after(free, s).sites,
+          centre_after(lossy, t));
+  check_close(travelled_after(law, t).sites, way, 0, 0.02);
   check_close(centre_after(law, t), centre_after(lossy, t), 0, 0.01);
   check_close(centre_after(law, t), centre_after(free, s), 0, 2e-3);
-  CHECK(way_after(free, s).sites < 0.8 * way);         // the clock alone
-  CHECK(way_after(free, 4 * life).sites < 0.9 * way);  // is no bound of the way
+  CHECK(travelled_after(free, s).sites < 0.8 * way);         // the clock alone
+  CHECK(travelled_after(free, 4 * life).sites < 0.9 * way);  // is no bound of the way
   // and another rate is not confirmed
   CHECK(std::abs(centre_after(slowed(free, 1.1 * nu), t) / centre_after(lossy, t) - 1) > 0.03);
   CHECK_THROWS_AS(centre_after(free, t), std::out_of_range);
 }
 
-TEST_CASE("a damped packet is where another program has it", "[unit][journey]") {
+TEST_CASE("a damped packet is where another program has it", "[unit][arrivals]") {
   // Extrapolated midpoint rule; the centre swings within a period, and after twenty lifetimes overlaps are below 1e-90
   struct Case {
     double velocity, lifetime, sites, centre;
@@ -116,10 +117,10 @@ TEST_CASE("a damped packet is where another program has it", "[unit][journey]") 
   for (const Case& c : {Case{0.4, 5000, 13.8263789, 10.0710085},
                         {0.2, 10, 8.9290074, 7.0960342},
                         {1, 0.5, 14.3815192, 4.1210768}}) {
-    const TwoJourneys found = two_journeys(c.velocity, c.lifetime, 0, 16, {0.05, 0.025});
-    const Estimate centre = found.both([&](const Journey& j) { return centre_after(j, t10); });
+    const TwoDampedRuns found = two_damped_runs(c.velocity, c.lifetime, 0, 16, {0.05, 0.025});
+    const Estimate centre = found.both([&](const Arrivals& j) { return centre_after(j, t10); });
     CAPTURE(c.velocity, centre.error);
-    check_close(found.of_way(t10, &Progressed::sites).value, c.sites, 2e-6);
+    check_close(found.of_travelled(t10, &Travelled::sites).value, c.sites, 2e-6);
     check_close(centre.value, c.centre, std::min(2e-5, centre.error));
   }
 }
@@ -262,7 +263,7 @@ TEST_CASE("the growth of a shift along a branch of both signs", "[unit][decay]")
       }
 }
 
-TEST_CASE("the slow clock and back", "[unit][journey]") {
+TEST_CASE("the slow clock and back", "[unit][arrivals]") {
   for (double t : {0.5, 3.0, 40.0}) {
     check_close(slow_clock(0.3, t), 4 / 0.3 * (1 - std::exp(-0.3 * t / 4)), 1e-13);
     check_close(true_time(0.3, slow_clock(0.3, t)), t, 1e-11);
@@ -272,11 +273,11 @@ TEST_CASE("the slow clock and back", "[unit][journey]") {
   CHECK(std::isfinite(true_time(0.5, 7.999)));
 }
 
-TEST_CASE("the way of a packet between contacts", "[unit][journey]") {
+TEST_CASE("the way of a packet between contacts", "[unit][arrivals]") {
   // Contact 3 is not reached; the first contact does not count
   const Numbers at{9, 2, 3, 2.5, 5, 5.5, 8, 9, 9.5, 12},
       period{1, 0.5, 3, 7, 2, 0.25, 4, 5, 6, 0.8};
-  Journey j;
+  Arrivals j;
   for (std::size_t n = 0; n < at.size(); ++n)
     j.contacts.push_back({at[n], 1, period[n], 1, n != 3});
   std::vector<std::size_t> order{1, 2, 4, 5, 6, 7, 8, 9};
@@ -293,7 +294,7 @@ TEST_CASE("the way of a packet between contacts", "[unit][journey]") {
     const std::size_t k = times.size(), back = k > 6 ? k - 6 : 0;
     const bool stopped = t > 12;
     if (stopped) turns += (t - 12) / 0.8;
-    const Progressed p = way_after(j, t);
+    const Travelled p = travelled_after(j, t);
     CAPTURE(t);
     check_close(p.sites, sites, 1e-12);
     check_close(p.oscillations, turns, 1e-12);
@@ -301,20 +302,20 @@ TEST_CASE("the way of a packet between contacts", "[unit][journey]") {
     check_close(p.speed, stopped || k == 1 ? 0 : (site - places[back]) / (from - times[back]),
                 1e-12);
   }
-  const Progressed nowhere = way_after(Journey{{{1, 1, 1, 1, true}}, {}, 0}, 5);
+  const Travelled nowhere = travelled_after(Arrivals{{{1, 1, 1, 1, true}}, {}, 0}, 5);
   CHECK(nowhere.sites + nowhere.oscillations + nowhere.speed + nowhere.period == 0);
 }
 
-TEST_CASE("the slow clock weighs a speed by a square and a push by a cube", "[unit][journey]") {
+TEST_CASE("the slow clock weighs a speed by a square and a push by a cube", "[unit][arrivals]") {
   // Weighted, the pushes are symmetric about the second one
   const double nu = 0.3;
   const auto weight = [&](double s) { return 1 - nu * s / 4; };
-  Journey j;
+  Arrivals j;
   j.contacts.resize(1);
   for (const auto& [s, height] : {std::pair{1.0, 0.5}, {2.0, 0.9}, {3.0, 0.5}})
     j.contacts[0].pushes.push_back({s, height / std::pow(weight(s), 3)});
   j.contacts[0].speeds = {{2, 0.7}};
-  const Passing p = slowed(j, nu).contacts.at(0);
+  const Arrival p = slowed(j, nu).contacts.at(0);
   check_close(p.force, 0.9, 1e-13);
   check_close(p.velocity, 0.7 * weight(2) * weight(2), 1e-13);
   check_close(p.t, -4 / nu * std::log(weight(2)), 1e-12);

@@ -1,4 +1,4 @@
-// Driven and damped chains: losses, drives, what they book; journeys, decays, thresholds.
+// Driven and damped chains: losses, drives, what they book; arrivals, decays, thresholds.
 
 #include "sec5/driven_array.hpp"
 #include "sec5/driven_end.hpp"
@@ -10,9 +10,9 @@
 #include "lattice/model/cantilever.hpp"
 #include "lattice/model/dps.hpp"
 #include "lattice/standing/stationary.hpp"
+#include "sec5/arrivals.hpp"
 #include "sec5/decay.hpp"
 #include "sec5/driven_array.hpp"
-#include "sec5/journey.hpp"
 #include "sec5/packet_members.hpp"
 #include "sec5/travelling.hpp"
 
@@ -121,8 +121,8 @@ TEST_CASE("packets of a strong drive are counted between the looks of a coarse r
   check_close(drive.per_second(seen.rate(drive.horizon())), 199.5416872, 1e-6);
 }
 
-TEST_CASE("a sensor sees as far as the beads are fast", "[unit][journey]") {
-  Journey j;
+TEST_CASE("a sensor sees as far as the beads are fast", "[unit][arrivals]") {
+  Arrivals j;
   for (double v : {1.0, 0.1, 0.01}) j.contacts.push_back({1, 1, 1, v, true});
   check_close(seen_until(j, 0.05), 2 + std::log10(2), 1e-9);  // beyond the second bead
   check_close(seen_until(j, 1e-3), 3, 0);

@@ -54,7 +54,7 @@ TEST_CASE("a panel integrates powers that its map makes analytic", "[unit][kerne
   // The integral of t^a (1 - t)^a over (0, 1) is the beta function of a + 1
   for (std::size_t order : {2, 3}) {
     const double power = order == 2 ? 3. / 2 : 4. / 3;
-    const Panel panel(20, order);
+    const QuadraturePanel panel(20, order);
     double sum = 0;
     for (Eigen::Index i = 0; i < panel.x.size(); ++i) {
       const double t = panel.map(panel.x[i]);
@@ -71,7 +71,7 @@ TEST_CASE("a panel integrates powers that its map makes analytic", "[unit][kerne
 }
 
 TEST_CASE("the convolution with the kernel is the integral that defines it", "[unit][kernel]") {
-  const HalfLine line(two_pi, {0, 1, 2, two_pi / 2}, 2, Panel(24, 2));
+  const HalfLine line(two_pi, {0, 1, 2, two_pi / 2}, 2, QuadraturePanel(24, 2));
   const Vector<double> d = line.convolve(bump(line));
   for (Eigen::Index i :
        {Eigen::Index(3), line.size() / 4, line.size() / 2 - 5, line.size() / 2 + 9}) {
@@ -104,7 +104,7 @@ TEST_CASE("for other shift times the lattice's equation is solved where V = 0",
           "[property][kernel]") {
   // d'' + d = f(t + T) - 2 f(t) + f(t - T) away from t = 0, whatever T and V are
   const double time = 5.5;
-  const HalfLine line(time, {0, 1, 2, time / 2}, 3, Panel(24, 2));
+  const HalfLine line(time, {0, 1, 2, time / 2}, 3, QuadraturePanel(24, 2));
   const Vector<double> f = bump(line), d = line.convolve(f);
   const double h = 1e-3;
   for (double t : {0.3, 1.5, 2.6, 4.0, 6.1, 8.0}) {
@@ -132,7 +132,7 @@ TEST_CASE("waves of the kernel equation are orbits of the lattice", "[property][
     CHECK(w.central_velocity() * sign > 0);
     CHECK(w.contacts() == (sign > 0 ? 18 : 17));
     // The orbit from this state repeats itself, one site further on, after T
-    const State<double> start = w.state(usual_reach);
+    const State<double> start = w.state(usual_half_length);
     Chain chain{start.y.size()};
     chain.contact = hertz;
     State<double> end = start;
@@ -200,10 +200,10 @@ TEST_CASE("the ascent never goes down and ends at the wave", "[convergence][kern
   Vector<double> u = line.t();
   for (double& t : u) t = 1 + std::sin(3.1 * t) * std::cos(0.7 * t);
   const auto convolve = [&](const Vector<double>& f) { return line.convolve(f); };
-  const Ascent course = ascend(convolve, line.weight(), hertz, u, 1e-9, 3000);
-  CHECK(std::is_sorted(course.quotients.begin(), course.quotients.end()));
-  CHECK(course.quotients.size() > 20);
-  check_close(course.quotient(), wave_of(1).quotient(), 2e-3);
+  const Ascent ascent = ascend(convolve, line.weight(), hertz, u, 1e-9, 3000);
+  CHECK(std::is_sorted(ascent.quotients.begin(), ascent.quotients.end()));
+  CHECK(ascent.quotients.size() > 20);
+  check_close(ascent.quotient(), wave_of(1).quotient(), 2e-3);
 }
 
 TEST_CASE("the wave of type II is the orbit of the lattice", "[convergence][kernel]") {
@@ -226,7 +226,7 @@ Vector<double> sampled(const Vector<double>& t, const std::function<double(doubl
 
 /// Two shifts with panels of three lengths.
 HalfLine small_line(std::size_t order = 2) {
-  return {time_5, {0, 0.5, 1.5, 2.5}, 2, Panel(24, order)};
+  return {time_5, {0, 0.5, 1.5, 2.5}, 2, QuadraturePanel(24, order)};
 }
 
 /// What a force g(t) = (a + b t)^2 that ends at t = 10 does: X and its derivative.
@@ -257,7 +257,7 @@ struct Parabola {
 TEST_CASE("a panel of three nodes is that of the textbook", "[unit][kernel]") {
   const double root = std::sqrt(0.6);
   for (std::size_t order : {2, 3}) {
-    const Panel panel(3, order);
+    const QuadraturePanel panel(3, order);
     for (int i = 0; i < 3; ++i) {
       check_close(panel.x[i], (1 + (i - 1) * root) / 2, 1e-15);
       check_close(panel.weight[i], i == 1 ? 4. / 9 : 5. / 18, 1e-15);
@@ -297,7 +297,7 @@ TEST_CASE("the response to a parabola is known", "[unit][kernel]") {
     // Panels begin at 0, 0.5, 1.5, 2.5, 3.5, 4.5, and again after a shift
     const double starts[] = {0, 0.5, 1.5, 2.5, 3.5, 4.5, 5, 5.5, 6.5, 7.5, 8.5, 9.5, 10};
     for (int i = 0; i < 12; ++i) {
-      const Panel panel(24, order);
+      const QuadraturePanel panel(24, order);
       check_close(line.t()[24 * i], starts[i] + (starts[i + 1] - starts[i]) * panel.map(panel.x[0]),
                   1e-14);
       check_close(line.t()[24 * i + 23],
@@ -309,7 +309,7 @@ TEST_CASE("the response to a parabola is known", "[unit][kernel]") {
       check_close(line.at(f, t), p.g(std::abs(t)), 1e-11);
     CHECK(line.at(f, 10.0001) == 0);
     CHECK(line.at(f, -10.9) == 0);
-    const HalfLine other(time_5, {0, 1, 2.5}, 1, Panel(9, 2));
+    const HalfLine other(time_5, {0, 1, 2.5}, 1, QuadraturePanel(9, 2));
     const Vector<double> there = line.onto(other, f);
     REQUIRE(there.size() == other.size());
     for (Eigen::Index i = 0; i < there.size(); ++i) check_close(there[i], p.g(other.t()[i]), 1e-11);
@@ -348,26 +348,26 @@ TEST_CASE("what is said of a wave follows from its compressions", "[unit][kernel
   check_close(w.residual(), miss / w.d.maxCoeff(), 0, 1e-11);
   // Sites -L, ..., L + 1, for lattices that are shorter and longer than the wave
   double energy = 0;
-  for (std::size_t reach : {0, 1, 2, 3}) {
-    const State<double> z = w.state(reach);
-    REQUIRE((z.y.size() == 2 * reach + 2 && z.v.size() == z.y.size()));
+  for (std::size_t half_length : {0, 1, 2, 3}) {
+    const State<double> z = w.state(half_length);
+    REQUIRE((z.y.size() == 2 * half_length + 2 && z.v.size() == z.y.size()));
     energy = 0;
     for (int i = 0; i < int(z.y.size()); ++i) {
-      const int n = i - int(reach), j = std::abs(n);
+      const int n = i - int(half_length), j = std::abs(n);
       const double near = 5 * (j - 0.5), far = near + 5, sign = n > 0 ? -1 : 1;
       const double y = n == 0 ? 0 : sign * (p.x(far) - p.x(near)),
                    v = n == 0 ? w.central_velocity() : p.v(far) - p.v(near);
-      CAPTURE(reach, n);
+      CAPTURE(half_length, n);
       check_close(z.y[std::size_t(i)], y, 1e-11);
       check_close(z.v[std::size_t(i)], v, 1e-11);
-      if (reach == 2) energy += (y * y + v * v) / 2;
+      if (half_length == 2) energy += (y * y + v * v) / 2;
     }
-    if (reach != 2) continue;
+    if (half_length != 2) continue;
     for (double t : {2.5, 7.5}) energy += 2 * std::pow(p.d(t), 3) / 3;
     check_close(w.energy(), energy, 1e-12);
   }
   // Forces where the contact is closed, however little
-  const HalfLine two(time_5, {0, 2.5}, 1, Panel(2, 2));
+  const HalfLine two(time_5, {0, 2.5}, 1, QuadraturePanel(2, 2));
   KernelWave few{hertz, two, Vector<double>(4)};
   few.d << 0.25, -0.25, 0, 4;
   const Vector<double> f = few.force();
@@ -376,7 +376,7 @@ TEST_CASE("what is said of a wave follows from its compressions", "[unit][kernel
 }
 
 TEST_CASE("the linearized equation is the linear system of the grid", "[unit][kernel]") {
-  const HalfLine line(time_5, {0, 1, 2.5}, 2, Panel(6, 2));
+  const HalfLine line(time_5, {0, 1, 2.5}, 2, QuadraturePanel(6, 2));
   const auto n = line.size();
   const Vector<double> stiffness =
                            sampled(line.t(), [](double t) { return 1 + std::cos(1.3 * t); }),
@@ -402,7 +402,7 @@ TEST_CASE("the linearized equation is the linear system of the grid", "[unit][ke
 TEST_CASE("the wave of an ascent is its image times a power of its last quotient",
           "[unit][kernel]") {
   // To alpha / (alpha - 1), of 1/4
-  const Ascent course{{}, Vector<double>{{1, 2}}, {0.2, 0.25}};
+  const Ascent ascent{{}, Vector<double>{{1, 2}}, {0.2, 0.25}};
   for (const auto& [alpha, factor] : {std::pair{1.5, 64.0}, {3.0, 8.0}})
-    CHECK(course.wave({alpha, 0}).isApprox(factor * course.image, 1e-13));
+    CHECK(ascent.wave({alpha, 0}).isApprox(factor * ascent.image, 1e-13));
 }

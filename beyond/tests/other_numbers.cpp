@@ -88,8 +88,8 @@ TEST_CASE("dimer waves leave both beads equally displaced and at rest", "[unit][
 
 TEST_CASE("the pulse of alternating contacts keeps its energy where it should",
           "[unit][solitary]") {
-  CHECK(TwoExponents{1.5, 1.5, 1e-6}.kappa() == 1);
-  check_close(TwoExponents{1.5, 2, 1e-6}.kappa(), 1.2e-3, 0, 1e-12);
+  CHECK(TwoExponents{1.5, 1.5, 1e-6}.strength_ratio() == 1);
+  check_close(TwoExponents{1.5, 2, 1e-6}.strength_ratio(), 1.2e-3, 0, 1e-12);
   const auto loss = [](double second) {
     return loss_per_site({1.5, second, 1.62697e-6}, 41, 71, 1e-9);
   };

@@ -149,7 +149,7 @@ TEST_CASE("a branch in s folds, and says where", "[property][travelling]") {
 TEST_CASE("the DpS equation has its own orbit of type I, the limit of the chain's",
           "[convergence][travelling]") {
   DpsTravelling problem;
-  const DpsMember member = dps_member(problem, cut_dps_packet(40, problem.reach));
+  const DpsMember member = dps_member(problem, cut_dps_packet(40, problem.half_length));
   CHECK(std::abs(problem.misses(member.x)[0]) < 1e-12);
   const double limit = 2 * member.norm * std::pow(problem.shift_time, 4);
   check_close(limit, 65.55230988, 0, 1e-8);
@@ -175,10 +175,10 @@ using Complex = std::complex<double>;
 
 TEST_CASE("equations of a travelling breather of the DpS equation", "[unit][travelling]") {
   DpsTravelling problem;
-  CHECK(
-      (problem.reach == 8 && problem.phase == 0 && DpsTravelling::shift_time == 2 * pi<double>()));
+  CHECK((problem.half_length == 8 && problem.phase == 0 &&
+         DpsTravelling::shift_time == 2 * pi<double>()));
   CHECK(problem.tolerance == 1e-13);
-  problem.reach = 3, problem.phase = 0.7;
+  problem.half_length = 3, problem.phase = 0.7;
   Vector<double> x(7);
   x << 0.5, -0.2, 0.3, 0.1, 0.05, -0.03, 0.02;
   const auto misses = [&](const Vector<double>& u) {

@@ -10,9 +10,9 @@ using namespace lattice;
 
 TEST_CASE("a cut keeps the packet and nothing else", "[unit][wake]") {
   const Chain chain{60, Quartic{1}};
-  const ImpactRun voyage_to = strike(EventCorrected{0.1}, turning_impact(1.9, 1, 60, 60));
-  const State<double> whole = voyage_to.end, alone = cut_out(chain, whole, 100);
-  const std::size_t peak = strongest(energy_density(chain, whole));
+  const ImpactRun run = strike(EventCorrected{0.1}, turning_impact(1.9, 1, 60, 60));
+  const State<double> whole = run.end, alone = cut_out(chain, whole, 100);
+  const std::size_t peak = peak_index(energy_density(chain, whole));
   REQUIRE(alone.y.size() == 160);
   CHECK(alone.t == whole.t);
   for (std::size_t n = 0; n < 60; ++n) {
@@ -32,7 +32,7 @@ TEST_CASE("with nothing taken away the packet is that of the impact", "[unit][wa
 
 TEST_CASE("what friction takes is missing, and a cut takes nothing of the packet", "[unit][wake]") {
   double last = 0, gone = 0;
-  follow_without({.behind = 6, .counted = true}, 0.05, 150, 60, [&](const Sight& now) {
+  follow_without({.behind = 6, .counted = true}, 0.05, 150, 60, [&](const WakeSample& now) {
     last = energy(now.chain, now.state), gone = now.dissipated;
     return true;
   });

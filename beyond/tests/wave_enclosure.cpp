@@ -251,9 +251,9 @@ TEST_CASE("the norm of the inverse is that of a finer discretization, or more",
     }
   const Matrix<double> inverse = one_minus_b.inverse();
   const double norm = inverse.cwiseAbs().rowwise().sum().maxCoeff();
-  CAPTURE(norm, s.proof.kappa());
-  CHECK(s.proof.kappa() > 0.99 * (norm - 1));
-  CHECK(s.proof.kappa() < 1.2 * norm);
+  CAPTURE(norm, s.proof.inverse_excess());
+  CHECK(s.proof.inverse_excess() > 0.99 * (norm - 1));
+  CHECK(s.proof.inverse_excess() < 1.2 * norm);
 }
 
 TEST_CASE("what broken lines miss of the operator", "[property][kernel]") {
@@ -303,7 +303,7 @@ TEST_CASE("the derivative changes no more in the ball than the bound says", "[pr
     largest = std::max(largest, moduli(two_pi * double(s.fine.window) * i / 60, change));
     behind = std::max(behind, moduli(two_pi * double(s.fine.window) + 0.1 * i, whole));
   }
-  const double bound = (1 + s.proof.kappa()) * largest;
+  const double bound = (1 + s.proof.inverse_excess()) * largest;
   CAPTURE(bound, q, q_0, behind);
   CHECK(q - q_0 >= 0.9 * bound);
   CHECK(q - q_0 <= 4 * bound);
@@ -318,9 +318,9 @@ TEST_CASE("the derivative changes no more in the ball than the bound says", "[pr
           std::abs(1.5 * std::sqrt(std::max(0.0, at(s.guess, h * (double(p) + part)))) - a[p]) * 2 *
           h / 5;
   const auto inside = [&](double share) {
-    return (1 + s.proof.kappa()) * (s.proof.epsilon() + share * uneven);
+    return (1 + s.proof.inverse_excess()) * (s.proof.epsilon() + share * uneven);
   };
-  CAPTURE(uneven, s.proof.epsilon(), s.proof.kappa());
+  CAPTURE(uneven, s.proof.epsilon(), s.proof.inverse_excess());
   CHECK(q_0 >= inside(1));
   CHECK(q_0 <= inside(4));
   CHECK(q_0 < 0.5);
@@ -475,8 +475,8 @@ TEST_CASE("angles of half cells, and cubics at their ends", "[unit][kernel]") {
     for (double x : {0.0, 0.5, 1.0}) {
       const auto d = derivatives(c, x);
       check_close(value(c, Number(x)).middle(), double(d[0]), 1e-20);
-      check_close(slope(c, Number(x)).middle(), double(d[1]), 1e-20);
-      check_close(bend(c, Number(x)).middle(), double(d[2]), 1e-20);
+      check_close(first_derivative(c, Number(x)).middle(), double(d[1]), 1e-20);
+      check_close(second_derivative(c, Number(x)).middle(), double(d[2]), 1e-20);
     }
   }
 }
@@ -537,7 +537,7 @@ struct Again {
        inside = long(fine.window) * turn;
   std::vector<Limits> range{};
   std::vector<double> stiff{};
-  double norm = 0, epsilon = 0, delta = 0, kappa = 0;
+  double norm = 0, epsilon = 0, delta = 0, inverse_excess = 0;
 
   /// The largest sum over two turns around any cell of an even function of the cells, constant behind them.
   double widest(const std::function<double(long)>& of, long first, double behind) const {
@@ -592,7 +592,7 @@ struct Again {
       for (long l = 0; l + 1 < size; ++l)
         sum += *std::max_element(stiff.begin() + l * per, stiff.begin() + (l + 1) * per) * tangent *
                (row(i, l) + row(i, l + 1));
-      delta = std::max(delta, defect), kappa = std::max(kappa, sum);
+      delta = std::max(delta, defect), inverse_excess = std::max(inverse_excess, sum);
     }
   }
 
@@ -604,7 +604,7 @@ struct Again {
              size_of({root_of(range[i].low - r) - stiff[i], root_of(range[i].high + r) - stiff[i]});
     };
     const auto whole = [&](long p) { return h * root_of(range[std::size_t(p)].high + r); };
-    return std::max((1 + kappa) * (epsilon + widest(change, 0, behind)) + delta * norm,
+    return std::max((1 + inverse_excess) * (epsilon + widest(change, 0, behind)) + delta * norm,
                     widest(whole, inside, behind));
   }
 
@@ -659,9 +659,10 @@ TEST_CASE("each bound of the proof for the waves follows from its formula", "[un
   const double x = pi<double>() / double(fine.nodes);
   check_close(proof.epsilon(), again.epsilon, 0, 1e-9);
   check_close(proof.delta(), again.delta, 0, 1e-6);
-  CHECK(proof.kappa() >= again.kappa * (1 - 1e-9));  // the tangent is bounded by a fraction
-  CHECK(proof.kappa() <= again.kappa * (1 + x * x / 4));
-  again.kappa = proof.kappa(), again.delta = proof.delta();
+  CHECK(proof.inverse_excess() >=
+        again.inverse_excess * (1 - 1e-9));  // the tangent is bounded by a fraction
+  CHECK(proof.inverse_excess() <= again.inverse_excess * (1 + x * x / 4));
+  again.inverse_excess = proof.inverse_excess(), again.delta = proof.delta();
   for (double radius : {1e-6, 1e-3, 0.3}) check_close(proof.q(radius), again.q(radius), 0, 1e-8);
   // The residual on every cell and behind them
   const Angles angles(fine.per_turn);
@@ -672,7 +673,7 @@ TEST_CASE("each bound of the proof for the waves follows from its formula", "[un
   // What A makes of it: inside the window and behind
   std::vector<double> r(residuals.size(), 1e-3);
   r[std::size_t(again.inside) - 1] = 2;
-  check_close(proof.eta(r), 2 * (1 + proof.kappa()), 0, 1e-12);
+  check_close(proof.eta(r), 2 * (1 + proof.inverse_excess()), 0, 1e-12);
   r[std::size_t(again.inside)] = 40;
   check_close(proof.eta(r), 40, 0, 0);
   r[std::size_t(again.inside)] = 1e-3, r.back() = 50;

@@ -192,7 +192,7 @@ std::size_t granted_by_slurm() {
 }
 
 /// What every program keeps of its line.
-struct Frame {
+struct Invocation {
   const Program& program;
   std::string command, out{}, output{};
   std::size_t threads = 0;
@@ -200,7 +200,7 @@ struct Frame {
   std::deque<Offer> offers{};
   std::vector<std::function<Table()>> computations{};
 
-  Frame(const Program& of, int argc, char** argv);
+  Invocation(const Program& of, int argc, char** argv);
   int run(const std::vector<std::string>& words);
   std::string footer(const Offer& of) const;
   /// Where the tables go unless `--out` says so.
@@ -213,7 +213,7 @@ struct Frame {
 
 /**
 The program and its commands share some options. */
-Frame::Frame(const Program& of, int argc, char** argv)
+Invocation::Invocation(const Program& of, int argc, char** argv)
     : program(of), command(command_text(of.name, argc, argv)) {
   const auto add_threads = [this](Parameters& p) {
     p.add("threads", threads, "threads, on which no result depends (default: the cores granted)",
@@ -237,7 +237,7 @@ Frame::Frame(const Program& of, int argc, char** argv)
 }
 
 /// The last paragraph of help: what else there is to know.
-std::string Frame::footer(const Offer& of) const {
+std::string Invocation::footer(const Offer& of) const {
   if (!of.name.empty()) return of.note;
   const std::string cost = full_run_takes(program.name);
   return std::string("Without a command everything that the section shows is computed.") +
@@ -251,7 +251,7 @@ int say(const std::string& text) {
 }
 
 /// Reads the line and does what was asked for.
-int Frame::run(const std::vector<std::string>& words) {
+int Invocation::run(const std::vector<std::string>& words) {
   const Asked asked = read_line(offers, words);
   if (asked.what == Asked::What::help) {
     return say(help_text(program.name, offers, *asked.of, footer(*asked.of)));
@@ -276,7 +276,7 @@ void need_writable(const std::filesystem::path& folder, const std::string& file,
 
 /**
 A command prints its table or writes it to `--output`. */
-int Frame::print(const Offer& of, const std::function<Table()>& compute) {
+int Invocation::print(const Offer& of, const std::function<Table()>& compute) {
   if (!output.empty()) {
     const std::filesystem::path path(output), parent = path.parent_path();
     std::error_code ignored;
@@ -310,7 +310,7 @@ bool holds_full_run(const std::filesystem::path& folder) try {
 /**
 A full run removes the old `facts.ecsv` before it begins: as long as there is none, the folder is
 not complete. */
-int Frame::reproduce(const Offer& full) {
+int Invocation::reproduce(const Offer& full) {
   if (out.empty()) out = folder(quick);
   if (quick && holds_full_run(out))
     throw UsageError(
@@ -344,7 +344,7 @@ int run(const Program& program, int argc, char** argv) {
     return code;
   };
   try {
-    return Frame(program, argc, argv).run({argv + 1, argv + argc});
+    return Invocation(program, argc, argv).run({argv + 1, argv + argc});
   } catch (const UsageError& error) {
     return complain(error.what(), 2);
   } catch (const std::exception& error) {

@@ -150,15 +150,15 @@ struct Report {
 A command is a struct that has a title, declares its parameters (parameters.hpp) and computes a `table()`
 from them:
 
-    struct Strike {
-      static constexpr Title title{"strike", "one impact: how fast the packet is"};
+    struct OneRun {
+      static constexpr Title title{"run", "one impact: how fast the packet is"};
       double velocity = 1;
 
       void parameters(Parameters& p) { p.add("velocity", velocity, "impact velocity", {1e-6, 100}); }
       Table table() const;
     };
 
-`commands<Strike, ...>()` is what a program offers of such structs. */
+`commands<OneRun, ...>()` is what a program offers of such structs. */
 struct Title {
   const char *name, *meaning;
   /// The last line of its help: what is not obvious about its answers.

@@ -32,8 +32,8 @@ number $q$ on a uniform ring has the amplitude computed below. At $q = \pi$ this
 which we start on uneven chains. On a ring the origin of the displacements is arbitrary: of all Newton steps
 that differ by a shift we take the shortest (`rank`). */
 inline double wave_amplitude(double q, double alpha) {
-  const double reach = 2 * std::sin(q / 2);
-  return std::pow(0.457 * std::pow(reach, alpha + 1), 1 / (1 - alpha));
+  const double neighbours = 2 * std::sin(q / 2);  // amplitude of the difference of two neighbours
+  return std::pow(0.457 * std::pow(neighbours, alpha + 1), 1 / (1 - alpha));
 }
 
 /// Newton's method where the motion may move freely: damped, blind to directions that change nothing.

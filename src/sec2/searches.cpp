@@ -92,7 +92,7 @@ static End run_search(const Series& series, unsigned long seed, int steps) {
   }
 }
 
-Estimate Counts::sum(const std::vector<End>& ends) const {
+Estimate EndCounts::sum(const std::vector<End>& ends) const {
   std::array<double, 2> n{};
   for (End end : ends)
     for (std::size_t k : {0, 1}) n[k] += of[k][std::size_t(end)];
@@ -100,14 +100,14 @@ Estimate Counts::sum(const std::vector<End>& ends) const {
   return error > 0 ? Estimate{n[1], error} : exact(n[1]);
 }
 
-Counts search_all(const Series& series, unsigned long seeds) {
+EndCounts search_all(const Series& series, unsigned long seeds) {
   std::vector<End> ends(2 * seeds);
   parallel_for("searches, " + series.name, ends.size(), [&](std::size_t i) {
     const unsigned long seed = i / 2 + 1;
     const int steps = i % 2 == 0 ? 128 : 256;
     ends[i] = run_search(series, seed, steps);
   });
-  Counts counts{{}, double(seeds)};
+  EndCounts counts{{}, double(seeds)};
   for (std::size_t i = 0; i < ends.size(); ++i) counts.of[i % 2][std::size_t(ends[i])] += 1;
   return counts;
 }

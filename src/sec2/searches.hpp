@@ -38,7 +38,7 @@ inline constexpr std::array end_names{"rest", "localized", "extended", "doubtful
 /**
 The counts depend on the length of the step and on the sample. Their error is the difference between two steps plus the
 statistical error: other seeds would give other counts. */
-struct Counts {
+struct EndCounts {
   std::array<std::array<double, end_names.size()>, 2> of{};
   double all = 0;
 
@@ -47,6 +47,6 @@ struct Counts {
 };
 
 /// The searches of the seeds 1, 2, ... side by side, each with 128 and with 256 steps in a period.
-Counts search_all(const Series& series, unsigned long seeds);
+EndCounts search_all(const Series& series, unsigned long seeds);
 
 }  // namespace searches

@@ -12,7 +12,7 @@ Pulse pulse_of(const Watched& w, const Scales& s) {
           push->period * s.tau_c()};
 }
 
-WatchedRun pass(const StruckArray& blow, std::size_t n, double until, const Resolution& r) {
+WatchedRun pass(const StruckArray& blow, std::size_t n, double until, const RunResolution& r) {
   const Impact impact = blow.impact(1, until, r.sample);
   Watched at;
   const auto watch = [&](const State<double>& now, const auto&) {

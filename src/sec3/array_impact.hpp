@@ -39,7 +39,7 @@ struct StruckArray {
 };
 
 /// Largest step and sampling interval of a run, in units of tau_c.
-struct Resolution {
+struct RunResolution {
   double step, sample;
 };
 
@@ -68,7 +68,7 @@ struct WatchedRun : ImpactRun {
 };
 
 /// The run with steps and samples of `r`. Throws FarEndReached like every impact.
-WatchedRun pass(const StruckArray& blow, std::size_t n, double until, const Resolution& r);
+WatchedRun pass(const StruckArray& blow, std::size_t n, double until, const RunResolution& r);
 
 /**
 The article quotes a speed in sites per second and does not say how it was measured. One reading is a mean:

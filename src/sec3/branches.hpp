@@ -93,12 +93,12 @@ inline Estimate mean_size(const std::vector<Estimate>& values) {
 /**
 How a family begins and how far it goes follows from a climb in tenths of the frequency, with three steps close
 to one before. */
-struct Family {
+struct FamilyExtent {
   Estimate exponent, end;  ///< of the amplitude near omega_b = 1; the last frequency, two at most
 };
 
 /// Throws NewtonFailed if not even the first breather is found.
-inline Family family_from_rest(Centre centre, double s) {
+inline FamilyExtent family_from_rest(Centre centre, double s) {
   std::vector<double> omegas{1.0005, 1.001, 1.01};
   for (int k = 1; k <= 10; ++k) omegas.push_back(1 + k / 10.0);
   const std::vector<Orbit<double>> orbits = climb(centre, s, omegas);

@@ -68,10 +68,10 @@ double freeing_kick(double barrier, const Pinning& pinning) {
   return std::sqrt(2 * std::abs(barrier / pinning.share));
 }
 
-double hill_speed(const KickedPath& path, double hill, double reach) {
+double hill_speed(const KickedPath& path, double hill, double half_width) {
   std::vector<std::size_t> near;
   for (std::size_t k = 0; k < path.centre.size(); ++k)
-    if (std::abs(std::abs(path.moved(k)) - hill) <= reach) near.push_back(k);
+    if (std::abs(std::abs(path.moved(k)) - hill) <= half_width) near.push_back(k);
   if (near.size() < 8) throw std::invalid_argument("too few means of the path lie on the hill");
   const double first = path.t[near.front()], last = path.t[near.back()], half = (last - first) / 2;
   // Time is scaled to the interval from -1 to 1, which keeps the cubic fit well conditioned

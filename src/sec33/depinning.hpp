@@ -83,10 +83,10 @@ breather passes the top. Its kinetic energy there is the share of the kick less 
 $V^2 \propto c^2 - c_c^2$, and two free breathers give $c_c$.
 
 Near the top the path is $X \simeq (V/\Omega)\sinh\Omega t$ with $\Omega$ the rate of the hill. There it is
-nearly a cubic whose least slope is $V$, and we fit one to all means within `reach` of the top. */
+nearly a cubic whose least slope is $V$, and we fit one to all means within `half_width` of the top. */
 /// The speed on the hill at `hill` sites from the start. Throws std::invalid_argument if fewer than
-/// eight means lie within `reach` of it.
-double hill_speed(const KickedPath& path, double hill = 0.5, double reach = 0.05);
+/// eight means lie within `half_width` of it.
+double hill_speed(const KickedPath& path, double hill = 0.5, double half_width = 0.05);
 
 /**
 The straight line through the two values of $V^2$ against $c^2$ is followed to zero. */

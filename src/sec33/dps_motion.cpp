@@ -72,30 +72,30 @@ double PinnedBreather::departure(double growing) const {
 }
 
 // How far it went, and when it first passed a given distance
-double Course::largest() const {
+double DpsBreatherRun::largest() const {
   double top = 0;
   for (const double x : X) top = std::max(top, std::abs(x));
   return top;
 }
 
-double Course::reaches(double distance) const {
+double DpsBreatherRun::reaches(double distance) const {
   for (std::size_t k = 1; k < X.size(); ++k)
     if (const double now = std::abs(X[k]), before = std::abs(X[k - 1]); now > distance)
       return t[k - 1] + (t[k] - t[k - 1]) * (distance - before) / (now - before);
   return std::nan("");
 }
 
-Course Course::until(double time) const {
-  Course out = *this;
+DpsBreatherRun DpsBreatherRun::until(double time) const {
+  DpsBreatherRun out = *this;
   const auto end = std::upper_bound(out.t.begin(), out.t.end(), time) - out.t.begin();
   out.t.resize(std::size_t(end)), out.X.resize(std::size_t(end));
   return out;
 }
 
 // A run of the whole equation; the drifts of norm and energy say how far it can be trusted
-Course follow_breather(const PinnedBreather& breather, Field v, double time,
-                       const Accuracy& accuracy, const DpsLook& watch) {
-  Course out;
+DpsBreatherRun follow_breather(const PinnedBreather& breather, Field v, double time,
+                               const Accuracy& accuracy, const DpsLook& watch) {
+  DpsBreatherRun out;
   const auto energy_of = [&](const Field& w) { return energy(w, false, breather.exponent); };
   const double start = energy_of(v);
   const TurningDps equation{{v.size(), Ends::free, breather.exponent, 1}, breather.mu};
@@ -126,8 +126,8 @@ double measured_rate(const PinnedBreather& site, double size, const Accuracy& ac
   return fit_line(t, share).slope;
 }
 
-bool moved(const Course& course, double by) {
-  return course.reaches(1) <= by;
+bool moved(const DpsBreatherRun& run, double by) {
+  return run.reaches(1) <= by;
 }
 
 double bisect_push(const PinnedBreather& bond, const Accuracy& accuracy, int steps) {
@@ -160,7 +160,8 @@ Field Noise::operator()(const Field& u, std::size_t seed) const {
   return w;
 }
 
-Field perturbed(const PinnedBreather& breather, const Noise& noise, bool pinned, Trial& trial) {
+Field perturbed(const PinnedBreather& breather, const Noise& noise, bool pinned,
+                NoiseTrial& trial) {
   Field w = noise(breather.u, trial.seed);
   if (!pinned) breather.pair.add(-breather.pair.of(w), w);
   trial.kick = breather.pair.of(w);
@@ -170,13 +171,13 @@ Field perturbed(const PinnedBreather& breather, const Noise& noise, bool pinned,
 }
 
 // A breather has left after half a site; its speed is that over the first site it then crosses
-Census tally(const std::vector<Trial>& trials, Course Trial::*run, double by) {
+Census tally(const std::vector<NoiseTrial>& trials, DpsBreatherRun NoiseTrial::*which, double by) {
   Census out;
-  for (const Trial& trial : trials) {
-    const Course& course = trial.*run;
-    const double leaves = course.reaches(0.5), there = course.reaches(1.5);
+  for (const NoiseTrial& trial : trials) {
+    const DpsBreatherRun& run = trial.*which;
+    const double leaves = run.reaches(0.5), there = run.reaches(1.5);
     out.left += leaves <= by;
-    out.moved += moved(course, by);
+    out.moved += moved(run, by);
     out.departures.push_back(leaves <= by ? leaves : HUGE_VAL);
     if (there <= by) out.speeds.push_back(1 / (there - leaves));
   }
@@ -186,35 +187,36 @@ Census tally(const std::vector<Trial>& trials, Course Trial::*run, double by) {
 }
 
 // Does the pendulum predict each departure, and which pushes free a breather?
-double departure_difference(const std::vector<Trial>& trials, Course Trial::*run,
-                            const PinnedBreather& site) {
+double departure_difference(const std::vector<NoiseTrial>& trials,
+                            DpsBreatherRun NoiseTrial::*which, const PinnedBreather& site) {
   double apart = 0;
-  for (const Trial& trial : trials) {
+  for (const NoiseTrial& trial : trials) {
     const double pendulum = site.departure(trial.growing);
-    apart = std::max(apart, std::abs((trial.*run).reaches(0.5) / pendulum - 1));
+    apart = std::max(apart, std::abs((trial.*which).reaches(0.5) / pendulum - 1));
   }
   return apart;
 }
 
-PushCount count_pushes(const std::vector<Trial>& trials, Course Trial::*run, double freeing) {
+PushCount count_pushes(const std::vector<NoiseTrial>& trials, DpsBreatherRun NoiseTrial::*which,
+                       double freeing) {
   PushCount out;
-  for (const Trial& trial : trials) {
+  for (const NoiseTrial& trial : trials) {
     const bool pushed = std::abs(trial.kick.imag()) > freeing;
     out.over += pushed;
-    out.told += pushed == moved(trial.*run);
+    out.told += pushed == moved(trial.*which);
   }
   return out;
 }
 
-std::size_t torn(const std::vector<Trial>& trials) {
-  return std::size_t(std::count_if(trials.begin(), trials.end(), [](const Trial& trial) {
+std::size_t torn(const std::vector<NoiseTrial>& trials) {
+  return std::size_t(std::count_if(trials.begin(), trials.end(), [](const NoiseTrial& trial) {
     return moved(trial.good) != moved(trial.rough);
   }));
 }
 
-Estimate largest_spread(const std::vector<Trial>& trials) {
+Estimate largest_spread(const std::vector<NoiseTrial>& trials) {
   double rough = 0, good = 0;
-  for (const Trial& trial : trials) {
+  for (const NoiseTrial& trial : trials) {
     rough = std::max(rough, trial.rough.spread());
     good = std::max(good, trial.good.spread());
   }
@@ -222,19 +224,19 @@ Estimate largest_spread(const std::vector<Trial>& trials) {
 }
 
 // When each passes the next site, seed by seed and in the median
-Delay delay_of(const std::vector<Trial>& controls, const std::vector<Trial>& trials) {
-  const auto passes = [](const std::vector<Trial>& list, Course Trial::*run) {
+Delay delay_of(const std::vector<NoiseTrial>& controls, const std::vector<NoiseTrial>& trials) {
+  const auto passes = [](const std::vector<NoiseTrial>& list, DpsBreatherRun NoiseTrial::*which) {
     std::vector<double> out;
-    for (const Trial& trial : list) {
-      const Course& course = trial.*run;
-      out.push_back(moved(course) ? course.reaches(1) : course.t.back());
+    for (const NoiseTrial& trial : list) {
+      const DpsBreatherRun& run = trial.*which;
+      out.push_back(moved(run) ? run.reaches(1) : run.t.back());
     }
     return out;
   };
   std::array<std::size_t, 2> later{};
   std::array<double, 2> ratio{};
   for (const std::size_t fine : {0U, 1U}) {
-    const auto run = fine ? &Trial::good : &Trial::rough;
+    const auto run = fine ? &NoiseTrial::good : &NoiseTrial::rough;
     auto free = passes(trials, run), held = passes(controls, run);
     for (std::size_t k = 0; k < free.size(); ++k) later[fine] += held[k] > free[k];
     for (auto* list : {&free, &held}) std::sort(list->begin(), list->end());

@@ -65,7 +65,7 @@ struct Accuracy {
 };
 
 /// Displacement against time, with the relative drifts of what is conserved.
-struct Course {
+struct DpsBreatherRun {
   std::vector<double> t{}, X{};
   double norm_drift = 0, energy_drift = 0;
   double sites = 0, most_sites = 0;  ///< on which the breather lives, at first and at most
@@ -74,8 +74,8 @@ struct Course {
   double largest() const;
   /// When |X| exceeds `distance` for the first time, interpolated; nan if it never does.
   double reaches(double distance) const;
-  /// The course up to a time.
-  Course until(double time) const;
+  /// The run up to a time.
+  DpsBreatherRun until(double time) const;
   /// By which factor the number of its sites grew.
   double spread() const { return most_sites / sites; }
 };
@@ -85,8 +85,8 @@ We integrate in the frame that turns with the breather (evolve.hpp), where only 
 Norm and energy are watched at every sample: unless their drift stays far below the share of the energy
 that pins the breather, the run says nothing about pinning. */
 /// Follows the field `v`, given in the frame that turns with the breather; `watch` sees every sample.
-Course follow_breather(const PinnedBreather& breather, Field v, double time,
-                       const Accuracy& accuracy, const DpsLook& watch = {});
+DpsBreatherRun follow_breather(const PinnedBreather& breather, Field v, double time,
+                               const Accuracy& accuracy, const DpsLook& watch = {});
 
 /**
 Two questions can be put to a breather that is perturbed along the pinning pair and in no other way. The
@@ -95,7 +95,7 @@ first: does a perturbation in the growing direction grow at the rate that the ma
 double measured_rate(const PinnedBreather& site, double size, const Accuracy& accuracy);
 
 /// Has it passed the next rest position of its own kind, by the time `by`?
-bool moved(const Course& course, double by = HUGE_VAL);
+bool moved(const DpsBreatherRun& run, double by = HUGE_VAL);
 
 /**
 The second: which push frees a breather? The interval between a push that does not and one that does is
@@ -121,16 +121,16 @@ struct Noise {
 To first order the noise moves the breather only through its component along the pinning pair. A trial
 records that component together with the runs, so that we can ask later whether it predicts them. It can
 also be removed from the noise, which leaves a control that differs in nothing else. */
-struct Trial {
+struct NoiseTrial {
   std::size_t seed;
-  std::complex<double> kick{};  ///< shift and push of the noise
-  double growing = 0;           ///< size of its growing share
-  Course rough{}, good{};       ///< at two tolerances
+  std::complex<double> kick{};     ///< shift and push of the noise
+  double growing = 0;              ///< size of its growing share
+  DpsBreatherRun rough{}, good{};  ///< at two tolerances
 };
 
 /// Breather plus noise, the latter with or without (`pinned` false) its component along the pinning pair;
 /// records that component in `trial`.
-Field perturbed(const PinnedBreather& breather, const Noise& noise, bool pinned, Trial& trial);
+Field perturbed(const PinnedBreather& breather, const Noise& noise, bool pinned, NoiseTrial& trial);
 
 /**
 The effect of noise is a matter of counting cases, at both tolerances, because a count is exact only if
@@ -148,15 +148,16 @@ struct Census {
 };
 
 /// Counts what the trials do up to the time `by`, from their runs at one of the tolerances.
-Census tally(const std::vector<Trial>& trials, Course Trial::*run, double by = HUGE_VAL);
+Census tally(const std::vector<NoiseTrial>& trials, DpsBreatherRun NoiseTrial::*which,
+             double by = HUGE_VAL);
 
 /**
 Does the pendulum predict these runs? Departures are compared one by one, and the largest relative
 difference counts. Pushes are compared with the one that frees a breather: how many trials are pushed
 harder, and how many end as this alone would predict? */
 /// The largest relative difference between a departure and that of the pendulum.
-double departure_difference(const std::vector<Trial>& trials, Course Trial::*run,
-                            const PinnedBreather& site);
+double departure_difference(const std::vector<NoiseTrial>& trials,
+                            DpsBreatherRun NoiseTrial::*which, const PinnedBreather& site);
 
 /// `over` trials are pushed harder than the push that frees, `told` end as this predicts.
 struct PushCount {
@@ -164,15 +165,16 @@ struct PushCount {
 };
 
 /// Counts both, for the push `freeing`.
-PushCount count_pushes(const std::vector<Trial>& trials, Course Trial::*run, double freeing);
+PushCount count_pushes(const std::vector<NoiseTrial>& trials, DpsBreatherRun NoiseTrial::*which,
+                       double freeing);
 
 /**
 A run must not hang on its tolerance, and the structure of a breather that leaves its place may last all the same. */
 /// Trials that move at one tolerance and not at the other.
-std::size_t torn(const std::vector<Trial>& trials);
+std::size_t torn(const std::vector<NoiseTrial>& trials);
 
 /// By which factor the breathers of these trials spread at most, at both tolerances.
-Estimate largest_spread(const std::vector<Trial>& trials);
+Estimate largest_spread(const std::vector<NoiseTrial>& trials);
 
 /**
 Is it the pinning pair that moves a breather? Then its control, whose noise lacks that pair, passes the next site later.
@@ -181,6 +183,6 @@ struct Delay {
   Estimate later{};  ///< share of the seeds of which the control passes later
   Estimate ratio{};  ///< of the median times
 };
-Delay delay_of(const std::vector<Trial>& controls, const std::vector<Trial>& trials);
+Delay delay_of(const std::vector<NoiseTrial>& controls, const std::vector<NoiseTrial>& trials);
 
 }  // namespace lattice

@@ -12,7 +12,7 @@ std::vector<Group> groups_of_trials(bool quick) {
   for (const Noise& reading : noise_readings)
     for (const auto& [which, name] : noise_cases) {
       Group group{&reading, which, std::string("_") + reading.name + "_" + name};
-      if (!group.main() && which == Case::control) continue;
+      if (!group.main() && which == NoiseCase::control) continue;
       const std::size_t seeds = quick ? (group.many() ? 4 : 1) : (group.many() ? 16 : 6);
       for (std::size_t seed = 1; seed <= seeds; ++seed) group.trials.push_back({seed});
       out.push_back(std::move(group));
@@ -21,9 +21,9 @@ std::vector<Group> groups_of_trials(bool quick) {
 }
 
 void run_trials(std::vector<Group>& groups, const Breathers& breathers) {
-  std::vector<std::pair<const Group*, Trial*>> all;
+  std::vector<std::pair<const Group*, NoiseTrial*>> all;
   for (Group& group : groups)
-    for (Trial& trial : group.trials) all.emplace_back(&group, &trial);
+    for (NoiseTrial& trial : group.trials) all.emplace_back(&group, &trial);
   parallel_for("perturbed breathers", all.size(), [&](std::size_t i) {
     const auto& [group, trial] = all[i];
     const Field v = breathers.start(*group->reading, group->which, *trial);
@@ -33,8 +33,8 @@ void run_trials(std::vector<Group>& groups, const Breathers& breathers) {
   });
 }
 
-const std::vector<Trial>& trials_of(const std::vector<Group>& groups, Case which,
-                                    const Noise& reading) {
+const std::vector<NoiseTrial>& trials_of(const std::vector<Group>& groups, NoiseCase which,
+                                         const Noise& reading) {
   for (const Group& group : groups)
     if (group.reading == &reading && group.which == which) return group.trials;
   throw std::invalid_argument(std::string("no trials of the reading ") + reading.name);

@@ -27,9 +27,9 @@ inline constexpr Noise noise_readings[] = {{"complex", true, false, false, 0.01}
                                            {"relative", true, false, true, 0.01}};
 
 /// Which breather, or the control.
-enum class Case { site, control, bond };
-inline constexpr std::pair<Case, const char*> noise_cases[] = {
-    {Case::site, "site"}, {Case::control, "control"}, {Case::bond, "bond"}};
+enum class NoiseCase { site, control, bond };
+inline constexpr std::pair<NoiseCase, const char*> noise_cases[] = {
+    {NoiseCase::site, "site"}, {NoiseCase::control, "control"}, {NoiseCase::bond, "bond"}};
 
 /// Both breathers of frequency `noise_mu`.
 struct Breathers {
@@ -38,9 +38,9 @@ struct Breathers {
   Breathers()
       : site(Centre::site, noise_mu, sites_of(Centre::site)),
         bond(Centre::bond, noise_mu, sites_of(Centre::bond)) {}
-  const PinnedBreather& of(Case which) const { return which == Case::bond ? bond : site; }
-  Field start(const Noise& reading, Case which, Trial& trial) const {
-    return perturbed(of(which), reading, which != Case::control, trial);
+  const PinnedBreather& of(NoiseCase which) const { return which == NoiseCase::bond ? bond : site; }
+  Field start(const Noise& reading, NoiseCase which, NoiseTrial& trial) const {
+    return perturbed(of(which), reading, which != NoiseCase::control, trial);
   }
 };
 
@@ -50,13 +50,13 @@ long again, with six seeds. A control belongs to the main reading alone and, to 
 as long. */
 struct Group {
   const Noise* reading;
-  Case which;
+  NoiseCase which;
   std::string name;
-  std::vector<Trial> trials{};
+  std::vector<NoiseTrial> trials{};
 
   bool main() const { return reading == noise_readings; }
   bool many() const { return reading <= noise_readings + 1; }
-  double time() const { return trial_time * (!many() ? 1.5 : which == Case::control ? 2 : 1); }
+  double time() const { return trial_time * (!many() ? 1.5 : which == NoiseCase::control ? 2 : 1); }
 };
 
 /// All groups, before they are run.
@@ -66,7 +66,7 @@ std::vector<Group> groups_of_trials(bool quick);
 void run_trials(std::vector<Group>& groups, const Breathers& breathers);
 
 /// The trials of a group. Throws std::invalid_argument if there is none.
-const std::vector<Trial>& trials_of(const std::vector<Group>& groups, Case which,
-                                    const Noise& reading = noise_readings[0]);
+const std::vector<NoiseTrial>& trials_of(const std::vector<Group>& groups, NoiseCase which,
+                                         const Noise& reading = noise_readings[0]);
 
 }  // namespace lattice

@@ -22,18 +22,18 @@ Velocities velocities(const Path& smoothed, std::size_t first, std::size_t last,
 namespace {
 
 // Times bound the way out, sites the way back, which begins at another time for each impact
-Acceleration acceleration_of(const Path& path, double width, Stretch stretch) {
+Acceleration acceleration_of(const Path& path, double width, Leg leg) {
   const Path p = smooth(path, width);
   std::size_t first = 0, last = 0;
-  if (stretch != Stretch::out) {
+  if (leg != Leg::out) {
     const double apex = find_turn(p).apex.time;
     while (p.t[first] < apex || p.centre[first] > 18) ++first;
     for (last = first; p.centre[last] > 6;) ++last;
   }
-  if (stretch == Stretch::between) last = first;
-  if (stretch != Stretch::back)
-    for (first = 0; p.t[first] < (stretch == Stretch::out ? 100 : 220);) ++first;
-  if (stretch == Stretch::out) last = first + std::size_t(120 / path_sampling);
+  if (leg == Leg::between) last = first;
+  if (leg != Leg::back)
+    for (first = 0; p.t[first] < (leg == Leg::out ? 100 : 220);) ++first;
+  if (leg == Leg::out) last = first + std::size_t(120 / path_sampling);
   const auto [t, v] = velocities(p, first, last, path_sampling);
   return {fit_line(t, v).estimate(), bend(t, v)};
 }
@@ -41,10 +41,10 @@ Acceleration acceleration_of(const Path& path, double width, Stretch stretch) {
 }  // namespace
 
 // Two steps and half the smoothing
-Acceleration acceleration_of(const Path& coarse, const Path& fine, Stretch stretch) {
-  const Acceleration a = acceleration_of(coarse, path_smoothing, stretch),
-                     b = acceleration_of(fine, path_smoothing, stretch),
-                     c = acceleration_of(fine, path_smoothing / 2, stretch);
+Acceleration acceleration_of(const Path& coarse, const Path& fine, Leg leg) {
+  const Acceleration a = acceleration_of(coarse, path_smoothing, leg),
+                     b = acceleration_of(fine, path_smoothing, leg),
+                     c = acceleration_of(fine, path_smoothing / 2, leg);
   Acceleration out{compare(a.mean, b.mean), b.bend};
   out.mean.error += std::abs(c.mean.value - b.mean.value);
   return out;

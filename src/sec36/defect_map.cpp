@@ -11,7 +11,7 @@ std::vector<double> map_radii(bool quick) {
   return radii;
 }
 
-Sweep map_sweep(const std::filesystem::path& folder, bool quick) {
+Sweep defect_map_sweep(const std::filesystem::path& folder, bool quick) {
   Columns columns{number("ratio", "radius of the defect's beads over the others'"),
                   number("mu", "effective mass of the defect over the others'"),
                   number("linear_frequency", "of the defect, over that of the others")};
@@ -28,7 +28,7 @@ ScatteringSetup setup_for(const StruckArray& blow, bool quick) {
   return {blow, {0.1, 0.05}, defect_passed};
 }
 
-void compute_map(Sweep& sweep, const ScatteringSetup& setup, bool quick, Part part) {
+void compute_defect_map(Sweep& sweep, const ScatteringSetup& setup, bool quick, Part part) {
   const CantileverArray& array = setup.blow.array;
   const std::vector<double> radii = map_radii(quick);
   sweep.compute(part, [&](std::size_t i) {

@@ -21,12 +21,12 @@ inline constexpr double defect_passed = 75;
 std::vector<double> map_radii(bool quick);
 
 /// The columns and the key of the map; its rows wait in `folder`.
-Sweep map_sweep(const std::filesystem::path& folder, bool quick);
+Sweep defect_map_sweep(const std::filesystem::path& folder, bool quick);
 
 /// Two steps for every point; the energy budget shows whether the smaller one suffices.
 ScatteringSetup setup_for(const StruckArray& blow, bool quick);
 
 /// Computes a part of the map.
-void compute_map(Sweep& sweep, const ScatteringSetup& setup, bool quick, Part part);
+void compute_defect_map(Sweep& sweep, const ScatteringSetup& setup, bool quick, Part part);
 
 }  // namespace lattice

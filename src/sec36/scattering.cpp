@@ -7,7 +7,7 @@
 namespace lattice {
 
 // Divide the energy among the sites before the defect, the nine around it, and those behind
-Division division_of(const StruckArray& blow, const std::vector<double>& density) {
+EnergyShares energy_shares(const StruckArray& blow, const std::vector<double>& density) {
   const std::size_t d = blow.array.defect;
   const auto part = [&](std::size_t from, std::size_t to) {
     return std::accumulate(density.begin() + std::ptrdiff_t(from),
@@ -32,28 +32,28 @@ Scattering scatter(const StruckArray& blow, double ratio, ImpactRun run, double 
   const Impact impact = blow.impact(ratio, end, blow.scales.time(end));
   const auto on = [&](double until) {
     follow(EventCorrected{step}, impact, run, blow.scales.time(until));
-    return division_of(blow, run.density);
+    return energy_shares(blow, run.density);
   };
-  const Division earlier = on(end - 10);
+  const EnergyShares earlier = on(end - 10);
   return {earlier, on(end)};
 }
 
 Fractions fractions(const ScatteringSetup& at, double ratio) {
   // Scatter with both steps: the finer gives the shares, its distance from the other the errors
   std::array<Scattering, 2> run;
-  std::array<Division, 2> now, net;
+  std::array<EnergyShares, 2> now, net;
   for (std::size_t k : {0, 1}) {
     run[k] = scatter(at.blow, ratio, at.start[k], at.steps[k], at.end);
     now[k] = run[k].later;
     net[k] = now[k].net(at.without[k]);
   }
-  const auto both = [](const std::array<Division, 2>& l, double Division::*of) {
+  const auto both = [](const std::array<EnergyShares, 2>& l, double EnergyShares::*of) {
     return compare(l[0].*of, l[1].*of);
   };
-  return {both(now, &Division::reflected),   both(now, &Division::near),
-          both(now, &Division::transmitted), compare(run[0].earlier.near, run[1].earlier.near),
-          both(net, &Division::reflected),   both(net, &Division::near),
-          both(net, &Division::transmitted), {now[1].sum() - 1, std::abs(now[0].sum() - 1)}};
+  return {both(now, &EnergyShares::reflected),   both(now, &EnergyShares::near),
+          both(now, &EnergyShares::transmitted), compare(run[0].earlier.near, run[1].earlier.near),
+          both(net, &EnergyShares::reflected),   both(net, &EnergyShares::near),
+          both(net, &EnergyShares::transmitted), {now[1].sum() - 1, std::abs(now[0].sum() - 1)}};
 }
 
 // The frequency of a bead, from a whole number of its turns
@@ -63,7 +63,7 @@ double frequency_of(const Watched& bead) {
 }
 
 // Watch what remains near the defect after the packet has left
-Stay stay(const StruckArray& blow, double ratio, ImpactRun run, const Resolution& r) {
+Stay stay(const StruckArray& blow, double ratio, ImpactRun run, const RunResolution& r) {
   const Impact impact = blow.impact(ratio, 100.2, r.sample);
   const double energy_in = impact.velocity * impact.velocity / 2, from = 65;
   const std::size_t d = blow.array.defect - 1;
@@ -76,7 +76,7 @@ Stay stay(const StruckArray& blow, double ratio, ImpactRun run, const Resolution
     // The energy near the defect every half millisecond, at the same instants for both steps
     if (time >= 50 + 0.5 * double(out.t.size()) - 1e-6) {
       out.t.push_back(50 + 0.5 * double(out.t.size()));
-      out.near.push_back(division_of(blow, density).near);
+      out.near.push_back(energy_shares(blow, density).near);
       out.before.push_back(window_sum(density, d - 4, 4) / energy_in);
     }
     if (time >= 70 && time <= 80)

@@ -25,20 +25,20 @@ energies. */
 namespace lattice {
 
 /// Shares of the impact's energy before, near and behind the defect.
-struct Division {
+struct EnergyShares {
   double reflected = 0, near = 0, transmitted = 0;
 
   /// One, but for the drift.
   double sum() const { return reflected + near + transmitted; }
   /// What becomes of the energy that passes the defect's place in the run `without` it.
-  Division net(const Division& without) const {
+  EnergyShares net(const EnergyShares& without) const {
     const double arriving = 1 - without.reflected;
     return {(reflected - without.reflected) / arriving, near / arriving, transmitted / arriving};
   }
 };
 
 /// Shares of the impact's energy: sites 1 to 95, 96 to 104, and from 105 on if the defect is at 100.
-Division division_of(const StruckArray& blow, const std::vector<double>& density);
+EnergyShares energy_shares(const StruckArray& blow, const std::vector<double>& density);
 
 /**
 Until the front of the packet arrives the defect is exactly at rest, so all runs that differ in the defect
@@ -49,7 +49,7 @@ ImpactRun approach(const StruckArray& blow, double step, double longest = 200);
 
 /// The division 10 ms before the end and at the end. `scatter` goes on from `approach` to `end` (ms).
 struct Scattering {
-  Division earlier, later;
+  EnergyShares earlier, later;
 };
 
 /// `ratio` is that of the defect's radius to the usual one; throws FarEndReached.
@@ -63,7 +63,7 @@ struct ScatteringSetup {
   std::array<double, 2> steps;  ///< in units of tau_c, the larger one first
   double end;                   ///< ms
   std::array<ImpactRun, 2> start{};
-  std::array<Division, 2> without{};
+  std::array<EnergyShares, 2> without{};
 
   ScatteringSetup(const StruckArray& how, const std::array<double, 2>& both_steps, double end_time)
       : blow(how), steps(both_steps), end(end_time) {
@@ -116,7 +116,7 @@ Fractions fractions(const ScatteringSetup& at, double ratio);
 
 The article finds that a small part of the energy remains loosely trapped near the defect. To see what it
 is we record the energy around the defect as a function of time, the mean distribution of the energy, and
-the frequency of the defect, from the upward passages of its velocity through zero. A packet that is
+the frequency of the defect, from the upward crossings of its velocity through zero. A packet that is
 reflected leaves its energy *before* the defect, so the nine sites that end at the defect are recorded as
 well as the nine around it, and the strongest push of the second contact before it. */
 struct Stay {
@@ -137,7 +137,7 @@ struct Stay {
   }
 };
 
-/// Angular frequency of a bead: its whole turns between the first and the last upward passage of its
+/// Angular frequency of a bead: its whole turns between the first and the last upward crossing of its
 /// velocity through zero, over their time.
 double frequency_of(const Watched& bead);
 
@@ -146,6 +146,6 @@ The run is watched from 50 to 100 ms. Energies at a given time can be compared b
 both runs are sampled at the same instants, because a passing packet changes them by several per cent
 from one sample to the next. The frequency is read from samples two steps apart, so that its error covers
 their distance as well. */
-Stay stay(const StruckArray& blow, double ratio, ImpactRun run, const Resolution& r);
+Stay stay(const StruckArray& blow, double ratio, ImpactRun run, const RunResolution& r);
 
 }  // namespace lattice

@@ -8,7 +8,7 @@ namespace lattice {
 WatchedRuns pass_twice(const StruckArray& blow, std::size_t n) {
   WatchedRuns runs;
   parallel_for(2, [&](std::size_t i) {
-    runs[i] = pass(blow, n, 60, i ? Resolution{0.05, 0.05} : Resolution{0.1, 0.1});
+    runs[i] = pass(blow, n, 60, i ? RunResolution{0.05, 0.05} : RunResolution{0.1, 0.1});
   });
   return runs;
 }

@@ -9,13 +9,13 @@ namespace lattice {
 
 // Where the packet is at one instant, and which share of the energy it holds
 PacketSample packet_sample(double t, const std::vector<double>& e) {
-  const std::size_t peak = richest(e, packet_reach);
-  const Window near = around(peak, packet_reach, e.size());
+  const std::size_t peak = richest(e, compressed_half_width);
+  const Window near = around(peak, compressed_half_width, e.size());
   const std::vector<double> packet(e.begin() + std::ptrdiff_t(near.first),
                                    e.begin() + std::ptrdiff_t(near.last));
   return {t,
-          energy_centre(e, peak, packet_reach),
-          window_sum(e, peak, packet_reach) / total(e),
+          energy_centre(e, peak, compressed_half_width),
+          window_sum(e, peak, compressed_half_width) / total(e),
           boundary_share(e),
           participation(e),
           participation(packet)};
@@ -34,7 +34,7 @@ double tail_amplitude(const Snapshot& shot, int side) {
 
 // The envelope about a site, and the sech that fits it best
 static Snapshot snapshot_about(double centre, const Chain& chain, const State<double>& state) {
-  const Window range = around(std::size_t(centre) - 1, envelope_reach, chain.sites);
+  const Window range = around(std::size_t(centre) - 1, envelope_half_width, chain.sites);
   Snapshot out{state, centre, envelope(chain, state, range), {}};
   out.sech = fit_sech(out.envelope.amplitude, range, 8);
   return out;
@@ -44,12 +44,12 @@ static Snapshot snapshot_about(double centre, const Chain& chain, const State<do
 Snapshot snapshot(const Chain& chain, const State<double>& state) {
   const double centre = packet_sample(state.t, energy_density(chain, state)).centre;
   Snapshot out = snapshot_about(centre, chain, state);
-  const Window packet = around(std::size_t(centre) - 1, packet_reach, chain.sites);
+  const Window packet = around(std::size_t(centre) - 1, compressed_half_width, chain.sites);
   const auto a = out.envelope.amplitude.begin();
   const auto top =
       std::max_element(a + std::ptrdiff_t(packet.first), a + std::ptrdiff_t(packet.last));
   const double site = double(top - a) + 1;
-  if (std::abs(site - centre) > double(envelope_reach) / 2)
+  if (std::abs(site - centre) > double(envelope_half_width) / 2)
     out = snapshot_about(site, chain, state);
   return out;
 }

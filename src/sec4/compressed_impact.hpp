@@ -31,7 +31,7 @@ The packet is where most of the energy is (`richest` in envelope.hpp). How it fa
 numbers at each instant: where it is, its share of the energy, the share of the first five sites, and the
 number of sites that share the energy. Packets under precompression are broader than those without it, so
 20 sites on either side belong to one; its envelope is fitted to ten. */
-inline constexpr std::size_t packet_reach = 20, envelope_reach = 10;
+inline constexpr std::size_t compressed_half_width = 20, envelope_half_width = 10;
 
 /// Time, energy centre, shares of packet and boundary, participation number of the chain, and of the packet
 /// alone, at one instant.

@@ -7,17 +7,17 @@
 
 namespace lattice {
 
-Window around(std::size_t peak, std::size_t reach, std::size_t sites) {
-  return {peak > reach ? peak - reach : 0, std::min(sites, peak + reach + 1)};
+Window around(std::size_t peak, std::size_t half_width, std::size_t sites) {
+  return {peak > half_width ? peak - half_width : 0, std::min(sites, peak + half_width + 1)};
 }
 
 // Slide a window along the chain and keep the centre of the one that holds the most energy
-std::size_t richest(const std::vector<double>& e, std::size_t reach) {
-  double sum = window_sum(e, 0, reach), best = sum;
+std::size_t richest(const std::vector<double>& e, std::size_t half_width) {
+  double sum = window_sum(e, 0, half_width), best = sum;
   std::size_t at = 0;
   for (std::size_t n = 1; n < e.size(); ++n) {
-    if (n + reach < e.size()) sum += e[n + reach];
-    if (n > reach) sum -= e[n - reach - 1];
+    if (n + half_width < e.size()) sum += e[n + half_width];
+    if (n > half_width) sum -= e[n - half_width - 1];
     if (sum > best) best = sum, at = n;
   }
   return at;

@@ -19,13 +19,13 @@ the residual of a least-squares fit. */
 
 namespace lattice {
 
-/// The sites within `reach` of `peak`.
-Window around(std::size_t peak, std::size_t reach, std::size_t sites);
+/// The sites within `half_width` of `peak`.
+Window around(std::size_t peak, std::size_t half_width, std::size_t sites);
 
 /**
 Among phonons the largest single density need not belong to the packet. So we look for the site around
-which all sites within `reach` together hold the most energy. */
-std::size_t richest(const std::vector<double>& e, std::size_t reach);
+which all sites within `half_width` together hold the most energy. */
+std::size_t richest(const std::vector<double>& e, std::size_t half_width);
 
 /**
 The frequency of the carrier is that of the packet and not of the waves behind it, so it is taken from the

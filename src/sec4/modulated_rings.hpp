@@ -29,13 +29,13 @@ In linear and hard wells a run goes on until the energy has gathered and half as
 packet, and not the ring, is narrow and moves to the right. */
 struct RingOfWell {
   double s, q;
-  RingCourse course{};
+  RingPair pair{};
 
   /// What has formed when the energy has gathered.
-  Formed packet() const { return formed(course.packet[0], course.packet[1]); }
+  Formed packet() const { return formed(pair.packet[0], pair.packet[1]); }
   /// Whether it is a packet of five times the mean density, on a quarter of the ring, that moves to the right.
   bool travels() const {
-    if (std::isnan(course.gathered)) return false;
+    if (std::isnan(pair.gathered)) return false;
     const Formed p = packet();
     return p.peak_over_mean.value - p.peak_over_mean.error > 5 &&
            p.width.value + p.width.error < double(ModulatedPhonon{}.sites) / 4 &&
@@ -61,8 +61,8 @@ inline void report_band_of(Report& report, const std::string& name,
   for (const RingOfWell& ring : band) {
     if (!ring.travels()) continue;
     ++formed;
-    widest = larger(widest, ring.course.width());
-    latest = larger(latest, {ring.course.gathered, 50});
+    widest = larger(widest, ring.pair.width());
+    latest = larger(latest, {ring.pair.gathered, 50});
   }
   report.facts.add("rings_tried" + name, exact(double(band.size())));
   report.facts.add("rings_formed" + name, exact(double(formed)));
@@ -74,8 +74,8 @@ inline void report_band_of(Report& report, const std::string& name,
 /**
 In the linear well, whose instability is slow, we follow the most unstable wavenumber only, with twice the steps; in
 the hard one every unstable wavenumber, because there backscattered waves grow too. */
-/// The tables of other wells, beside the course in soft ones.
-inline void report_courses(Report& report, const RingCourse& soft) {
+/// The tables of other wells, beside those of the soft one.
+inline void report_ring_tables(Report& report, const RingPair& soft) {
   // The linear well at one wavenumber, for long; the hard one all over its band
   const std::array<double, 2> long_steps{0.8, 0.4}, usual_steps{0.4, 0.2};
   std::vector<RingOfWell> tried{{0, unstable_band({.s = 0}, 1).front()}};
@@ -83,8 +83,8 @@ inline void report_courses(Report& report, const RingCourse& soft) {
   parallel_for(tried.size(), [&](std::size_t i) {
     RingOfWell& ring = tried[i];
     const double longest = report.quick ? 2000 : i == 0 ? 150000 : 15000;
-    ring.course =
-        ring_course({.s = ring.s, .q = ring.q}, longest, i == 0 ? long_steps : usual_steps, 1.5);
+    ring.pair =
+        run_ring_pair({.s = ring.s, .q = ring.q}, longest, i == 0 ? long_steps : usual_steps, 1.5);
   });
   const RingOfWell all[] = {{-1.0 / 6, ModulatedPhonon{}.q, soft}, tried[1], tried[0]};
   const std::string names[] = {"_s_minus_1_6", "_s_1", "_s_0"};
@@ -92,8 +92,8 @@ inline void report_courses(Report& report, const RingCourse& soft) {
   // The wave from then on, well by well
   Table& table = report.table("ring_courses");
   for (const RingOfWell& ring : all)
-    for (std::size_t k = 3; k < ring.course.samples.size(); k += 4) {
-      const auto& [a, b] = ring.course.samples[k];
+    for (std::size_t k = 3; k < ring.pair.samples.size(); k += 4) {
+      const auto& [a, b] = ring.pair.samples[k];
       const Estimate peak = compare(a.peak_over_mean, b.peak_over_mean),
                      sites = compare(a.participation, b.participation),
                      second = compare(a.second, b.second);
@@ -110,14 +110,14 @@ inline void report_courses(Report& report, const RingCourse& soft) {
   // Does each become a breather, and how do they differ?
   Estimate peak = exact(INFINITY), width{}, speed = exact(INFINITY);
   for (std::size_t i = 0; i < 3; ++i) {
-    const RingCourse& course = all[i].course;
+    const RingPair& pair = all[i].pair;
     report.facts.add("ring_q" + names[i], exact(all[i].q), "1/site");
-    report.facts.add("narrowest" + names[i], course.narrowest(), "site");
-    report.facts.add("highest" + names[i], course.highest());
-    report.facts.add("agree" + names[i], course.agree);
-    if (std::isnan(course.gathered)) continue;
-    report.facts.add("gathered" + names[i], {course.gathered, 50});
-    report.facts.add("packet_width" + names[i], course.width(), "site");
+    report.facts.add("narrowest" + names[i], pair.narrowest(), "site");
+    report.facts.add("highest" + names[i], pair.highest());
+    report.facts.add("agree" + names[i], pair.agree);
+    if (std::isnan(pair.gathered)) continue;
+    report.facts.add("gathered" + names[i], {pair.gathered, 50});
+    report.facts.add("packet_width" + names[i], pair.width(), "site");
     const Formed packet = all[i].packet();
     peak = smaller(peak, packet.peak_over_mean);
     width = larger(width, packet.width);
@@ -129,7 +129,7 @@ inline void report_courses(Report& report, const RingCourse& soft) {
   report.facts.add("formed_least_speed", speed, "site per unit of time");
 
   // At the same stage of the instability the linear well is later, and its packet wider
-  const RingCourse &hard = all[1].course, &linear = all[2].course;
+  const RingPair &hard = all[1].pair, &linear = all[2].pair;
   const Estimate wider = larger(soft.width(), hard.width());
   const Estimate later{linear.gathered, 50}, earlier{std::max(soft.gathered, hard.gathered), 50};
   report.facts.add("gathers_later_s_0", quotient(later, earlier));
@@ -147,17 +147,17 @@ inline void report_courses(Report& report, const RingCourse& soft) {
 /**
 ## The run of figure 26
 
-Two runs with different steps tell the error of the state, and a course of two runs side by side when they part: later
+Two runs with different steps tell the error of the state, and a pair of runs side by side when they part: later
 statements would be statistical. */
-/// The state of figure 26 and its control, and with them the courses in all wells.
+/// The state of figure 26 and its control, and with them the rings in all wells.
 inline void report_modulated(Report& report, const ModulatedPhonon& soft) {
   // Two resolutions, and the hard well as the control
   const ModulatedPhonon hard{.s = 1};
   const double time = 6619;
   Modulated runs[4];
-  RingCourse course;
+  RingPair pair;
   parallel_for(5, [&](std::size_t i) {
-    if (i == 0) course = ring_course(soft, report.quick ? 7000 : 30000, {0.4, 0.2});
+    if (i == 0) pair = run_ring_pair(soft, report.quick ? 7000 : 30000, {0.4, 0.2});
     if (i > 0) runs[i - 1] = modulate(i < 3 ? soft : hard, time, i % 2 ? 0.4 : 0.2);
   });
   const Modulated &coarse = runs[0], &fine = runs[1];
@@ -185,8 +185,8 @@ inline void report_modulated(Report& report, const ModulatedPhonon& soft) {
   facts.add("mi_speed", made.speed, "site per unit of time");
   facts.add("mi_state_error", compare(0.0, distance(coarse.end, fine.end)));
   facts.add("mi_energy_drift", compare(coarse.drift, fine.drift));
-  facts.add("mi_agreement_time", course.agree);
-  report_courses(report, course);
+  facts.add("mi_agreement_time", pair.agree);
+  report_ring_tables(report, pair);
 }
 
 /**
@@ -206,25 +206,25 @@ struct OneRing {
   }
   Table table() const {
     const double q = 2 * std::numbers::pi * double(waves) / 200;
-    const RingCourse course = ring_course({.s = s, .q = q}, longest, {0.4, 0.2}, 1.5);
+    const RingPair pair = run_ring_pair({.s = s, .q = q}, longest, {0.4, 0.2}, 1.5);
     const Estimate none{std::nan(""), std::nan("")};
-    const bool gathered = !std::isnan(course.gathered);
-    const std::string by = "by t = " + short_text(course.agree.value),
-                      why = course.agree.is_exact ? "the energy has not gathered " + by
-                                                  : "the runs with two steps part " + by +
-                                                        ", before the energy has gathered";
+    const bool gathered = !std::isnan(pair.gathered);
+    const std::string by = "by t = " + short_text(pair.agree.value),
+                      why = pair.agree.is_exact ? "the energy has not gathered " + by
+                                                : "the runs with two steps part " + by +
+                                                      ", before the energy has gathered";
     Answers a{"a shorter --longest"};
-    a.add("gathered", gathered ? Estimate{course.gathered, 50} : none, "",
+    a.add("gathered", gathered ? Estimate{pair.gathered, 50} : none, "",
           "first of the looks, one in 50 units of time, at which a site has five times the mean "
           "energy density and less than half of the sites share the energy",
           why);
-    a.add("agree", course.agree, "", "time up to which the runs with two steps agree");
+    a.add("agree", pair.agree, "", "time up to which the runs with two steps agree");
     a.add(
-        "width", gathered ? course.width() : none, "site",
+        "width", gathered ? pair.width() : none, "site",
         "least width of the packet at half height in these looks, until half as long again or the "
         "end",
         why);
-    a.add("highest", course.highest(), "",
+    a.add("highest", pair.highest(), "",
           "largest energy density over the mean that any of these looks sees");
     return a.table;
   }

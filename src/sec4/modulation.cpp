@@ -53,14 +53,14 @@ double packet_width(const std::vector<double>& density) {
 // The two richest windows on the ring that have no site in common
 RingSample ring_sample(const Chain& ring, const State<double>& state) {
   const std::vector<double> e = energy_density(ring, state);
-  const std::size_t n = e.size(), reach = envelope_reach;
+  const std::size_t n = e.size(), half_width = envelope_half_width;
   std::vector<double> content(n, 0.0);
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t k = 0; k <= 2 * reach; ++k) content[i] += e[(i + n + k - reach) % n];
+    for (std::size_t k = 0; k <= 2 * half_width; ++k) content[i] += e[(i + n + k - half_width) % n];
   const auto first =
       std::size_t(std::max_element(content.begin(), content.end()) - content.begin());
   double second = 0;
-  for (std::size_t k = 2 * reach + 1; k + 2 * reach < n; ++k)
+  for (std::size_t k = 2 * half_width + 1; k + 2 * half_width < n; ++k)
     second = std::max(second, content[(first + k) % n]);
   const double peak = *std::max_element(e.begin(), e.end()) * double(n) / total(e);
   const double sharing = participation(e);
@@ -70,12 +70,12 @@ RingSample ring_sample(const Chain& ring, const State<double>& state) {
 }
 
 // Two steps side by side, as long as they give the same state
-RingCourse ring_course(const ModulatedPhonon& phonon, double longest,
+RingPair run_ring_pair(const ModulatedPhonon& phonon, double longest,
                        const std::array<double, 2>& steps, double patience) {
   const double interval = 50;
   const Chain ring = phonon.ring();
   std::array<State<double>, 2> state{phonon.start(), phonon.start()};
-  RingCourse out;
+  RingPair out;
   const auto method = [&](std::size_t k) { return Splitting{blanes_moan_6_14(), steps[k]}; };
   bool together = true;
   Progress progress("ring", 1);
@@ -98,7 +98,7 @@ RingCourse ring_course(const ModulatedPhonon& phonon, double longest,
 }
 
 // What is narrowest and highest on the way
-Estimate RingCourse::narrowest() const {
+Estimate RingPair::narrowest() const {
   const auto narrower = [](const auto& a, const auto& b) {
     return a[1].participation < b[1].participation;
   };
@@ -106,7 +106,7 @@ Estimate RingCourse::narrowest() const {
   return compare(at[0].participation, at[1].participation);
 }
 
-Estimate RingCourse::width() const {
+Estimate RingPair::width() const {
   Estimate least{std::numeric_limits<double>::infinity(), 0};
   for (const auto& [coarse, fine] : samples)
     if (fine.t >= gathered && fine.t <= 1.5 * gathered && fine.width < least.value)
@@ -114,7 +114,7 @@ Estimate RingCourse::width() const {
   return least;
 }
 
-Estimate RingCourse::highest() const {
+Estimate RingPair::highest() const {
   const auto lower = [](const auto& a, const auto& b) {
     return a[1].peak_over_mean < b[1].peak_over_mean;
   };
@@ -151,10 +151,10 @@ Formed formed(const Modulated& coarse, const Modulated& fine) {
 }
 
 // One pulse on its way round the ring, then two, and in the end two that stand apart
-PulseSplits pulse_splits(const RingCourse& course, double round) {
+PulseSplits pulse_splits(const RingPair& pair, double round) {
   double since = std::nan(""), alone = 0, split = std::nan(""), apart = std::nan("");
-  for (const auto& [coarse, fine] : course.samples) {
-    if (!(fine.t >= course.gathered)) continue;
+  for (const auto& [coarse, fine] : pair.samples) {
+    if (!(fine.t >= pair.gathered)) continue;
     const bool one = coarse.second < 0.5 && fine.second < 0.5;
     const bool two = coarse.second >= 0.5 && fine.second >= 0.5;
     if (std::isnan(split)) {

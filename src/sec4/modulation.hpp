@@ -92,7 +92,7 @@ double packet_width(const std::vector<double>& density);
 RingSample ring_sample(const Chain& ring, const State<double>& state);
 
 /// Two runs side by side, the finer one second.
-struct RingCourse {
+struct RingPair {
   std::vector<std::array<RingSample, 2>> samples{};
   Estimate agree{};                   ///< how long the runs agree
   double gathered = std::nan("");     ///< when the energy has gathered in both,
@@ -108,7 +108,7 @@ struct RingCourse {
 
 /// Goes on until the runs part, until `longest`, or until `patience` times the time that it takes the energy
 /// to gather.
-RingCourse ring_course(const ModulatedPhonon& phonon, double longest,
+RingPair run_ring_pair(const ModulatedPhonon& phonon, double longest,
                        const std::array<double, 2>& steps,
                        double patience = std::numeric_limits<double>::infinity());
 
@@ -124,8 +124,8 @@ struct PulseSplits {
   Estimate splits_at, apart_at;  ///< nan if it does not
 };
 
-/// From a course, with the time that a pulse needs to go round the ring.
-PulseSplits pulse_splits(const RingCourse& course, double round);
+/// From a pair of runs, with the time that a pulse needs to go round the ring.
+PulseSplits pulse_splits(const RingPair& pair, double round);
 
 /**
 What has become of the wave is seen from a few numbers of two runs: the largest energy density over the mean, the

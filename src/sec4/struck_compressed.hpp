@@ -140,7 +140,7 @@ inline void report_impacts(Report& report) {
   }
 
   // The breather's envelope at three times, and the crests of the wave trains
-  Estimate reach{}, residual{};
+  Estimate widest{}, residual{};
   for (const Experiment& e : all)
     for (std::size_t k = 0; k < e.times.size(); ++k) {
       const Snapshot &coarse = e.coarse.shown[k], &fine = e.fine.shown[k];
@@ -157,11 +157,11 @@ inline void report_impacts(Report& report) {
       };
       add("breather_centre" + at, &Sech::centre, "site");
       add("breather_height" + at, &Sech::height);
-      reach = larger(reach, compare(off(coarse), off(fine)));
-      reach = larger(reach, add("breather_width" + at, &Sech::width, "site"));
+      widest = larger(widest, compare(off(coarse), off(fine)));
+      widest = larger(widest, add("breather_width" + at, &Sech::width, "site"));
       residual = larger(residual, add("breather_residual" + at, &Sech::residual));
     }
-  report.facts.add("sech_reach", reach, "site");
+  report.facts.add("sech_reach", widest, "site");
   report.facts.add("sech_residual", residual);
 
   // What the two wave trains keep at the most
@@ -212,8 +212,8 @@ struct CompressedImpact {
     const Snapshot rough = snapshot(impact.chain, coarse.end),
                    best = snapshot(impact.chain, fine.end);
     const auto width = [](const Snapshot& shot) {
-      const double off = std::abs(shot.sech.centre - shot.centre), reach = envelope_reach;
-      return std::max(off, shot.sech.width) < reach ? shot.sech.width : std::nan("");
+      const double off = std::abs(shot.sech.centre - shot.centre), limit = envelope_half_width;
+      return std::max(off, shot.sech.width) < limit ? shot.sech.width : std::nan("");
     };
     // The packet with the most energy, and how far the run can be trusted
     Answers q{"a --time at which one packet stands out"};
@@ -222,7 +222,7 @@ struct CompressedImpact {
     q.add("width", compare(width(rough), width(best)), "site",
           "width w of the sech((n - n_0)/w) that fits the envelope of its velocities",
           "no sech: the top or the width of the one that fits best lies beyond the " +
-              std::to_string(2 * envelope_reach + 1) + " sites of the fit");
+              std::to_string(2 * envelope_half_width + 1) + " sites of the fit");
     q.add_small(
         "residual", compare(rough.sech.residual, best.sech.residual), "",
         "root mean square of what this sech leaves of the envelope, relative to its height");

@@ -50,15 +50,15 @@ def turning(level):
         e = chain.energies(y, v)
         e[np.abs(n - 1 - np.argmax(e)) > 5] = 0
         place.append(n @ e / e.sum())
-    reach = round(7.5 / dt)
-    weight = 1 + np.cos(np.pi * np.arange(-reach, reach + 1) / (reach + 1))
+    half_width = round(7.5 / dt)
+    weight = 1 + np.cos(np.pi * np.arange(-half_width, half_width + 1) / (half_width + 1))
     mean = np.convolve(place, weight / weight.sum(), "valid")
     top = np.argmax(mean)
     a, b, c = mean[top - 1:top + 2]
     shift = (a - c) / 2 / (a - 2 * b + c)
     text = "maximum up to t = 800 of the centre of eleven sites averaged with 1 + cos(2 pi t/15); impact of 1.9; s = 1"
     return [("sec34_boomeron.apex_site_190", b - (a - c) * shift / 4, 1e-12, text),
-            ("sec34_boomeron.apex_time_190", dt * (top + 1 + reach + shift), 1e-12, "time of the " + text)]
+            ("sec34_boomeron.apex_time_190", dt * (top + 1 + half_width + shift), 1e-12, "time of the " + text)]
 
 
 def packet(level):

@@ -117,8 +117,8 @@ Table DpsOrbit::profile(const Found& f) const {
                number("imag", "imaginary part of A_n at tau = 0")}};
   const Field& field = f.fine.second.field;
   for (std::size_t i = 0; i < field.size(); ++i)
-    table.add(
-        {long(i) - long(f.fine.first.reach), scale() * field[i].real(), scale() * field[i].imag()});
+    table.add({long(i) - long(f.fine.first.half_length), scale() * field[i].real(),
+               scale() * field[i].imag()});
   return table;
 }
 

@@ -29,7 +29,7 @@ template std::pair<double, double> phase_and_rest(const Shooting<long double>&,
                                                   const EventTolerance<long double>&);
 
 /// The largest modulus of a multiplier; one where no growth shows above the error.
-static Estimate largest_modulus(const Pair& phase, const Estimate& rest) {
+static Estimate largest_multiplier(const Pair& phase, const Estimate& rest) {
   if (rest.value > 1 + rest.error) return rest;
   const bool grows = phase.kappa.real() > phase.error;
   return {grows ? multiplier(phase.kappa, 1).real() : 1, phase.multiplier_error()};
@@ -37,7 +37,7 @@ static Estimate largest_modulus(const Pair& phase, const Estimate& rest) {
 
 /**
 The equations cover one shift; here an orbit runs on. It is integrated over one shift at a time by the method
-that lands on every opening and closing of a contact (event_driven.hpp), and then the frame moves on by one site.
+that stops at every opening and closing of a contact (event_driven.hpp), and then the frame moves on by one site.
 What the last site of the frame holds is left behind. */
 static double left_behind(const Shooting<double>& problem, const Orbit<double>& orbit,
                           std::size_t shifts, const EventTolerance<double>& rule) {
@@ -63,7 +63,7 @@ void OneOrbit::parameters(Parameters& p) {
   p.add("near", near, "the orbit without a tail nearest to this shift time", {4, 100})
       .excludes(type_one)
       .excludes(well);
-  p.add("reach", reach, "sites on either side of the centre", {2, 10});
+  p.add("reach", half_length, "sites on either side of the centre", {2, 10});
   p.add("profile", as_profile, "the orbit at t = 0 instead of its quantities");
 }
 
@@ -105,23 +105,23 @@ static OneOrbit::Found on_branch(const OneOrbit& choice, const Orbit<double>& st
 /**
 The reader may choose the length of the chain. It is too short if its last bead moves so much that the
 missing one would be felt. */
-static void need_reach(const OneOrbit& choice, const Orbit<double>& orbit) {
+static void need_half_length(const OneOrbit& choice, const Orbit<double>& orbit) {
   State<double> half = orbit.start;
-  auto problem = travelling_problem(shift_time(orbit), choice.s, choice.reach);
+  auto problem = travelling_problem(shift_time(orbit), choice.s, choice.half_length);
   flow(problem.chain, half, shift_time(orbit) / 2);
   const double edge = std::hypot(half.y.back(), half.v.back()) / orbit.amplitude;
   if (edge > 1e-10)
-    throw UsageError("--reach: " + std::to_string(choice.reach) +
+    throw UsageError("--reach: " + std::to_string(choice.half_length) +
                      " sites are too few for the tail, whose last bead still moves by " +
                      short_text(edge) + " of the amplitude (allowed: more sites, at most 10)");
 }
 
 static OneOrbit::Found chosen_type_one(const OneOrbit& choice) {
-  Staircase stairs(choice.sign == "plus" ? 1 : -1, choice.reach);
+  Staircase stairs(choice.sign == "plus" ? 1 : -1, choice.half_length);
   const Orbit<double> orbit = stairs.reach(choice.k);
   if (choice.s != 0) return on_branch(choice, orbit);
-  const auto problem = type_one<long double>(choice.k, choice.reach);
-  return {type_one<double>(choice.k, choice.reach), orbit, problem, polish(problem, orbit)};
+  const auto problem = type_one<long double>(choice.k, choice.half_length);
+  return {type_one<double>(choice.k, choice.half_length), orbit, problem, polish(problem, orbit)};
 }
 
 /**
@@ -130,18 +130,19 @@ at somewhat shorter shift times, on families that begin at the orbits of type I 
 follow the family that begins at the next multiple of $2\pi$ above the time asked for. */
 static OneOrbit::Found chosen_near(const OneOrbit& choice, double near) {
   const auto above = std::size_t(std::max(1.0, std::ceil(near / two_pi)));
-  Staircase stairs(choice.sign == "plus" ? 1 : -1, choice.reach);
+  Staircase stairs(choice.sign == "plus" ? 1 : -1, choice.half_length);
   const Orbit<double> start = stairs.reach(above);
   const double end = std::max(near - 0.6, 3.0);
   const auto members = follow_family(start, std::min(end, shift_time(start)), 0.1);
-  std::vector<OneOrbit::Found> candidates{{type_one<double>(above, choice.reach),
+  std::vector<OneOrbit::Found> candidates{{type_one<double>(above, choice.half_length),
                                            start,
-                                           type_one<long double>(above, choice.reach),
+                                           type_one<long double>(above, choice.half_length),
                                            {}}};
   for (std::size_t i = 1; i < members.size(); ++i)
     if (velocity_sum(members[i - 1]) * velocity_sum(members[i]) < 0) {
       const Orbit<double> orbit = type_two(members[i - 1], members[i]);
-      const auto problem = with_free_time(travelling_problem(shift_time(orbit), 0, choice.reach));
+      const auto problem =
+          with_free_time(travelling_problem(shift_time(orbit), 0, choice.half_length));
       candidates.push_back({problem, orbit, in_precision<long double>(problem), {}});
     }
   // If none of them is near, the command fails and names the nearest one
@@ -170,7 +171,7 @@ static double residual_of(const OneOrbit::Found& f) {
 /**
 Every quantity needs an error. Times, speeds and energies are compared between double and
 extended precision; what is left behind, and the multipliers of slow orbits, for which extended precision would
-take long, between two tolerances of the landing. */
+take long, between two tolerances of the integration. */
 Table OneOrbit::quantities(const Found& f) const {
   const auto peak = [](const auto& problem, const auto& orbit) {
     const auto e = energy_density(problem.chain, orbit.start);
@@ -201,7 +202,7 @@ Table OneOrbit::quantities(const Found& f) const {
               "largest root of the squares of position and velocity of a bead that is left behind");
   q.add_small("residual", {residual_of(f), residual_of(f)}, "relative to amplitude",
               "by how much the printed profile misses itself after a shift time, one site further");
-  q.add("multiplier_modulus", largest_modulus(phase, compare(narrow.second, better.second)), "",
+  q.add("multiplier_modulus", largest_multiplier(phase, compare(narrow.second, better.second)), "",
         "largest modulus of a multiplier per shift; 1 where no disturbance is seen to grow");
   return q.table;
 }
@@ -211,15 +212,15 @@ The profile is that of extended precision, rounded to double. */
 Table OneOrbit::profile(const Found& f) const {
   Table table{{count("n", "site", "site"), number("y", "position at t = 0"),
                number("v", "velocity at t = 0")}};
-  const long reach = long(f.problem.chain.sites / 2) - 1;
+  const long half_length = long(f.problem.chain.sites / 2) - 1;
   for (std::size_t i = 0; i < f.problem.chain.sites; ++i)
-    table.add({long(i) - reach, f.wide.start.y[i], f.wide.start.v[i]});
+    table.add({long(i) - half_length, f.wide.start.y[i], f.wide.start.v[i]});
   return table;
 }
 
 OneOrbit::Found OneOrbit::find() const {
   Found f = near ? chosen_near(*this, *near) : chosen_type_one(*this);
-  need_reach(*this, f.orbit);
+  need_half_length(*this, f.orbit);
   return f;
 }
 

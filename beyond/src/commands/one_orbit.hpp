@@ -25,12 +25,12 @@ std::pair<double, double> phase_and_rest(const Shooting<T>& problem, const Orbit
 /// The command: which orbit, in two precisions, its tables.
 struct OneOrbit {
   static constexpr Title title{"orbit", "one exact travelling breather"};
-  std::size_t k = 1;                ///< oscillations per site of an orbit of type I
-  std::size_t reach = usual_reach;  ///< sites on either side of the centre
-  std::string sign = "plus";        ///< or minus, of the central velocity at t = 0
-  double s = 0;                     ///< anharmonicity of the wells
-  std::optional<double> near{};     ///< a shift time instead of k and s
-  bool as_profile = false;          ///< whether `table` is the profile
+  std::size_t k = 1;                            ///< oscillations per site of an orbit of type I
+  std::size_t half_length = usual_half_length;  ///< sites on either side of the centre
+  std::string sign = "plus";                    ///< or minus, of the central velocity at t = 0
+  double s = 0;                                 ///< anharmonicity of the wells
+  std::optional<double> near{};                 ///< a shift time instead of k and s
+  bool as_profile = false;                      ///< whether `table` is the profile
 
   /// Declares them.
   void parameters(Parameters& p);

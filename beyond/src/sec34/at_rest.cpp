@@ -30,7 +30,7 @@ double at_frequency(const BreathersAtRest& f, double omega, Of of, std::size_t e
 // Its error has two sources: the spacing of the members, which shows when only every second one is taken, and the
 // error of the frequency
 template <class Of>
-Estimate at_rest(const BreathersAtRest& f, const Estimate& omega, Of of) {
+Estimate value_at_rest(const BreathersAtRest& f, const Estimate& omega, Of of) {
   const double here = at_frequency(f, omega.value, of);
   Estimate out = compare(at_frequency(f, omega.value, of, 2), here);
   out.error += std::abs(at_frequency(f, omega.value + omega.error, of) - here);
@@ -58,10 +58,11 @@ void compare_inside(Quantities& facts, const std::string& name, const BreathersA
   facts.add("omega" + name, omega);
   facts.add("energy" + name, mean(&Inside::energy));
   facts.add("area" + name, mean(&Inside::area));
-  facts.add("energy_at_rest" + name, at_rest(f, omega, [&](auto i) { return f.bond[i].energy; }),
+  facts.add("energy_at_rest" + name,
+            value_at_rest(f, omega, [&](auto i) { return f.bond[i].energy; }), same);
+  facts.add("area_at_rest" + name, value_at_rest(f, omega, [&](auto i) { return f.bond[i].area; }),
             same);
-  facts.add("area_at_rest" + name, at_rest(f, omega, [&](auto i) { return f.bond[i].area; }), same);
-  facts.add("barrier" + name, at_rest(f, omega, [&](auto i) { return f.gap[i]; }),
+  facts.add("barrier" + name, value_at_rest(f, omega, [&](auto i) { return f.gap[i]; }),
             "E_site - E_bond at equal area");
 }
 

@@ -40,7 +40,7 @@ double rub(const Absorber& absorber, double time, State<double>& state, bool cou
 }
 
 /// One chain on its way, up to the cut or after it.
-struct Voyager {
+struct WakeRun {
   WavesRemoved impact;
   double step;
   std::size_t shift;
@@ -51,7 +51,7 @@ struct Voyager {
           const WakeLook& observe);
 };
 
-bool Voyager::go(const Chain& chain, State<double>& state, double until, Path& path,
+bool WakeRun::go(const Chain& chain, State<double>& state, double until, Path& path,
                  const WakeLook& observe) {
   const Advance advance = Method(EventCorrected{step}).on(chain);
   Window moving = waking(chain, state);
@@ -60,7 +60,7 @@ bool Voyager::go(const Chain& chain, State<double>& state, double until, Path& p
   const double from = state.t;
   for (std::size_t k = 0; state.t < until - look / 2; ++k) {
     const std::vector<double> density = energy_density(chain, state);
-    const std::size_t peak = strongest(density);
+    const std::size_t peak = peak_index(density);
     path.add(state.t, density, peak);
     path.centre.back() -= double(shift);
     if (!observe({chain, state, density, peak, shift, dissipated})) return false;
@@ -78,17 +78,17 @@ bool Voyager::go(const Chain& chain, State<double>& state, double until, Path& p
 }  // namespace
 
 // Where the energy is largest
-std::size_t strongest(const std::vector<double>& density) {
+std::size_t peak_index(const std::vector<double>& density) {
   return std::size_t(std::max_element(density.begin(), density.end()) - density.begin());
 }
 
 // Copy the packet and nothing else
 State<double> cut_out(const Chain& chain, const State<double>& state, std::size_t shift) {
-  constexpr std::size_t reach = packet_half_width + 1;
-  const std::size_t peak = strongest(energy_density(chain, state));
+  constexpr std::size_t half_width = packet_half_width + 1;
+  const std::size_t peak = peak_index(energy_density(chain, state));
   State<double> alone(chain.sites + shift);
   alone.t = state.t;
-  for (std::size_t n = peak > reach ? peak - reach : 0; n <= peak + reach; ++n)
+  for (std::size_t n = peak > half_width ? peak - half_width : 0; n <= peak + half_width; ++n)
     alone.y[n + shift] = state.y[n], alone.v[n + shift] = state.v[n];
   return alone;
 }
@@ -99,15 +99,15 @@ Path follow_without(const WavesRemoved& impact, double step, double until, std::
   Chain chain{sites, Quartic{impact.s}};
   State<double> state = struck(sites, impact.velocity);
   Path path;
-  Voyager voyager{impact, step, 0, 0};
+  WakeRun run{impact, step, 0, 0};
   if (impact.cut > 0) {
-    if (!voyager.go(chain, state, std::min(impact.cut, until), path, observe)) return path;
+    if (!run.go(chain, state, std::min(impact.cut, until), path, observe)) return path;
     state = cut_out(chain, state, sites);
     state.t = impact.cut;
-    voyager.shift = sites;
+    run.shift = sites;
     chain.sites += sites;
   }
-  voyager.go(chain, state, until, path, observe);
+  run.go(chain, state, until, path, observe);
   const double first = impact.cut > 0 ? std::abs(state.v.front()) : 0;
   if (std::max(first, std::abs(state.v.back())) > 1e-9)
     throw std::runtime_error("a wave has reached an end of the chain of " + std::to_string(sites) +
@@ -122,7 +122,7 @@ LateFate late_fate(const WavesRemoved& impact, double step, double until, std::s
   const auto width = std::size_t(std::lround(path_smoothing / look_every(step)));
   Path recent;
   double mean = 0, late = std::nan("");
-  const auto watch = [&](const Sight& now) {
+  const auto watch = [&](const WakeSample& now) {
     recent.add(now.state.t, now.density, now.peak);
     recent.centre.back() -= double(now.shift);
     if (recent.t.size() < width) return true;
@@ -135,7 +135,7 @@ LateFate late_fate(const WavesRemoved& impact, double step, double until, std::s
     return out.late != Late::returns;
   };
   Path path = follow_without(impact, step, until, sites, watch);
-  if (out.late != Late::returns && std::abs(mean - late) < 1) out.late = Late::caught;
+  if (out.late != Late::returns && std::abs(mean - late) < 1) out.late = Late::trapped;
   if (way) *way = std::move(path);
   return out;
 }
@@ -147,11 +147,11 @@ Budget budget(WavesRemoved impact, double step, double from, double to) {
   constexpr std::size_t m = packet_half_width;
   Budget out;
   double all = 0, at_ends = 0;
-  follow_without(impact, step, to, 150, [&](const Sight& now) {
+  follow_without(impact, step, to, 150, [&](const WakeSample& now) {
     const double t = now.state.t + 1e-9;
     if (t < from) return true;
     const std::vector<double>&e = now.density, &y = now.state.y;
-    const std::size_t peak = strongest(e), back = peak - m, front = peak + m;
+    const std::size_t peak = peak_index(e), back = peak - m, front = peak + m;
 
     // Energies at the end minus those at the beginning
     if (const double sign = t < from + ends ? -1 : t > to - ends ? 1 : 0; sign != 0) {
@@ -188,16 +188,16 @@ struct Gauge {
   Inside sum{};
   double samples = 0, begin = 0;
 
-  void operator()(const Sight& seen);
+  void operator()(const WakeSample& seen);
   void look_for_zero(double pattern, double t);
   void finish(double t);
 };
 
 // Each look at the chain adds to the sums
-void Gauge::operator()(const Sight& seen) {
+void Gauge::operator()(const WakeSample& seen) {
   const State<double>& now = seen.state;
   const std::vector<double>& e = seen.density;
-  const std::size_t peak = strongest(e), m = packet_half_width;
+  const std::size_t peak = peak_index(e), m = packet_half_width;
   double pattern = 0;
   for (std::size_t n = peak > m ? peak - m : 0; n < std::min(peak + m + 1, e.size()); ++n) {
     pattern += (n % 2 ? -1 : 1) * now.y[n];
@@ -231,7 +231,7 @@ void Gauge::finish(double t) {
 // Look at every sample of the run
 std::vector<Inside> gauge(const WavesRemoved& impact, double step, double until) {
   Gauge gauge;
-  follow_without(impact, step, until, 150, [&](const Sight& now) { return gauge(now), true; });
+  follow_without(impact, step, until, 150, [&](const WakeSample& now) { return gauge(now), true; });
   return gauge.rows;
 }
 

@@ -24,7 +24,7 @@ struct WavesRemoved {
 };
 
 /// The site of the largest density, which is where the packet is.
-std::size_t strongest(const std::vector<double>& density);
+std::size_t peak_index(const std::vector<double>& density);
 
 /**
 A cut copies the packet with one site more on either side than its energy centre takes into account, onto a
@@ -35,7 +35,7 @@ State<double> cut_out(const Chain& chain, const State<double>& state, std::size_
 /**
 On the way the observer sees the chain before every sample, with the number of sites by which a cut has
 shifted it and the energy that friction has taken. It may return false to end the run. */
-struct Sight {
+struct WakeSample {
   const Chain& chain;
   const State<double>& state;
   const std::vector<double>& density;
@@ -44,7 +44,7 @@ struct Sight {
   double dissipated;  ///< zero unless it is counted
 };
 /// Sees the chain; false ends the run.
-using WakeLook = Observer<Sight>;
+using WakeLook = Observer<WakeSample>;
 
 /**
 An absorber that follows the packet is placed anew whenever the observer looks, which is every 0.2 units of time,
@@ -61,7 +61,7 @@ Path follow_without(const WavesRemoved& impact, double step, double until, std::
 What becomes of such a packet in a long time? It *returns* if its mean over the width of the smoothing comes
 back by five sites, the criterion of turning.hpp. Of the others one is *trapped* if it moves by less than a site
 in the last tenth of the time, and the rest *go on*. */
-enum class Late : std::int64_t { goes_on, returns, caught };
+enum class Late : std::int64_t { goes_on, returns, trapped };
 
 /// What became of one packet.
 struct LateFate {

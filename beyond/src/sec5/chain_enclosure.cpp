@@ -224,7 +224,7 @@ ChainProof::ChainProof(const ChainGuess& guess, const Fineness& fineness)
   const Rows matrix = matrix_of_nodes();
   const auto inverse = resolvent(matrix);
   delta_ = defect(inverse, matrix);
-  for (const auto& row : inverse) kappa_ = std::max(kappa_, norm_of_row(row));
+  for (const auto& row : inverse) inverse_excess_ = std::max(inverse_excess_, norm_of_row(row));
 }
 
 /// Stiffness on the cells, |B| and epsilon.
@@ -298,7 +298,7 @@ double ChainProof::norm_of_row(const std::vector<double>& inverse) const {
 
 double ChainProof::eta(const std::vector<double>& residuals) const {
   const double window = *std::max_element(residuals.begin(), residuals.end() - 1);
-  return std::max(((one + Number(kappa_)) * window).upper, residuals.back());
+  return std::max(((one + Number(inverse_excess_)) * window).upper, residuals.back());
 }
 
 double ChainProof::q(double radius) const {
@@ -319,7 +319,7 @@ double ChainProof::q(double radius) const {
   double worst = 0;
   for (std::size_t n = 0; n < window(); ++n) worst = std::max(worst, row(change, n));
   const Number inside =
-      (one + Number(kappa_)) * (Number(epsilon_) + worst) + Number(delta_) * norm_;
+      (one + Number(inverse_excess_)) * (Number(epsilon_) + worst) + Number(delta_) * norm_;
   // The first contact behind the window sees the last inside it
   double last = 0;
   for (const Number& range : c_.back()) last = std::max(last, stiffness(range + ball).upper);
@@ -330,7 +330,7 @@ double ChainProof::q(double radius) const {
 namespace {
 
 /// Values of the compressions at theta = 0 or pi, in the window.
-Numbers at_rest(const ChainGuess& guess, bool later, double radius) {
+Numbers compressions_at_rest(const ChainGuess& guess, bool later, double radius) {
   Numbers d;
   for (const auto& c : guess.c) {
     Number sum(-radius, radius);
@@ -376,8 +376,8 @@ ChainBreather enclose_chain(Centre centre, int numerator, int denominator,
     throw NotProved("the tail does not certainly decay");
 
   // The right half now, and the left half: the same, or what the right half is half a period later
-  const Numbers d = at_rest(guess, false, r), y = positions(centre, d, r);
-  const Numbers d_left = at_rest(guess, centre == Centre::site, r),
+  const Numbers d = compressions_at_rest(guess, false, r), y = positions(centre, d, r);
+  const Numbers d_left = compressions_at_rest(guess, centre == Centre::site, r),
                 y_left = positions(centre, d_left, r);
   Number energy = half_energy(centre, d, y) + half_energy(centre, d_left, y_left);
   if (centre == Centre::site) energy += y[0] * y[0] / two;
@@ -389,8 +389,8 @@ ChainBreather enclose_chain(Centre centre, int numerator, int denominator,
       amplitude = {std::max(amplitude.lower, one_bead.lower),
                    std::max(amplitude.upper, one_bead.upper)};
     }
-  return {unique,          exists,   proof.kappa(), proof.delta(),
-          proof.epsilon(), residual, amplitude,     energy};
+  return {unique,    exists, proof.inverse_excess(), proof.delta(), proof.epsilon(), residual,
+          amplitude, energy};
 }
 
 }  // namespace lattice

@@ -70,10 +70,10 @@ matrix, an approximate inverse of $1-\mathfrak B$. We take
 $$A = 1+ECNB, \qquad
   1-A(1-B) = (1-\Pi)B+E[1-C(1-\mathfrak B)]NB+ECNB(1-\Pi)B,$$
 an identity. All its terms are small: $\|(1-\Pi)B\| \le \epsilon = \frac18(\pi/m)^2\sup|(Bv)''|$ and
-$\|1-C(1-\mathfrak B)\| = \delta$. The norm of $CNB$, a matrix of functions, is at most $\kappa$: its entries are
+$\|1-C(1-\mathfrak B)\| = \delta$. The norm of $CNB$, a matrix of functions, is at most $\beta$: its entries are
 linear combinations of $g$, between two nodes a combination of two sines, and we integrate their modulus
 from the values at the nodes. With $B_d$ for the stiffness of any $d$ in the ball
-$$\|1-A\,DF(d)\| \le (1+\kappa)(\epsilon+\|B_d-B\|)+\delta\|B\|$$
+$$\|1-A\,DF(d)\| \le (1+\beta)(\epsilon+\|B_d-B\|)+\delta\|B\|$$
 in the window. Behind it $A$ is the identity and rows are bounded by $\gamma$ times the stiffness there. */
 class ChainProof {
  public:
@@ -85,9 +85,9 @@ class ChainProof {
   /// Bound of |1 - A DF(d)| over the ball.
   double q(double radius) const;
 
-  double kappa() const { return kappa_; }      ///< |A| - 1
-  double delta() const { return delta_; }      ///< |1 - C (1 - B)| for the matrix
-  double epsilon() const { return epsilon_; }  ///< what broken lines miss
+  double inverse_excess() const { return inverse_excess_; }  ///< beta: |A| - 1
+  double delta() const { return delta_; }                    ///< |1 - C (1 - B)| for the matrix
+  double epsilon() const { return epsilon_; }                ///< what broken lines miss
 
  private:
   using Rows = std::vector<std::vector<Interval<double>>>;
@@ -104,7 +104,7 @@ class ChainProof {
   Rows kernel_;                                   ///< g at the nodes
   Rows c_{};                                      ///< range of the guess on every cell
   std::vector<std::vector<double>> stiffness_{};  ///< the constant on every cell
-  double kappa_ = 0, delta_ = 0, epsilon_ = 0, norm_ = 0;
+  double inverse_excess_ = 0, delta_ = 0, epsilon_ = 0, norm_ = 0;
 };
 
 /**
@@ -116,7 +116,7 @@ $3\gamma\sqrt{\delta} < \frac12$ there, less than a third of what is before it: 
 double-exponentially, and what it adds to amplitude and energy is bounded by the ball. */
 struct ChainBreather {
   Contraction<double> unique, exists;
-  double kappa, delta, epsilon, residual;
+  double inverse_excess, delta, epsilon, residual;
   Interval<double> amplitude;  ///< largest |y_n(0)|
   Interval<double> energy;
 };

@@ -34,8 +34,8 @@ struct Contraction {
   bool contracts() const { return q >= 0 && q < 1; }
   /// The map does not leave the ball.
   bool stays_inside() const {
-    const Interval<T> reach = Interval<T>(eta) + Interval<T>(q) * Interval<T>(radius);
-    return eta >= 0 && radius > 0 && reach.upper <= radius;
+    const Interval<T> image = Interval<T>(eta) + Interval<T>(q) * Interval<T>(radius);
+    return eta >= 0 && radius > 0 && image.upper <= radius;
   }
   /// The hypotheses of the lemma.
   bool holds() const { return contracts() && stays_inside(); }

@@ -23,11 +23,11 @@ Number value(const Cubic& c, const Number& x) {
   return c[0] + x * (c[1] + x * (c[2] + x * c[3]));
 }
 
-Number slope(const Cubic& c, const Number& x) {
+Number first_derivative(const Cubic& c, const Number& x) {
   return c[1] + x * (2 * c[2] + x * (Number(3) * c[3]));
 }
 
-Number bend(const Cubic& c, const Number& x) {
+Number second_derivative(const Cubic& c, const Number& x) {
   return 2 * c[2] + x * (Number(6) * c[3]);
 }
 
@@ -72,7 +72,7 @@ Number with_cosine(const Moduli& f) {
 }
 
 /// One cell while it is divided: a piece [from, to] of 0 <= x <= 1.
-struct Division {
+struct DividedCell {
   const CubicLine& d;
   std::size_t cell;
   const Angles& angles;
@@ -99,7 +99,8 @@ struct Division {
     const Number tau = step * (Number(to) - from);
     CellIntegrals sum;
     for (double x : {from, to}) {
-      const Number at = value(cubic(), Number(x)), by_t = slope(cubic(), Number(x)) / step;
+      const Number at = value(cubic(), Number(x)),
+                   by_t = first_derivative(cubic(), Number(x)) / step;
       const Number f = hertz(at), f_t = 1.5 * root(at) * by_t;
       const auto [c, s] = cosine_and_sine(x);
       const Number half = tau / two, twelfth = (x == from ? tau : -tau) * tau / Number(12);
@@ -124,8 +125,8 @@ struct Division {
     // Where the contact is closed the rule has a remainder that is bounded
     if (at.lower > 0) {
       const Number n = Number(double(d.per_turn)) / (two * enclosed_pi());
-      const Moduli by_t{Number(0), Number(magnitude(slope(cubic(), x))) * n,
-                        Number(magnitude(bend(cubic(), x))) * n * n,
+      const Moduli by_t{Number(0), Number(magnitude(first_derivative(cubic(), x))) * n,
+                        Number(magnitude(second_derivative(cubic(), x))) * n * n,
                         Number(6) * std::abs(cubic()[3]) * n * n * n, Number(0)};
       const Number power = tau * tau * tau * tau * tau / Number(720);
       const double rest = (power * with_cosine(chain_rule(force_moduli(at), by_t))).upper;
@@ -149,7 +150,7 @@ struct Division {
 }  // namespace
 
 CellIntegrals integrate(const CubicLine& d, std::size_t cell, const Angles& angles) {
-  return Division{d, cell, angles}.piece(0, 1, 0);
+  return DividedCell{d, cell, angles}.piece(0, 1, 0);
 }
 
 ForceIntegrals::ForceIntegrals(const CubicLine& d, const Angles& angles)

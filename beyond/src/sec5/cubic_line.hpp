@@ -24,9 +24,9 @@ using Cubic = std::array<double, 4>;
 /// The values of a cubic for all x of an interval.
 Interval<double> value(const Cubic& c, const Interval<double>& x);
 /// Those of its first derivative by x.
-Interval<double> slope(const Cubic& c, const Interval<double>& x);
+Interval<double> first_derivative(const Cubic& c, const Interval<double>& x);
 /// Those of its second derivative.
-Interval<double> bend(const Cubic& c, const Interval<double>& x);
+Interval<double> second_derivative(const Cubic& c, const Interval<double>& x);
 
 /// An even function. The number of cells on 2 pi is a power of two.
 struct CubicLine {

@@ -132,7 +132,7 @@ Decay let_decay(const Orbit<double>& orbit, const Chain& chain, double nu, doubl
            centres.push_back(energy_centre(density, most, chain.sites) + contacts / (2 * e.back()));
            return true;
          });
-  // From one upward passage to that eight periods later
+  // From one upward crossing to that eight periods later
   Decay out;
   constexpr std::size_t periods = 8;
   const auto up = upward_crossings(t, y);

@@ -9,7 +9,7 @@ and friction takes the share $\nu$ of it per unit of time, whatever the potentia
 $$\mathcal A(t) = \mathcal A(0)\,e^{-\nu t}.$$
 A weak instability has the time that the breather lives. In the DpS limit, where $\mathcal A\propto(\omega_b-1)^4$
 and the growth rate is $\sigma = \Lambda(\omega_b-1)$, a small shift $X$ along the chain grows by the slow clock of
-journey.hpp like $e^{\sigma(0)s}$, so that it has four lifetimes. At the time $t$ this is
+arrivals.hpp like $e^{\sigma(0)s}$, so that it has four lifetimes. At the time $t$ this is
 $$\ddot X + \frac\nu4\,\dot X = \sigma^2 X,\qquad \sigma = \sigma(\mathcal A(t)),$$
 which we take for the chain, too. There $\sigma^2$ changes its sign along the branch, and where it is negative the
 shift swings back. The friction $\nu/4$ is that of the limit; tests/damped.cpp finds the growth of a shift in a
@@ -53,7 +53,7 @@ double largest_shift(const std::vector<Member>& members, double limit, double nu
 double lifetime_of_growth(const std::vector<Member>& members, double limit, double factor);
 
 /**
-What a decaying breather does is read from one bead: its upward passages through zero make periods; frequency
+What a decaying breather does is read from one bead: its upward crossings through zero make periods; frequency
 and energy are means over eight of them. */
 struct DecayMoment {
   double t, omega, energy;  ///< t: middle of the eight periods

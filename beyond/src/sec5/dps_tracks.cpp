@@ -14,7 +14,7 @@
 namespace lattice {
 namespace {
 
-constexpr long reach = 2;  ///< sites of a breather on either side of its peak
+constexpr long half_width = 2;  ///< sites of a breather on either side of its peak
 
 }  // namespace
 
@@ -24,57 +24,59 @@ void BreatherWatch::look(double tau, const Field& field) {
   std::vector<double> window(field.size());
   double mean = 0;
   for (long i = 0; i < n; ++i) {
-    for (long k = -reach; k <= reach; ++k) window[std::size_t(i)] += std::norm(at(i + k));
+    for (long k = -half_width; k <= half_width; ++k) window[std::size_t(i)] += std::norm(at(i + k));
     mean += window[std::size_t(i)] / double(n);
   }
-  for (Path& path : paths_) path.seen = false;
+  for (FollowedPeak& followed : followed_peaks_) followed.seen = false;
   // Peaks of the norm on five sites, with their centres and the energy of their contacts
   for (long i = 0; i < n; ++i) {
     const double here = window[std::size_t(i)];
     bool highest = here > 2 * mean;
-    for (long k = 1; k <= reach && highest; ++k)
+    for (long k = 1; k <= half_width && highest; ++k)
       highest =
           here >= window[std::size_t((i + k) % n)] && here > window[std::size_t((i - k + n) % n)];
     if (!highest) continue;
     double centre = 0, contacts = 0;
-    for (long k = -reach; k <= reach; ++k) centre += double(k) * std::norm(at(i + k)) / here;
-    for (long k = -reach - 1; k <= reach; ++k) {
+    for (long k = -half_width; k <= half_width; ++k)
+      centre += double(k) * std::norm(at(i + k)) / here;
+    for (long k = -half_width - 1; k <= half_width; ++k) {
       const double d = std::abs(at(i + k + 1) - at(i + k));
       contacts += 0.4 * (d * d * std::sqrt(d));
     }
     meet({tau, double(i) + centre, here, contacts, here > 3 * mean}, double(n));
   }
-  for (Path& path : paths_) path.alive = path.alive && path.seen;
+  for (FollowedPeak& followed : followed_peaks_) followed.alive = followed.alive && followed.seen;
 }
 
-// The nearest path goes on; on a ring its centre may have gone round
+// The nearest followed peak goes on; on a ring its centre may have gone round
 void BreatherWatch::meet(const Peak& peak, double sites) {
-  Path* nearest = nullptr;
+  FollowedPeak* nearest = nullptr;
   double least = 1.5;
-  for (Path& path : paths_) {
-    if (!path.alive || path.seen) continue;
-    const double apart = std::abs(std::remainder(peak.centre - path.centre.back(), sites));
-    if (apart < least) nearest = &path, least = apart;
+  for (FollowedPeak& followed : followed_peaks_) {
+    if (!followed.alive || followed.seen) continue;
+    const double apart = std::abs(std::remainder(peak.centre - followed.centre.back(), sites));
+    if (apart < least) nearest = &followed, least = apart;
   }
   if (!nearest && !peak.high) return;
-  if (!nearest) nearest = &paths_.emplace_back();
-  Path& path = *nearest;
-  const double before = path.tau.empty() ? peak.centre : path.centre.back();
-  path.tau.push_back(peak.tau);
-  path.centre.push_back(before + std::remainder(peak.centre - before, sites));
-  path.norm += peak.norm, path.energy += peak.energy;
-  path.seen = true;
+  if (!nearest) nearest = &followed_peaks_.emplace_back();
+  FollowedPeak& followed = *nearest;
+  const double before = followed.tau.empty() ? peak.centre : followed.centre.back();
+  followed.tau.push_back(peak.tau);
+  followed.centre.push_back(before + std::remainder(peak.centre - before, sites));
+  followed.norm += peak.norm, followed.energy += peak.energy;
+  followed.seen = true;
 }
 
 // Only who lives long enough is a breather
 std::vector<BreatherTrack> BreatherWatch::breathers() const {
   std::vector<BreatherTrack> out;
-  for (const Path& path : paths_) {
-    const double lived = path.tau.back() - path.tau.front(), seen = double(path.tau.size());
+  for (const FollowedPeak& followed : followed_peaks_) {
+    const double lived = followed.tau.back() - followed.tau.front(),
+                 seen = double(followed.tau.size());
     if (lived < least_) continue;
-    const auto [low, high] = std::minmax_element(path.centre.begin(), path.centre.end());
-    out.push_back({path.tau.front(), lived, path.norm / seen, path.energy / seen,
-                   fit_line(path.tau, path.centre).slope, *high - *low});
+    const auto [low, high] = std::minmax_element(followed.centre.begin(), followed.centre.end());
+    out.push_back({followed.tau.front(), lived, followed.norm / seen, followed.energy / seen,
+                   fit_line(followed.tau, followed.centre).slope, *high - *low});
   }
   return out;
 }

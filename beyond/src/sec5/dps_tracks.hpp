@@ -34,7 +34,7 @@ class BreatherWatch {
   std::vector<BreatherTrack> breathers() const;
 
  private:
-  struct Path {
+  struct FollowedPeak {
     std::vector<double> tau{}, centre{};
     double norm = 0, energy = 0;
     bool alive = true, seen = false;
@@ -46,7 +46,7 @@ class BreatherWatch {
   void meet(const Peak& peak, double sites);
 
   double least_;
-  std::vector<Path> paths_{};
+  std::vector<FollowedPeak> followed_peaks_{};
 };
 
 /**

@@ -19,8 +19,8 @@ DpsMember dps_member(const DpsTravelling& problem, const Vector<double>& guess) 
           found.history.back().residual};
 }
 
-Vector<double> cut_dps_packet(double from, std::size_t reach) {
-  const std::size_t sites = std::size_t(from) + 3 * reach;
+Vector<double> cut_dps_packet(double from, std::size_t half_length) {
+  const std::size_t sites = std::size_t(from) + 3 * half_length;
   double least = 1e300, t0 = 0, x0 = 0, t1 = 0, x1 = 0;
   Field best;
   std::size_t centre = 0;
@@ -28,7 +28,7 @@ Vector<double> cut_dps_packet(double from, std::size_t reach) {
              1e-9, [&](double tau, const Field& field) {
                const auto d = density(field);
                const auto c = front_packet(d);
-               if (!c || energy_centre(d, *c) < from || *c + reach >= sites) return;
+               if (!c || energy_centre(d, *c) < from || *c + half_length >= sites) return;
                (t0 == 0 ? t0 : t1) = tau, (x0 == 0 ? x0 : x1) = energy_centre(d, *c);
                const double miss = std::abs(d[*c + 1] - d[*c - 1]) / d[*c];
                if (miss < least) least = miss, best = field, centre = *c;
@@ -40,8 +40,8 @@ Vector<double> cut_dps_packet(double from, std::size_t reach) {
   const std::complex<double> turn =
       std::complex<double>(0, -1) * std::abs(best[centre]) / best[centre];
   const double root = (t1 - t0) / (x1 - x0) / DpsTravelling::shift_time, scale = root * root;
-  Vector<double> x(2 * Eigen::Index(reach) + 1);
-  for (std::size_t n = 0; n <= reach; ++n) {
+  Vector<double> x(2 * Eigen::Index(half_length) + 1);
+  for (std::size_t n = 0; n <= half_length; ++n) {
     const auto a = scale * turn * best[centre + n];
     if (n > 0) x[2 * Eigen::Index(n) - 1] = a.real();
     x[2 * Eigen::Index(n)] = a.imag();
@@ -97,7 +97,7 @@ struct DpsBranch {
     stride = h;
     while (std::hypot(x[x.size() - 2], x[x.size() - 1]) > 1e-14 * sup(x)) {
       x = widened(x, 1), before = widened(before, 1);
-      ++problem.reach;
+      ++problem.half_length;
     }
   }
 };
@@ -107,7 +107,7 @@ struct DpsBranch {
 std::pair<DpsTravelling, DpsMember> follow_dps_member(double alpha, double phase,
                                                       double tolerance) {
   DpsBranch branch;
-  branch.x = cut_dps_packet(40, branch.problem.reach);
+  branch.x = cut_dps_packet(40, branch.problem.half_length);
   branch.problem.tolerance = 1e-11;
   branch.correct(0);
   branch.follow(0, phase, 0.2, [](DpsTravelling& p, double at) { p.phase = at; });
@@ -120,7 +120,7 @@ std::pair<DpsTravelling, DpsMember> follow_dps_member(double alpha, double phase
 std::pair<DpsTravelling, DpsMember> in_wider_window(const DpsTravelling& problem,
                                                     const DpsMember& member, double tolerance) {
   DpsTravelling wide = problem;
-  wide.reach += 2, wide.tolerance = tolerance;
+  wide.half_length += 2, wide.tolerance = tolerance;
   return {wide, dps_member(wide, widened(member.x, 2))};
 }
 

@@ -29,11 +29,11 @@ namespace lattice {
 
 /**
 This too is a problem for newton.hpp. The unknowns are the imaginary part of $A_0$ and then real and
-imaginary parts of $A_1,\dots,A_L$ at $\tau = 0$, with $L$ = `reach`. The flow is computed by GSL. The
+imaginary parts of $A_1,\dots,A_L$ at $\tau = 0$, with $L$ = `half_length`. The flow is computed by GSL. The
 derivative is a central difference, whose error affects only how fast Newton's method converges. */
 struct DpsTravelling {
   using Scalar = double;
-  std::size_t reach = 8;
+  std::size_t half_length = 8;
   double phase = 0;          ///< varphi
   double tolerance = 1e-13;  ///< of the integrator
   double alpha = 1.5;        ///< exponent of the contact force
@@ -43,12 +43,12 @@ struct DpsTravelling {
   std::string name() const { return "travelling orbit of the DpS equation"; }
   /// The field at tau = 0, sites -L to L + 1.
   Field expand(const Vector<double>& x) const {
-    Field a(2 * reach + 2);
-    a[reach] = {0, x[0]};
-    for (std::size_t n = 1; n <= reach; ++n) {
+    Field a(2 * half_length + 2);
+    a[half_length] = {0, x[0]};
+    for (std::size_t n = 1; n <= half_length; ++n) {
       const double re = x[2 * Eigen::Index(n) - 1], im = x[2 * Eigen::Index(n)];
-      a[reach + n] = {re, im};
-      a[reach - n] = {-re, im};
+      a[half_length + n] = {re, im};
+      a[half_length - n] = {-re, im};
     }
     return a;
   }
@@ -65,10 +65,10 @@ struct DpsTravelling {
   Vector<double> misses(const Vector<double>& x) const {
     Field a = expand(x);
     flow(a, shift_time / 2);
-    Vector<double> miss(2 * Eigen::Index(reach) + 2);
-    for (std::size_t n = 1; n <= reach + 1; ++n) {
-      const auto w = std::polar(1.0, -phase / 2) * a[reach + n],
-                 u = std::polar(1.0, -phase / 2) * a[reach + 1 - n];
+    Vector<double> miss(2 * Eigen::Index(half_length) + 2);
+    for (std::size_t n = 1; n <= half_length + 1; ++n) {
+      const auto w = std::polar(1.0, -phase / 2) * a[half_length + n],
+                 u = std::polar(1.0, -phase / 2) * a[half_length + 1 - n];
       miss[2 * Eigen::Index(n) - 2] = w.real() + u.real();
       miss[2 * Eigen::Index(n) - 1] = w.imag() - u.imag();
     }
@@ -118,7 +118,7 @@ have the same moduli. A common phase makes the centre imaginary, and a factor gi
 time. The packet moves at about 0.36 sites per unit of $\tau$; the run lasts as if it were 0.34. */
 /// Unknowns cut from the packet of a struck chain of spheres once it has passed site `from`. Throws
 /// std::runtime_error if no packet passes.
-Vector<double> cut_dps_packet(double from, std::size_t reach);
+Vector<double> cut_dps_packet(double from, std::size_t half_length);
 
 /**
 ## Other exponents

@@ -26,7 +26,8 @@ double legendre_slope(const std::vector<double>& p, double z) {
 
 }  // namespace
 
-Panel::Panel(std::size_t count, std::size_t zeros) : nodes(count), order(zeros) {
+QuadraturePanel::QuadraturePanel(std::size_t count, std::size_t zeros)
+    : nodes(count), order(zeros) {
   const auto n = Eigen::Index(count);
   x.resize(n), weight.resize(n), lagrange.resize(n), integral.resize(n, n);
   // The zeros of the Legendre polynomial by Newton's method
@@ -53,17 +54,17 @@ Panel::Panel(std::size_t count, std::size_t zeros) : nodes(count), order(zeros) 
     }
 }
 
-double Panel::map(double s) const {
+double QuadraturePanel::map(double s) const {
   return order == 2 ? s * s * (3 - 2 * s) : s * s * s * (10 - s * (15 - 6 * s));
 }
 
-double Panel::slope(double s) const {
+double QuadraturePanel::slope(double s) const {
   const double both = s * (1 - s);
   return order == 2 ? 6 * both : 30 * both * both;
 }
 
 // On the left half w is convex, so Newton's method comes down to the solution after its first step
-double Panel::inverse(double u) const {
+double QuadraturePanel::inverse(double u) const {
   if (u > 0.5) return 1 - inverse(1 - u);
   if (!(u > 0)) return 0;
   double x = order == 2 ? std::sqrt(u / 3) : std::cbrt(u / 10);
@@ -71,7 +72,7 @@ double Panel::inverse(double u) const {
   return x;
 }
 
-double Panel::interpolate(const double* values, double s) const {
+double QuadraturePanel::interpolate(const double* values, double s) const {
   double above = 0, below = 0;
   for (std::size_t j = 0; j < nodes; ++j) {
     const double apart = s - x[Eigen::Index(j)];
@@ -83,7 +84,7 @@ double Panel::interpolate(const double* values, double s) const {
 }
 
 HalfLine::HalfLine(double shift_time, std::vector<double> cuts, std::size_t periods,
-                   const Panel& panel)
+                   const QuadraturePanel& panel)
     : shift_time_(shift_time), periods_(periods), panel_(panel) {
   // Reflect the cuts of half a shift, and repeat them
   for (std::size_t i = cuts.size() - 1; i-- > 0;) cuts.push_back(shift_time - cuts[i]);

@@ -24,9 +24,9 @@ namespace lattice {
 /**
 What is the same for all panels: Gauss's nodes in $(0,1)$, their weights, the integrals from $0$ to each
 node, and the map $w$ with its derivative. */
-struct Panel {
+struct QuadraturePanel {
   /// With this many nodes; `order` is that of the zeros of w, 2 or 3.
-  Panel(std::size_t nodes, std::size_t order);
+  QuadraturePanel(std::size_t nodes, std::size_t order);
 
   std::size_t nodes, order;
   Vector<double> x, weight, lagrange;  ///< nodes, weights of Gauss, barycentric weights
@@ -46,7 +46,8 @@ A grid of the half line. Functions on it are vectors of their values at the node
 class HalfLine {
  public:
   /// Cuts in [0, T/2], sorted, the first 0 and the last T/2; `periods` shift times are covered.
-  HalfLine(double shift_time, std::vector<double> cuts, std::size_t periods, const Panel& panel);
+  HalfLine(double shift_time, std::vector<double> cuts, std::size_t periods,
+           const QuadraturePanel& panel);
 
   /// How many nodes there are.
   Eigen::Index size() const { return t_.size(); }
@@ -82,7 +83,7 @@ class HalfLine {
  private:
   double shift_time_;
   std::size_t periods_, per_shift_;
-  Panel panel_;
+  QuadraturePanel panel_;
   std::vector<double> start_, length_;
   Vector<double> t_, weight_, jacobian_, cosine_, sine_;
 };

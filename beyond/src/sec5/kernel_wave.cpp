@@ -30,7 +30,7 @@ double stiffness_of(const PowerContact& law, double x) {
 }
 
 /// A power of half an integer becomes analytic on panels of order 2; others gain from order 3.
-Panel panel_for(const PowerContact& law, std::size_t nodes) {
+QuadraturePanel panel_for(const PowerContact& law, std::size_t nodes) {
   const double twice = 2 * law.exponent;
   return {nodes, std::size_t(twice == std::round(twice) ? 2 : 3)};
 }
@@ -167,16 +167,16 @@ double KernelWave::central_velocity() const {
   return 2 * response.half_v[0] + std::cos(shift_time() / 2) * response.component;
 }
 
-State<double> KernelWave::state(std::size_t reach) const {
+State<double> KernelWave::state(std::size_t half_length) const {
   const auto response = line.respond(force());
-  State<double> z(2 * reach + 2);
-  z.v[reach] = central_velocity();
-  for (std::size_t j = 0; j <= reach && j < response.half.size(); ++j) {
+  State<double> z(2 * half_length + 2);
+  z.v[half_length] = central_velocity();
+  for (std::size_t j = 0; j <= half_length && j < response.half.size(); ++j) {
     const bool last = j + 1 == response.half.size();
     const double y = (last ? 0 : response.half[j + 1]) - response.half[j],
                  v = (last ? 0 : response.half_v[j + 1]) - response.half_v[j];
-    z.y[reach + j + 1] = -y, z.v[reach + j + 1] = v;
-    if (j < reach) z.y[reach - j - 1] = y, z.v[reach - j - 1] = v;
+    z.y[half_length + j + 1] = -y, z.v[half_length + j + 1] = v;
+    if (j < half_length) z.y[half_length - j - 1] = y, z.v[half_length - j - 1] = v;
   }
   return z;
 }
@@ -267,7 +267,7 @@ KernelWave wave_of_type_one(std::size_t k, int sign, const PowerContact& law,
   // An even start: pulses under an envelope
   const double shift_time = 2 * std::numbers::pi * double(k);
   const auto periods = std::size_t(6 + 1 / (law.exponent - 1));
-  HalfLine line(shift_time, cuts_for({}, shift_time, 0.4), periods, Panel(10, 2));
+  HalfLine line(shift_time, cuts_for({}, shift_time, 0.4), periods, QuadraturePanel(10, 2));
   const double middle = (k % 2 ? -sign : sign) > 0 ? 1 : -1,
                frequency = 1 / (1 - 1 / (4 * double(k)));
   Vector<double> u(line.size());
@@ -276,8 +276,8 @@ KernelWave wave_of_type_one(std::size_t k, int sign, const PowerContact& law,
     u[i] = std::max(0.0, middle * std::cos(frequency * t)) * std::exp(-3 * x * x / law.exponent);
   }
   const auto convolve = [&](const Vector<double>& f) { return line.convolve(f); };
-  const Ascent course = ascend(convolve, 2 * line.weight(), law, u, 1e-7, 400);
-  KernelWave wave = newton_wave({law, line, course.wave(law)}, shift_time, law, grid);
+  const Ascent ascent = ascend(convolve, 2 * line.weight(), law, u, 1e-7, 400);
+  KernelWave wave = newton_wave({law, line, ascent.wave(law)}, shift_time, law, grid);
   if (wave.central_velocity() * sign < 0)
     throw std::runtime_error("the ascent has led to the wave of the other sign");
   return wave;

@@ -62,8 +62,8 @@ struct KernelWave {
 
   /**
   A lattice is made from the wave at the instant at which positions are odd and velocities even. */
-  /// The sites -reach, ..., reach + 1 at that instant.
-  State<double> state(std::size_t reach) const;
+  /// The sites -half_length, ..., half_length + 1 at that instant.
+  State<double> state(std::size_t half_length) const;
   /// Velocity of the central site.
   double central_velocity() const;
   /// The energy of that lattice, Eq. (6).

@@ -9,12 +9,12 @@
 namespace lattice {
 namespace {
 
-struct Stretch {
+struct StretchMeans {
   double begin_t = 0, begin_x = 0, energy = 0, contact = 0, looks = 0;
 };
 
 /// Adds what is seen at one instant; a row is written when the centre has passed `next`.
-void look(LongRun& run, Stretch& s, const Chain& chain, const State<double>& now,
+void look(LongRun& run, StretchMeans& s, const Chain& chain, const State<double>& now,
           std::size_t offset, double next) {
   const auto e = energy_density(chain, now);
   const auto peak = front_packet(e);
@@ -37,12 +37,12 @@ void look(LongRun& run, Stretch& s, const Chain& chain, const State<double>& now
 
 }  // namespace
 
-LongRun long_run(double velocity, const Frame& frame, std::size_t rows) {
+LongRun long_run(double velocity, const MovingFrame& frame, std::size_t rows) {
   const Chain chain{frame.sites};
   const auto steps = std::size_t(std::lround(1 / frame.step));
   State<double> state = struck(chain.sites, velocity);
   LongRun run;
-  Stretch stretch;
+  StretchMeans stretch;
   std::size_t offset = 0;
   while (run.t.size() < rows) {
     const double next = 20 * std::pow(10.0, double(run.t.size()) / 12);

@@ -23,12 +23,12 @@ struct LongRun {
 };
 
 /// Sites of the frame, how many are dropped at a time, and the step.
-struct Frame {
+struct MovingFrame {
   std::size_t sites = 64, drop = 16;
   double step = 0.2;
 };
 
 /// Strikes a chain of linear wells with `velocity` and follows the packet for so many rows.
-LongRun long_run(double velocity, const Frame& frame, std::size_t rows);
+LongRun long_run(double velocity, const MovingFrame& frame, std::size_t rows);
 
 }  // namespace lattice

@@ -14,8 +14,8 @@ namespace lattice {
 namespace {
 
 /// The value at x of Lagrange's polynomial through the points, but for the farthest.
-double joined(double x, const std::vector<double>& xs, const std::vector<double>& ys,
-              std::size_t left_out) {
+double interpolated(double x, const std::vector<double>& xs, const std::vector<double>& ys,
+                    std::size_t left_out) {
   std::vector<std::size_t> order(xs.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -33,10 +33,10 @@ double joined(double x, const std::vector<double>& xs, const std::vector<double>
 }
 
 /// A member, set free in a resting chain and seen over two sites; its own T and phase are known.
-Traveller set_free(const Orbit<double>& member, double phase) {
+Traveller run_member(const Orbit<double>& member, double phase) {
   const DrivenChain driven{Chain{32}};
   const double T = shift_time(member);
-  const WatchedBeads two{usual_reach + 3, usual_reach + 5, 1};
+  const WatchedBeads two{usual_half_length + 3, usual_half_length + 5, 1};
   const Traveller seen =
       traveller_on(driven, embed(member.start, driven.chain.sites, 0), 8 * T, 0.1, two);
   return {T, phase, seen.energy, seen.width};
@@ -47,7 +47,7 @@ Traveller set_free(const Orbit<double>& member, double phase) {
 TravellerWatch::TravellerWatch(const Chain& chain, std::size_t from, std::size_t to,
                                std::size_t which)
     : chain_(chain), from_(from - 1), to_(to - 1), which_(which), wanted_(which) {
-  if (from <= reach || to <= from || to + 2 * reach > chain.sites || which == 0)
+  if (from <= half_width || to <= from || to + 2 * half_width > chain.sites || which == 0)
     throw std::invalid_argument("no packet can be followed from bead " + std::to_string(from) +
                                 " to " + std::to_string(to));
 }
@@ -55,19 +55,19 @@ TravellerWatch::TravellerWatch(const Chain& chain, std::size_t from, std::size_t
 // A packet arrives when the largest density nearby moves up to the site. Where two are nearby, the largest density may
 // be now in one and now in the other, and only one that passes the site itself has come
 bool TravellerWatch::arrives(const std::vector<double>& density) {
-  const auto first = density.begin() + std::ptrdiff_t(from_ - reach);
-  const auto most = std::size_t(std::max_element(first, first + 2 * reach + 1) - first);
-  const bool here = most == reach || most == reach + 1, came = before_ && here;
-  if (most + 2 <= reach)
+  const auto first = density.begin() + std::ptrdiff_t(from_ - half_width);
+  const auto most = std::size_t(std::max_element(first, first + 2 * half_width + 1) - first);
+  const bool here = most == half_width || most == half_width + 1, came = before_ && here;
+  if (most + 2 <= half_width)
     before_ = true;
-  else if (most >= reach)
+  else if (most >= half_width)
     before_ = false;
   return came && --wanted_ == 0;
 }
 
 TravellerWatch::Crossing TravellerWatch::seen(const State<double>& now) const {
   Crossing out{now.t, {}};
-  for (std::size_t n = next_ - reach; n <= next_ + reach; ++n)
+  for (std::size_t n = next_ - half_width; n <= next_ + half_width; ++n)
     out.z.push_back(std::polar(1.0, now.t) * std::complex<double>(now.y[n], now.v[n]));
   return out;
 }
@@ -79,7 +79,7 @@ bool TravellerWatch::look(const State<double>& now) {
   // The peak moves on by two sites at most
   const auto first = density.begin() + std::ptrdiff_t(begins ? from_ : peak_ - 1);
   peak_ = std::size_t(std::max_element(first, first + (begins ? 1 : 4)) - density.begin());
-  const double centre = energy_centre(density, peak_, reach) - 1;
+  const double centre = energy_centre(density, peak_, half_width) - 1;
   if (begins) next_ = std::size_t(std::ceil(centre));
   // What it was when the centre passed the next bead
   while (!begins && centre >= double(next_)) {
@@ -93,9 +93,9 @@ bool TravellerWatch::look(const State<double>& now) {
     if (next_++ == to_) return false;
   }
   if (!crossings_.empty()) {
-    const auto near = density.begin() + std::ptrdiff_t(peak_ - reach);
-    log_energy_ += std::log(window_sum(density, peak_, reach));
-    width_ += participation({near, near + 2 * reach + 1});
+    const auto near = density.begin() + std::ptrdiff_t(peak_ - half_width);
+    log_energy_ += std::log(window_sum(density, peak_, half_width));
+    width_ += participation({near, near + 2 * half_width + 1});
     ++samples_;
   }
   centre_ = centre, last_ = now;
@@ -133,7 +133,7 @@ MemberGrid member_grid(std::size_t fastest, std::size_t slowest,
                        const std::vector<double>& phases) {
   NewtonRule<double> rule;
   rule.events.tolerance = 1e-9;
-  Staircase stairs(1, usual_reach, rule);
+  Staircase stairs(1, usual_half_length, rule);
   std::vector<Orbit<double>> starts;
   for (std::size_t k = slowest; k >= fastest; --k) starts.push_back(stairs.reach(k));
   const auto zero = std::size_t(std::find(phases.begin(), phases.end(), 0) - phases.begin());
@@ -146,10 +146,10 @@ MemberGrid member_grid(std::size_t fastest, std::size_t slowest,
     for (std::size_t p = zero; p < phases.size(); i % 2 ? ++p : --p) {
       const double T = from - phases[p];
       if (p != zero) {
-        const Orbit<double> next = next_member(last, now, T, usual_reach, rule);
+        const Orbit<double> next = next_member(last, now, T, usual_half_length, rule);
         last = now, now = next;
       }
-      if (p != zero || i % 2) grid.members[p][family] = set_free(now, phases[p]);
+      if (p != zero || i % 2) grid.members[p][family] = run_member(now, phases[p]);
     }
   });
   return grid;
@@ -164,12 +164,12 @@ Traveller member_like(const MemberGrid& grid, const Traveller& p, std::size_t le
       speed.push_back(1 / m.shift_time), widths.push_back(m.width);
       logs.push_back(std::log(m.energy) + 4 * std::log(m.shift_time));
     }
-    log_scaled.push_back(joined(1 / p.shift_time, speed, logs, left_out));
-    width.push_back(joined(1 / p.shift_time, speed, widths, left_out));
+    log_scaled.push_back(interpolated(1 / p.shift_time, speed, logs, left_out));
+    width.push_back(interpolated(1 / p.shift_time, speed, widths, left_out));
   }
-  const double e = joined(p.phase, grid.phases, log_scaled, left_out);
+  const double e = interpolated(p.phase, grid.phases, log_scaled, left_out);
   return {p.shift_time, p.phase, std::exp(e - 4 * std::log(p.shift_time)),
-          joined(p.phase, grid.phases, width, left_out)};
+          interpolated(p.phase, grid.phases, width, left_out)};
 }
 
 }  // namespace lattice

@@ -42,7 +42,7 @@ class TravellerWatch {
   Traveller traveller() const;
 
  private:
-  static constexpr std::size_t reach = 3;  ///< sites of a packet on either side of its peak
+  static constexpr std::size_t half_width = 3;  ///< sites of a packet on either side of its peak
   struct Crossing {
     double t;
     std::vector<std::complex<double>> z;

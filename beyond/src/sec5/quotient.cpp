@@ -39,25 +39,25 @@ bool Ascent::rests(double gain, std::size_t over) const {
 Ascent ascend(const Convolution& convolve, const Vector<double>& weight, const PowerContact& law,
               Vector<double> u, double gain, std::size_t most, std::size_t over) {
   Vector<double> f = normalized(law, weight, u);
-  Ascent course{u, convolve(f), {}};
-  course.quotients.push_back(weight.dot(f.cwiseProduct(course.image)));
+  Ascent ascent{u, convolve(f), {}};
+  ascent.quotients.push_back(weight.dot(f.cwiseProduct(ascent.image)));
   double mu = 1;
   for (std::size_t tries = 0; tries < most && mu < 1e6; ++tries) {
-    Vector<double> trial = (course.image + mu * course.u).cwiseMax(0);
+    Vector<double> trial = (ascent.image + mu * ascent.u).cwiseMax(0);
     const Vector<double> force = normalized(law, weight, trial), image = convolve(force);
     const double quotient = weight.dot(force.cwiseProduct(image)),
-                 grown = quotient - course.quotient();
+                 grown = quotient - ascent.quotient();
     // A step that does not go up is refused
     if (!(grown > 0)) {
       mu *= 2;
       continue;
     }
     mu *= 0.8;
-    course.u = trial, course.image = image;
-    course.quotients.push_back(quotient);
-    if (course.rests(gain, over)) break;
+    ascent.u = trial, ascent.image = image;
+    ascent.quotients.push_back(quotient);
+    if (ascent.rests(gain, over)) break;
   }
-  return course;
+  return ascent;
 }
 
 PlainLine::PlainLine(double shift_time, std::size_t shifts, std::size_t per_shift)

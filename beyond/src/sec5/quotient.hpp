@@ -24,7 +24,7 @@ namespace lattice {
 /// K * f for the values of f on some grid.
 using Convolution = std::function<Vector<double>(const Vector<double>&)>;
 
-/// The course of an ascent: u, K * u^alpha, and the quotient after every step that was taken.
+/// An ascent: u, K * u^alpha, and the quotient after every step that was taken.
 struct Ascent {
   Vector<double> u, image;
   std::vector<double> quotients;

@@ -18,11 +18,11 @@ double asymmetry(const State<double>& z, std::size_t c, std::size_t width) {
 }
 
 // The half ahead of the centre determines the breather, the other one is its mirror image
-Vector<double> front_half(const State<double>& z, std::size_t c, std::size_t reach) {
-  Vector<double> x(2 * Eigen::Index(reach) + 1);
-  for (std::size_t j = 0; j <= reach; ++j) {
+Vector<double> front_half(const State<double>& z, std::size_t c, std::size_t half_length) {
+  Vector<double> x(2 * Eigen::Index(half_length) + 1);
+  for (std::size_t j = 0; j <= half_length; ++j) {
     if (j > 0) x[Eigen::Index(j) - 1] = z.y[c + j];
-    x[Eigen::Index(reach + j)] = z.v[c + j];
+    x[Eigen::Index(half_length + j)] = z.v[c + j];
   }
   return x;
 }
@@ -37,9 +37,10 @@ State<double> between(const State<double>& a, const State<double>& b, double w) 
 }
 
 // Follow a packet and cut it out when it is most like a travelling breather
-Vector<double> cut_packet(double velocity, double from, double to, int sign, std::size_t reach) {
+Vector<double> cut_packet(double velocity, double from, double to, int sign,
+                          std::size_t half_length) {
   const Impact impact{.velocity = velocity,
-                      .chain = {std::size_t(to) + 2 * reach},
+                      .chain = {std::size_t(to) + 2 * half_length},
                       .time = 1e6,
                       .every = 0.1,
                       .until = to};
@@ -53,7 +54,7 @@ Vector<double> cut_packet(double velocity, double from, double to, int sign, std
     if (centre > from && before.y[*c] * now.y[*c] < 0 && sign * now.v[*c] > 0) {
       const State<double> z = between(before, now, before.y[*c] / (before.y[*c] - now.y[*c]));
       const double miss = asymmetry(z, *c);
-      if (miss < least) least = miss, best = front_half(z, *c, reach);
+      if (miss < least) least = miss, best = front_half(z, *c, half_length);
     }
     before = now;
   });
@@ -73,26 +74,27 @@ Estimate energy_of_type_one(std::size_t k, const Orbit<double>& orbit) {
 
 // A straight line through two members predicts the next, but for the far tail
 Orbit<double> next_member(const Orbit<double>& a, const Orbit<double>& b, double to,
-                          std::size_t reach, const NewtonRule<double>& rule) {
+                          std::size_t half_length, const NewtonRule<double>& rule) {
   Vector<double> x = b.x;
   const double ta = shift_time(a), tb = shift_time(b), top = sup(b.x);
   if (ta != tb)
     for (Eigen::Index i = 0; i < x.size(); ++i)
       if (std::abs(x[i]) > 1e-5 * top) x[i] += (b.x[i] - a.x[i]) * (to - tb) / (tb - ta);
-  return newton(travelling_problem(to, 0, reach), x, rule);
+  return newton(travelling_problem(to, 0, half_length), x, rule);
 }
 
 // Along the family in equal steps of the shift time
 std::vector<Orbit<double>> follow_family(const Orbit<double>& start, double to, double step,
                                          const NewtonRule<double>& rule) {
-  const std::size_t reach = start.start.y.size() / 2 - 1;
+  const std::size_t half_length = start.start.y.size() / 2 - 1;
   const double from = shift_time(start);
   const auto count = std::size_t(std::ceil(std::abs(to - from) / step));
   std::vector<Orbit<double>> members{start};
   Progress progress("members", count);
   for (std::size_t i = 1; i <= count; ++i) {
     const double t = from + (to - from) * double(i) / double(count);
-    members.push_back(next_member(members[i > 1 ? i - 2 : 0], members.back(), t, reach, rule));
+    members.push_back(
+        next_member(members[i > 1 ? i - 2 : 0], members.back(), t, half_length, rule));
     progress.tick();
   }
   return members;
@@ -100,16 +102,16 @@ std::vector<Orbit<double>> follow_family(const Orbit<double>& start, double to, 
 
 // The secant method for the shift time at which V vanishes
 Orbit<double> type_two(Orbit<double> a, Orbit<double> b, const NewtonRule<double>& rule) {
-  const std::size_t reach = a.start.y.size() / 2 - 1;
+  const std::size_t half_length = a.start.y.size() / 2 - 1;
   for (int i = 0; i < 30 && std::abs(velocity_sum(b)) > 1e-12; ++i) {
     const double va = velocity_sum(a), vb = velocity_sum(b), ta = shift_time(a);
     const double t = shift_time(b) - vb * (shift_time(b) - ta) / (vb - va);
     if (t == shift_time(b)) break;
-    Orbit<double> c = next_member(a, b, t, reach, rule);
+    Orbit<double> c = next_member(a, b, t, half_length, rule);
     a = std::move(b), b = std::move(c);
   }
   // An exact orbit satisfies all equations, with the shift time as one more unknown
-  return newton(with_free_time(travelling_problem(shift_time(b), 0, reach)),
+  return newton(with_free_time(travelling_problem(shift_time(b), 0, half_length)),
                 with_time(b.x, shift_time(b)), rule);
 }
 

@@ -25,27 +25,28 @@ shows where it passes through an exact orbit. */
 namespace lattice {
 
 /**
-The chain has the sites $-L \le n \le L+1$, with $L$ = `reach`. Both tails of a breather fall
+The chain has the sites $-L \le n \le L+1$, with $L$ = `half_length`. Both tails of a breather fall
 double-exponentially, and eight sites on either side are enough for double precision and the next wider
 type. */
-inline constexpr std::size_t usual_reach = 8;
+inline constexpr std::size_t usual_half_length = 8;
 
 /// The problem of the member of a family with the given shift time: all equations but the first.
 template <class T>
-Shooting<T> travelling_problem(const T& shift_time, double s = 0, std::size_t reach = usual_reach) {
+Shooting<T> travelling_problem(const T& shift_time, double s = 0,
+                               std::size_t half_length = usual_half_length) {
   Shooting<T> problem;
-  problem.chain.sites = 2 * reach + 2;
+  problem.chain.sites = 2 * half_length + 2;
   problem.chain.well = Quartic{s};
   problem.chain.contact = Hertz{.floor = 0};
-  problem.symmetry = travelling_reversible(reach, false);
+  problem.symmetry = travelling_reversible(half_length, false);
   problem.omega = T(2) * pi<T>() / shift_time;
   return problem;
 }
 
 /// The problem of type I: a bead oscillates k times while the breather moves on by a site.
 template <class T>
-Shooting<T> type_one(std::size_t k, std::size_t reach = usual_reach) {
-  return travelling_problem<T>(T(2) * pi<T>() * T(double(k)), 0, reach);
+Shooting<T> type_one(std::size_t k, std::size_t half_length = usual_half_length) {
+  return travelling_problem<T>(T(2) * pi<T>() * T(double(k)), 0, half_length);
 }
 
 /**
@@ -98,7 +99,7 @@ behind it. */
 double asymmetry(const State<double>& z, std::size_t c, std::size_t width = 3);
 
 /// The unknowns of the front half of the packet around site `c`.
-Vector<double> front_half(const State<double>& z, std::size_t c, std::size_t reach);
+Vector<double> front_half(const State<double>& z, std::size_t c, std::size_t half_length);
 
 /**
 The zero of the largest site lies between two samples of the run; linear interpolation between them is good
@@ -112,7 +113,7 @@ taken. */
 /// Unknowns cut from the packet of an impact at `velocity` while its centre lies between the sites `from`
 /// and `to`; `sign` is that of the central velocity. Throws std::runtime_error if no packet passes.
 Vector<double> cut_packet(double velocity, double from, double to, int sign,
-                          std::size_t reach = usual_reach);
+                          std::size_t half_length = usual_half_length);
 
 /**
 ## From one orbit to the next
@@ -124,10 +125,11 @@ and does not follow a straight line. */
 class Staircase {
  public:
   /// The orbits with this sign of the central velocity.
-  explicit Staircase(int sign, std::size_t reach = usual_reach, NewtonRule<double> rule = {})
-      : reach_(reach), rule_(rule) {
-    const Shooting<double> problem = type_one<double>(first, reach);
-    orbit_ = newton(problem, cut_packet(first_velocity, 15, 30, sign, reach), rule);
+  explicit Staircase(int sign, std::size_t half_length = usual_half_length,
+                     NewtonRule<double> rule = {})
+      : half_length_(half_length), rule_(rule) {
+    const Shooting<double> problem = type_one<double>(first, half_length);
+    orbit_ = newton(problem, cut_packet(first_velocity, 15, 30, sign, half_length), rule);
     remember(first);
   }
 
@@ -170,12 +172,12 @@ class Staircase {
     Orbit<double> guess = orbit_;
     guess.x = x / double(k * k);
     if ((k + k_) % 2) guess.jacobian = -guess.jacobian;
-    const Shooting<double> problem = type_one<double>(k, reach_);
+    const Shooting<double> problem = type_one<double>(k, half_length_);
     orbit_ = k > 2 * first ? polish(problem, guess, rule_) : newton(problem, guess.x, rule_);
     remember(k);
   }
 
-  std::size_t reach_, k_ = 0;
+  std::size_t half_length_, k_ = 0;
   NewtonRule<double> rule_;
   Orbit<double> orbit_;
   Vector<double> last_{}, before_{};
@@ -198,7 +200,7 @@ passed through an orbit of type II, which the secant method finds and the full e
 /// The member with shift time `to`, extrapolated from two neighbours `a` and `b`, which may be the same.
 /// Throws NewtonFailed.
 Orbit<double> next_member(const Orbit<double>& a, const Orbit<double>& b, double to,
-                          std::size_t reach, const NewtonRule<double>& rule);
+                          std::size_t half_length, const NewtonRule<double>& rule);
 
 /// The members from `start` to the shift time `to`, at most `step` apart. Throws NewtonFailed.
 std::vector<Orbit<double>> follow_family(const Orbit<double>& start, double to, double step,
@@ -214,7 +216,7 @@ Orbit<double> type_two(Orbit<double> a, Orbit<double> b, const NewtonRule<double
 /**
 ## In a resting chain
 
-To see an orbit travel we put it into a longer chain at rest, from site `place` on; beyond its own reach
+To see an orbit travel we put it into a longer chain at rest, from site `place` on; beyond its own sites
 all is zero. */
 /// The state of `sites` beads that holds the orbit.
 template <class T>

@@ -62,7 +62,7 @@ Estimate exchange_of_quotients(const TwoSigns& low, const TwoSigns& high) {
   const auto zero = [&](std::size_t grid) {
     Follow plus{low.plus.grids[grid], dense_grids[grid]},
         minus{low.minus.grids[grid], dense_grids[grid]};
-    return zero_between(low.alpha, high.alpha, [&](double alpha) {
+    return find_sign_change(low.alpha, high.alpha, [&](double alpha) {
       return plus(alpha).quotient() / minus(alpha).quotient() - 1;
     });
   };
@@ -72,8 +72,8 @@ Estimate exchange_of_quotients(const TwoSigns& low, const TwoSigns& high) {
 Estimate exchange_of_stability(const TwoSigns& low, const TwoSigns& high, int sign) {
   const auto zero = [&](std::size_t grid, double tolerance) {
     Follow wave{(sign > 0 ? low.plus : low.minus).grids[grid], dense_grids[grid]};
-    return zero_between(low.alpha, high.alpha,
-                        [&](double alpha) { return kappa_of(wave(alpha), tolerance); });
+    return find_sign_change(low.alpha, high.alpha,
+                            [&](double alpha) { return kappa_of(wave(alpha), tolerance); });
   };
   return compare(zero(0, 8), zero(1, 1));
 }

@@ -73,7 +73,7 @@ Force force_on(const CubicLine& d, long index) {
   const Cell at = cell_at(d, index);
   if (at.none) return {};
   const Cubic& c = d.cell[at.index];
-  const Number all(0, 1), by_t = slope(c, all) / d.step();
+  const Number all(0, 1), by_t = first_derivative(c, all) / d.step();
   const Number change = 1.5 * root(value(c, all)) * by_t;
   return {hertz(value(c, Number(at.mirrored ? 1.0 : 0.0))), at.mirrored ? -change : change};
 }
@@ -247,14 +247,15 @@ void WaveProof::invert() {
       norm += *std::max_element(a, a + per) * tangent *
               (Number(std::abs(row(i, l))) + std::abs(row(i, l + 1)) + two * rounding);
     }
-    delta_ = std::max(delta_, defect.upper), kappa_ = std::max(kappa_, norm.upper);
+    delta_ = std::max(delta_, defect.upper),
+    inverse_excess_ = std::max(inverse_excess_, norm.upper);
   }
 }
 
 double WaveProof::eta(const std::vector<double>& residuals) const {
   const auto behind = residuals.begin() + long(fine_.window * fine_.per_turn);
   const double inside = *std::max_element(residuals.begin(), behind);
-  return std::max(((one + Number(kappa_)) * inside).upper,
+  return std::max(((one + Number(inverse_excess_)) * inside).upper,
                   *std::max_element(behind, residuals.end()));
 }
 
@@ -267,8 +268,9 @@ double WaveProof::q(double radius) const {
     whole.push_back((h * a.upper).upper);
   }
   const double behind = (h * stiffness_of(Number(radius))).upper;
-  const Number inside = (one + Number(kappa_)) * (Number(epsilon_) + widest(change, 0, behind)) +
-                        Number(delta_) * norm_;
+  const Number inside =
+      (one + Number(inverse_excess_)) * (Number(epsilon_) + widest(change, 0, behind)) +
+      Number(delta_) * norm_;
   return std::max(inside.upper, widest(whole, fine_.window * fine_.per_turn, behind));
 }
 
@@ -280,7 +282,7 @@ Number largest(const CubicLine& d) {
   Number most{};
   for (const Cubic& c : d.cell) most = Number(std::max(most.lower, c[0]));
   for (const Cubic& c : d.cell) {
-    const Number all(0, 1), bulge = abs(bend(c, all)) / Number(8.0 * parts * parts);
+    const Number all(0, 1), bulge = abs(second_derivative(c, all)) / Number(8.0 * parts * parts);
     if (value(c, all).upper < most.lower) continue;
     for (int i = 0; i <= parts; ++i) {
       const Number at = value(c, Number(double(i) / parts));
@@ -291,9 +293,9 @@ Number largest(const CubicLine& d) {
 }
 
 /// What is true of every wave in the ball.
-class Bounds {
+class BallBounds {
  public:
-  Bounds(const CubicLine& d, const ForceIntegrals& integrals, double residual, double radius)
+  BallBounds(const CubicLine& d, const ForceIntegrals& integrals, double residual, double radius)
       : d_(d), integrals_(integrals), residual_(residual), r_(radius) {
     const Number h = d.step();
     for (std::size_t p = 0; p < d.cell.size(); ++p) {
@@ -364,11 +366,12 @@ EnclosedWave enclose_wave(int sign, const WaveFineness& fineness) {
       two_balls(proof.eta(residuals), 0x1p-14, [&](double radius) { return proof.q(radius); });
   if (!(Number(16) * root(Number(exists.radius)) <= one))
     throw NotProved("the tail does not certainly decay");
-  const Bounds wave(guess, integrals, residual, exists.radius);
+  const BallBounds wave(guess, integrals, residual, exists.radius);
   if (!(Number(-sign) * wave.minus_velocity() > Number(0)))
     throw NotProved("the sign of the wave is not certain");
-  return {unique,   exists,        proof.kappa(), proof.delta(), proof.epsilon(),
-          residual, wave.energy(), wave.peak(),   wave.action()};
+  return {unique,        exists,          proof.inverse_excess(),
+          proof.delta(), proof.epsilon(), residual,
+          wave.energy(), wave.peak(),     wave.action()};
 }
 
 }  // namespace lattice

@@ -15,7 +15,7 @@ namespace lattice {
 
 /// The zero of `of` between two places at which its signs differ, to about 1e-7; nan if they do not.
 template <class Of>
-double zero_between(double low, double high, Of of) {
+double find_sign_change(double low, double high, Of of) {
   double at_low = of(low), at_high = of(high), next = low;
   if (!(at_low * at_high < 0)) return std::nan("");
   int stayed = 0;  // the end that stayed the last time

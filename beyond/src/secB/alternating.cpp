@@ -18,7 +18,7 @@ struct Alternating {
   double exponent(std::size_t contact) const { return contact % 2 == 0 ? law.second : law.first; }
   double push(std::size_t contact, double overlap) const {
     if (!(overlap > 0)) return 0;
-    return (contact % 2 == 0 ? law.kappa() : 1) * std::pow(overlap, exponent(contact));
+    return (contact % 2 == 0 ? law.strength_ratio() : 1) * std::pow(overlap, exponent(contact));
   }
   void operator()(double, const double* x, double* dx) const {
     std::copy(x + sites, x + 2 * sites, dx);
@@ -49,7 +49,7 @@ struct Alternating {
 
 }  // namespace
 
-double TwoExponents::kappa() const {
+double TwoExponents::strength_ratio() const {
   return (second + 1) / (first + 1) * std::pow(length, second - first);
 }
 

@@ -2,11 +2,11 @@
 /**
 # Contacts with two exponents in turn
 
-Let the contacts of a chain without wells alternate between two laws, $\delta^a$ and $\kappa\,\delta^b$. An
+Let the contacts of a chain without wells alternate between two laws, $\delta^a$ and $\zeta\,\delta^b$. An
 impact then sends out a pulse that leaves something behind at every second bead and loses energy, like the pulse of a
 dimer chain, and for particular exponents it does not. With two exponents the chain has a scale of its own: if the
 strengths of both laws are equal in SI units, then in units in which mass, impact velocity and the first law are one
-$$\kappa = \frac{b+1}{a+1}\,\ell^{\,b-a},\qquad \ell^{a+1} = \frac{m v_0^2}{(a+1)A},$$
+$$\zeta = \frac{b+1}{a+1}\,\ell^{\,b-a},\qquad \ell^{a+1} = \frac{m v_0^2}{(a+1)A},$$
 for potential energies $A\delta^{a+1}$ and $A\delta^{b+1}$ with displacements in metres. */
 
 #include <cstddef>
@@ -17,8 +17,8 @@ namespace lattice {
 struct TwoExponents {
   double first, second;
   double length;  ///< the unit of length in metres
-  /// Strength of the second law.
-  double kappa() const;
+  /// zeta: the strength of the second law in units of the first.
+  double strength_ratio() const;
 };
 
 /// Loss of energy of the pulse per site, from where it has passed `from` sites to `to`. `tolerance` is that of the

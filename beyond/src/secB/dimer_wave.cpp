@@ -15,20 +15,20 @@ namespace lattice {
 namespace {
 
 /// What passes a heavy bead: its velocity, that of the next one, and the force on the light bead between them.
-struct Passage {
+struct PulseRecord {
   std::vector<double> t, here, next, force;
 };
 
 /**
 Nearly thirty pairs of beads separate the pulse from what it leaves behind. */
-Passage watch_pulse(double mass_ratio) {
+PulseRecord watch_pulse(double mass_ratio) {
   constexpr std::size_t pairs = 40, bead = 56;
   Chain chain{2 * pairs, None{}};
   std::vector<double> mass(chain.sites, 1.0);
   for (std::size_t n = 1; n < mass.size(); n += 2) mass[n] = mass_ratio;
   vary(chain, mass, {});
   State<double> state = struck(chain.sites, 1);
-  Passage out;
+  PulseRecord out;
   evolve(EventCorrected{0.01}, chain, state, 120, 0.01, [&](const State<double>& now) {
     out.t.push_back(now.t);
     out.here.push_back(now.v[bead]);
@@ -68,7 +68,7 @@ Equations equations(std::size_t points, std::size_t steps, double h) {
 /**
 The centre of symmetry is not seen in a run as well as the centroid of the force, from which it has a known distance. */
 DimerWave passing_pulse(double mass_ratio, std::size_t steps) {
-  const Passage pulse = watch_pulse(mass_ratio);
+  const PulseRecord pulse = watch_pulse(mass_ratio);
   const double half = *std::max_element(pulse.here.begin(), pulse.here.end()) / 2;
   const double rise = upward_crossings(pulse.t, pulse.here, half).front();
   const double middle = rise + time_above(pulse.t, pulse.here, half) / 2;
@@ -85,8 +85,8 @@ DimerWave passing_pulse(double mass_ratio, std::size_t steps) {
     const std::size_t j = std::size_t(at);
     return pulse.force[j] + (at - double(j)) * (pulse.force[j + 1] - pulse.force[j]);
   };
-  const long reach = 3 * long(steps);
-  for (long j = -reach; j <= reach; ++j) {
+  const long half_width = 3 * long(steps);
+  for (long j = -half_width; j <= half_width; ++j) {
     const double t = centre + double(j) * out.period / double(steps);
     out.force.push_back(near(t) ? sampled(t) : 0);
   }

@@ -53,7 +53,7 @@ Vector<double> force_of(const Vector<double>& overlap, double alpha) {
 }
 
 /// The overlap, by Petviashvili's iteration from a Gaussian.
-Vector<double> converge(const Matrix<double>& tent, double h, double alpha) {
+Vector<double> petviashvili(const Matrix<double>& tent, double h, double alpha) {
   Vector<double> overlap(tent.rows());
   for (Eigen::Index j = 0; j < overlap.size(); ++j)
     overlap(j) = std::exp(-std::pow(h * double(j), 2));
@@ -78,11 +78,11 @@ std::vector<double> plain(const Vector<double>& x) {
 /**
 A bead between two contacts is accelerated by the difference of their forces, so its velocity is the integral of $f$
 over the site around it. */
-SolitaryWave solitary_wave(double alpha, std::size_t points, std::size_t reach) {
-  const std::size_t half = points * reach;
+SolitaryWave solitary_wave(double alpha, std::size_t points, std::size_t half_width) {
+  const std::size_t half = points * half_width;
   const double h = 1 / double(points);
   const Vector<double> overlap =
-      converge(convolution(half, h, [](double k) { return sinc(k) * sinc(k); }), h, alpha);
+      petviashvili(convolution(half, h, [](double k) { return sinc(k) * sinc(k); }), h, alpha);
   const Vector<double> force = force_of(overlap, alpha);
   const Vector<double> velocity = convolution(half, h, sinc) * force;
   SolitaryWave out{h, plain(overlap), plain(velocity)};

@@ -37,8 +37,8 @@ struct SolitaryWave {
   double width(double level) const;
 };
 
-/// The wave for the exponent `alpha` > 1 with `points` for each site and `reach` sites on either side. Throws
+/// The wave for the exponent `alpha` > 1 with `points` for each site and `half_width` sites on either side. Throws
 /// std::runtime_error if the iteration does not converge.
-SolitaryWave solitary_wave(double alpha, std::size_t points, std::size_t reach);
+SolitaryWave solitary_wave(double alpha, std::size_t points, std::size_t half_width);
 
 }  // namespace lattice

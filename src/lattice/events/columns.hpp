@@ -16,7 +16,7 @@ namespace lattice {
 Nearly all the time is spent in the two loops below. The end rows of an open chain have a zero coefficient
 for the neighbour that they lack, so the index may wrap around as on a ring. */
 template <class T>
-LATTICE_WIDE void kick_panel(const TangentRow<T>* row, const T* y, T* v, std::size_t rows,
+LATTICE_WIDE void kick_block(const TangentRow<T>* row, const T* y, T* v, std::size_t rows,
                              std::size_t columns) {
   for (std::size_t n = 0; n < rows; ++n) {
     const T self = row[n].self, left = row[n].left, right = row[n].right;

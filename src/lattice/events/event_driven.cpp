@@ -10,10 +10,10 @@ namespace lattice {
 namespace {
 
 /**
-The detection reports an instant, `ahead` of now, at which the contact `bond` switches (`crosses`) or comes
-so close to it that we want to look there. */
+The detection reports an instant, `ahead` of now, at which the contact `bond` opens or closes (`crosses`) or comes
+so close to it that we want to look there. Without a bond it is the end of the run. */
 template <class T>
-struct Sight {
+struct ContactEvent {
   static constexpr std::size_t none = std::size_t(-1);
   T ahead;
   std::size_t bond = none;
@@ -21,23 +21,23 @@ struct Sight {
 };
 
 /**
-Three small numbers decide what is worth a landing. A switching at speed $u$ inside a step of length $h$
+Three small numbers decide which events are worth locating. An event at speed $u$ inside a step of length $h$
 makes an error of the order $0.1\,u^{1/2}h^{3/2}$ in the tangent and $0.1\,u^{3/2}h^{5/2}$ in the state.
-There is no need to land if $u$ is below `floor`: the square of the tolerance for a tangent, its power
+There is no need to locate it if $u$ is below `floor`: the square of the tolerance for a tangent, its power
 3/4 for an orbit alone. The tail of a breather falls double-exponentially and soon drops out, and with it
-the risk of chasing rounding errors. With a floor of zero every contact is landed on, however faint, as
-far as rounding allows; a landing that is missed counts as a fault only above `serious`, the floor that
+the risk of chasing rounding errors. With a floor of zero every event is located, however faint, as
+far as rounding allows; one that is missed counts as a fault only above `serious`, the floor that
 the tolerance would have set.
 
-A landing that misses by $\delta$ costs an error $\delta^{3/2}$. Switchings within `slack`, the power 3/4
-of the tolerance, therefore count as one: a pair related by symmetry needs one landing. Where an overlap
-only touches zero, $x \simeq c(t-t^*)^2$, its stiffness has a corner, and a miss by $\delta$ leaves an
-error $\delta^2$: we land on such an extremum within `near`. */
+An event located with an error $\delta$ costs an error $\delta^{3/2}$. Events within `slack`, the power 3/4
+of the tolerance, therefore count as one: a pair related by symmetry needs one segment. Where an overlap
+only touches zero, $x \simeq c(t-t^*)^2$, its stiffness has a corner, and an error $\delta$ in
+time leaves an error $\delta^2$: we locate such an extremum within `near`. */
 template <class T>
-struct Care {
+struct EventThresholds {
   T floor, serious, slack, near;
 
-  Care(const EventTolerance<T>& rule, T amplitude, bool tangent) {
+  EventThresholds(const EventTolerance<T>& rule, T amplitude, bool tangent) {
     using std::sqrt;
     const T fine = tangent ? rule.tolerance : rule.tolerance * amplitude;
     const T by_tolerance = tangent ? fine * fine / T(16) : power34(fine);
@@ -57,7 +57,7 @@ The detection sees a contact only if its steps are shorter than the contact. A c
 its speed is the hardest that we expect, and the frequency that the overlap reaches in it tells how short it is.
 Only stiff contacts and light beads shorten the usual step. */
 template <class T>
-T sight_of(const Chain& chain, const EventTolerance<T>& rule, double amplitude) {
+T search_step_for(const Chain& chain, const EventTolerance<T>& rule, double amplitude) {
   double fastest = 0;
   for (std::size_t i = 0; i <= chain.sites; ++i) {
     if (!touches(chain, i)) continue;
@@ -69,44 +69,45 @@ T sight_of(const Chain& chain, const EventTolerance<T>& rule, double amplitude) 
     while (x > 1e-30 && energy(x) > energy(0) + 2 * amplitude * amplitude) x /= 2;
     fastest = std::max(fastest, std::sqrt(inverse * eta * chain.contact.stiffness(d - x)));
   }
-  return std::min(rule.sight, T(3 / fastest));
+  return std::min(rule.search_step, T(3 / fastest));
 }
 
 /**
-A run from landing to landing is called a flight. It remembers on which side of zero each overlap is: $+1$
-closed, $-1$ open, 0 not yet known (both beads at rest). Time is counted backwards, as what is left of the
+The integrator goes from event to event and remembers on which side of zero each overlap is: $+1$ closed, $-1$ open, 0
+not yet known (both beads at rest). Time is counted backwards, as what is left of the
 duration, so that tiny intervals are known to full relative precision. */
 template <class T>
 class EventIntegrator {
  public:
   EventIntegrator(const Chain& chain, const State<T>& state, T duration,
                   const EventTolerance<T>& rule, Tangent<T>* tangent);
-  FlowReport<T> fly();
+  FlowReport<T> run();
   /// Positions, velocities and the area (location.hpp), 2 * sites + 1 numbers.
   const std::vector<T>& end() const { return z_; }
 
   /**
-  A flight looks ahead, watching every contact, lands, corrects the instant of the landing, and once that
-  is good enough it arrives and settles on which side each contact is. Then it looks ahead again. */
+  It detects the next event, checking every contact, locates it by correcting its instant, accepts the segment once
+  that is good enough, and updates on which side each contact is. Then it looks ahead again. */
  private:
   Overlap<T> overlap(const std::vector<T>& z, const std::vector<T>& a, std::size_t i) const;
-  Sight<T> look();
-  void watch(const std::vector<T>& before, const std::vector<T>& now, T dt, std::size_t i,
-             bool start, Sight<T>& first);
-  void land(Sight<T> target, bool corrected);
-  Sight<T> correction(const std::vector<T>& z, const std::vector<T>& a,
-                      const Sight<T>& target) const;
-  void arrive(const Passage<T>& way, const std::vector<T>& a, const Sight<T>& target);
-  void settle(const Overlap<T>& o, int& side);
+  ContactEvent<T> detect();
+  void check_contact(const std::vector<T>& before, const std::vector<T>& now, T dt, std::size_t i,
+                     bool start, ContactEvent<T>& first);
+  void locate(ContactEvent<T> target, bool corrected);
+  ContactEvent<T> correction(const std::vector<T>& z, const std::vector<T>& a,
+                             const ContactEvent<T>& target) const;
+  void accept(const SmoothSegment<T>& segment, const std::vector<T>& a,
+              const ContactEvent<T>& target);
+  void update_side(const Overlap<T>& o, int& side);
 
   const Chain& chain_;
   Tangent<T>* tangent_;
   EventTolerance<T> rule_;
   T left_;
   std::vector<T> z_;
-  std::vector<int> side_, glanced_;
-  Care<T> care_;
-  Crossing<T> crossing_;
+  std::vector<int> side_, at_extremum_;
+  EventThresholds<T> thresholds_;
+  SegmentIntegrator<T> segments_;
   FlowReport<T> flow_;
 };
 
@@ -122,12 +123,12 @@ EventIntegrator<T>::EventIntegrator(const Chain& chain, const State<T>& state, T
       left_(duration),
       z_(state.y),
       side_(chain.sites + 1, 0),
-      glanced_(chain.sites + 1, 0),
-      care_(rule, largest(state), tangent != nullptr),
-      crossing_(chain, rule, largest(state)) {
+      at_extremum_(chain.sites + 1, 0),
+      thresholds_(rule, largest(state), tangent != nullptr),
+      segments_(chain, rule, largest(state)) {
   z_.insert(z_.end(), state.v.begin(), state.v.end());
   z_.push_back(T(0));
-  rule_.sight = sight_of(chain, rule, double(largest(state)));
+  rule_.search_step = search_step_for(chain, rule, double(largest(state)));
   const std::vector<T> a = accelerations(chain_, state.y);
   for (std::size_t i = 0; i <= chain_.sites; ++i) {
     const Overlap<T> o = overlap(z_, a, i);
@@ -148,56 +149,56 @@ Overlap<T> EventIntegrator<T>::overlap(const std::vector<T>& z, const std::vecto
 }
 
 /**
-Every landing either advances in time or changes the side of a contact, but rounding could make a contact
-that rests at zero chatter. So the number of landings is bounded, generously: 64 per contact and unit of
-time. Beyond that we fly straight to the end, with steps as short as the tolerance demands. */
+Every segment either advances in time or changes the side of a contact, but rounding could make a contact
+that rests at zero chatter. So the number of segments is bounded, generously: 64 per contact and unit of
+time. Beyond that we go straight to the end, with steps as short as the tolerance demands. */
 template <class T>
-FlowReport<T> EventIntegrator<T>::fly() {
+FlowReport<T> EventIntegrator<T>::run() {
   const double duration(left_), limit = 64 * (1 + duration) * double(chain_.sites + 1);
   Progress progress("", 1);
-  for (double landings = 0; left_ > T(0); ++landings) {
+  for (double segments = 0; left_ > T(0); ++segments) {
     heed_stop();
-    land(landings < limit ? look() : Sight<T>{left_}, landings < limit);
+    locate(segments < limit ? detect() : ContactEvent<T>{left_}, segments < limit);
     progress.reach(1 - double(left_) / duration);
   }
-  flow_.evaluations += crossing_.evaluations;
+  flow_.evaluations += segments_.evaluations;
   return flow_;
 }
 
 /**
-The detection stops at the first step in which a contact switches. If several do so in the same step the
-earliest counts; the next look finds the others. */
+The detection stops at the first step in which a contact opens or closes. If several do so in the same step the
+earliest counts; the next search finds the others. */
 template <class T>
-Sight<T> EventIntegrator<T>::look() {
-  Leapfrog<T> scout(chain_, false);
+ContactEvent<T> EventIntegrator<T>::detect() {
+  Leapfrog<T> leapfrog(chain_, false);
   std::vector<T> before, now = z_;
-  Sight<T> first{left_};
-  for (T gone(0); gone < left_ && first.bond == Sight<T>::none;) {
-    const T dt = std::min(rule_.sight, left_ - gone);
+  ContactEvent<T> first{left_};
+  for (T gone(0); gone < left_ && first.bond == ContactEvent<T>::none;) {
+    const T dt = std::min(rule_.search_step, left_ - gone);
     before = now;
-    scout.step(now, dt);
+    leapfrog.step(now, dt);
     first.ahead = dt;
     for (std::size_t i = 0; i <= chain_.sites; ++i)
-      if (touches(chain_, i)) watch(before, now, dt, i, gone == T(0), first);
+      if (touches(chain_, i)) check_contact(before, now, dt, i, gone == T(0), first);
     first.ahead = gone + first.ahead;
     gone += dt;
   }
-  flow_.evaluations += scout.evaluations;
-  if (first.bond == Sight<T>::none || first.ahead > left_) first.ahead = left_;
+  flow_.evaluations += leapfrog.evaluations;
+  if (first.bond == ContactEvent<T>::none || first.ahead > left_) first.ahead = left_;
   return first;
 }
 
 /**
 A contact whose overlap turns round within 1/500 of its amplitude from zero may or may not have switched;
-the leapfrog, with steps of 0.05, cannot tell. We land on the extremum and see. `glanced_` keeps us from
-landing there again at the `start` of the next look. */
+the leapfrog, with steps of 0.05, cannot tell. We go to the extremum and see. `at_extremum_` keeps us from
+going there again at the `start` of the next search. */
 template <class T>
-void EventIntegrator<T>::watch(const std::vector<T>& before, const std::vector<T>& now, T dt,
-                               std::size_t i, bool start, Sight<T>& first) {
+void EventIntegrator<T>::check_contact(const std::vector<T>& before, const std::vector<T>& now,
+                                       T dt, std::size_t i, bool start, ContactEvent<T>& first) {
   const Overlap<T> o = overlap(before, {}, i), p = overlap(now, {}, i);
   const T size = std::max({magnitude(o.x), magnitude(o.u), magnitude(p.x), magnitude(p.u)});
   const T side = T(side_[i]);
-  if (side_[i] == 0 || size <= care_.floor) {
+  if (side_[i] == 0 || size <= thresholds_.floor) {
     if (p.x != T(0)) side_[i] = sign_of(p.x);
     return;
   }
@@ -207,10 +208,10 @@ void EventIntegrator<T>::watch(const std::vector<T>& before, const std::vector<T
   extremum in between can show what happened. */
   const Arc<T> arc{o.x, o.u, p.x, p.u, dt};
   const auto stays = [&](T s) { return side * arc.value(s) > T(0); };
-  Sight<T> found{dt, i, true};
+  ContactEvent<T> found{dt, i, true};
   if (side * p.x < T(0)) {
     found.ahead *= Arc<T>::last(T(1), stays);
-  } else if (side * o.u < T(0) && side * p.u > T(0) && !(start && glanced_[i])) {
+  } else if (side * o.u < T(0) && side * p.u > T(0) && !(start && at_extremum_[i])) {
     const T turn = Arc<T>::last(T(1), [&](T s) { return side * arc.slope(s) < T(0); });
     const T dip = side * arc.value(turn), amplitude = std::max(size, magnitude(p.u - o.u) / dt);
     if (dip > amplitude / T(500)) return;
@@ -219,26 +220,26 @@ void EventIntegrator<T>::watch(const std::vector<T>& before, const std::vector<T
   } else {
     return;
   }
-  if (first.bond == Sight<T>::none || found.ahead < first.ahead) first = found;
+  if (first.bond == ContactEvent<T>::none || found.ahead < first.ahead) first = found;
 }
 
 /**
-A landing is rehearsed once without the probe, to correct its target. It ends when the correction is too
-small to matter. A contact that is found on the wrong side at the end of a passage has switched within it,
-and becomes the target. After a dozen attempts, in a runaway, or if landings are no longer to be
-`corrected`, the passage stands as it is. */
+An event is located once without the tangent vector, to correct the target. The search ends when the correction is
+too small to matter. A contact that is found on the wrong side at the end of a segment has switched within it,
+and becomes the target. After a dozen attempts, in a runaway, or if events are no longer to be
+`corrected`, the segment stands as it is. */
 template <class T>
-void EventIntegrator<T>::land(Sight<T> target, bool corrected) {
+void EventIntegrator<T>::locate(ContactEvent<T> target, bool corrected) {
   for (int attempt = 0;; ++attempt) {
-    const bool rehearsal = target.bond != Sight<T>::none && attempt == 0;
-    const Passage<T> way = crossing_.cross(z_, target.ahead, tangent_ && !rehearsal);
-    const std::vector<T> y(way.z.begin(), way.z.begin() + long(chain_.sites));
+    const bool rehearsal = target.bond != ContactEvent<T>::none && attempt == 0;
+    const SmoothSegment<T> segment = segments_.integrate(z_, target.ahead, tangent_ && !rehearsal);
+    const std::vector<T> y(segment.z.begin(), segment.z.begin() + long(chain_.sites));
     const std::vector<T> a = accelerations(chain_, y);
-    const Sight<T> shift = correction(way.z, a, target);
-    const T enough = shift.crosses ? care_.slack : care_.near;
-    const bool settled = magnitude(shift.ahead) <= enough, lost = !(way.error <= T(1));
+    const ContactEvent<T> shift = correction(segment.z, a, target);
+    const T enough = shift.crosses ? thresholds_.slack : thresholds_.near;
+    const bool settled = magnitude(shift.ahead) <= enough, lost = !(segment.error <= T(1));
     if ((settled && !rehearsal) || attempt == 12 || !corrected || lost)
-      return arrive(way, a, target);
+      return accept(segment, a, target);
     target = {target.ahead + shift.ahead, shift.bond, shift.crosses};
     if (target.ahead >= left_) target = {left_};
   }
@@ -246,56 +247,58 @@ void EventIntegrator<T>::land(Sight<T> target, bool corrected) {
 
 /**
 Of the contacts on the wrong side and the one aimed at, the one that switched first is the next target;
-`ahead` is the time from the end of the passage to its switching, in general negative. If the contact
+`ahead` is the time from the end of the segment to its event, in general negative. If the contact
 aimed at does not switch after all, we aim at its extremum. */
 template <class T>
-Sight<T> EventIntegrator<T>::correction(const std::vector<T>& z, const std::vector<T>& a,
-                                        const Sight<T>& target) const {
-  Sight<T> first{T(0)};
+ContactEvent<T> EventIntegrator<T>::correction(const std::vector<T>& z, const std::vector<T>& a,
+                                               const ContactEvent<T>& target) const {
+  ContactEvent<T> first{T(0)};
   const auto reachable = [&](T t) { return magnitude(t) < T(1) && target.ahead + t > T(0); };
   for (std::size_t i = 0; i <= chain_.sites; ++i) {
     const Overlap<T> o = overlap(z, a, i);
     const bool aimed = target.crosses && i == target.bond, wrong = T(side_[i]) * o.x < T(0);
-    if (!(aimed || wrong) || std::max(magnitude(o.x), magnitude(o.u)) <= care_.floor) continue;
+    if (!(aimed || wrong) || std::max(magnitude(o.x), magnitude(o.u)) <= thresholds_.floor)
+      continue;
     const T shift = o.leaves(side_[i]);
     if (reachable(shift) && (!first.crosses || shift < first.ahead)) first = {shift, i, true};
   }
-  if (first.crosses || target.bond == Sight<T>::none) return first;
+  if (first.crosses || target.bond == ContactEvent<T>::none) return first;
   const T shift = overlap(z, a, target.bond).turns();
-  return reachable(shift) ? Sight<T>{shift, target.bond, false} : first;
+  return reachable(shift) ? ContactEvent<T>{shift, target.bond, false} : first;
 }
 
 /**
-The passage is final. The orbit moves on, the columns follow along the records, and the contacts take
+The segment is final. The orbit moves on, the columns follow along the records, and the contacts take
 their sides: at zero the speed decides, elsewhere the overlap. To the columns a stiffness below 1/64 of
 the tolerance is negligible. */
 template <class T>
-void EventIntegrator<T>::arrive(const Passage<T>& way, const std::vector<T>& a,
-                                const Sight<T>& target) {
-  z_ = way.z;
-  left_ = target.ahead < left_ && way.error <= T(1) ? left_ - target.ahead : T(0);
-  flow_.error += way.error;
-  flow_.steps += way.records.size();
-  for (const Record<T>& record : way.records)
-    if (tangent_) carry(chain_, record, rule_.tolerance / T(64), *tangent_);
-  if (target.ahead > rule_.sight / T(100)) std::fill(glanced_.begin(), glanced_.end(), 0);
-  if (target.bond != Sight<T>::none && !target.crosses) glanced_[target.bond] = 1;
-  for (std::size_t i = 0; i <= chain_.sites; ++i) settle(overlap(z_, a, i), side_[i]);
+void EventIntegrator<T>::accept(const SmoothSegment<T>& segment, const std::vector<T>& a,
+                                const ContactEvent<T>& target) {
+  z_ = segment.z;
+  left_ = target.ahead < left_ && segment.error <= T(1) ? left_ - target.ahead : T(0);
+  flow_.error += segment.error;
+  flow_.steps += segment.records.size();
+  for (const StepRecord<T>& record : segment.records)
+    if (tangent_) advance_tangent(chain_, record, rule_.tolerance / T(64), *tangent_);
+  if (target.ahead > rule_.search_step / T(100))
+    std::fill(at_extremum_.begin(), at_extremum_.end(), 0);
+  if (target.bond != ContactEvent<T>::none && !target.crosses) at_extremum_[target.bond] = 1;
+  for (std::size_t i = 0; i <= chain_.sites; ++i) update_side(overlap(z_, a, i), side_[i]);
 }
 
 /**
 A contact that moves away from its side and is within `slack` of zero (in time) has switched. One that is
-found on the wrong side elsewhere was not landed on, and is counted as `unlanded` if that is serious. */
+found on the wrong side elsewhere is a missed event, and is counted if that is serious. */
 template <class T>
-void EventIntegrator<T>::settle(const Overlap<T>& o, int& side) {
+void EventIntegrator<T>::update_side(const Overlap<T>& o, int& side) {
   const T size = std::max(magnitude(o.x), magnitude(o.u));
-  if (size > care_.floor && magnitude(o.x) <= T(2) * care_.slack * magnitude(o.u)) {
+  if (size > thresholds_.floor && magnitude(o.x) <= T(2) * thresholds_.slack * magnitude(o.u)) {
     if (T(side) * o.u < T(0)) {
-      ++flow_.switchings;
+      ++flow_.contact_events;
       side = sign_of(o.u);
     }
   } else if (T(side) * o.x < T(0)) {
-    flow_.unlanded += size > care_.serious;
+    flow_.missed_events += size > thresholds_.serious;
     side = sign_of(o.x);
   }
 }
@@ -306,12 +309,12 @@ template <class T>
 FlowReport<T> flow(const Chain& chain, State<T>& state, std::type_identity_t<T> duration,
                    const EventTolerance<T>& rule, Tangent<T>* tangent) {
   const T before = energy(chain, state);
-  EventIntegrator<T> flight(chain, state, duration, rule, tangent);
-  FlowReport<T> result = flight.fly();
-  const auto middle = flight.end().begin() + long(chain.sites);
-  state.y.assign(flight.end().begin(), middle);
-  state.v.assign(middle, flight.end().end() - 1);
-  result.area = flight.end().back();
+  EventIntegrator<T> integrator(chain, state, duration, rule, tangent);
+  FlowReport<T> result = integrator.run();
+  const auto middle = integrator.end().begin() + long(chain.sites);
+  state.y.assign(integrator.end().begin(), middle);
+  state.v.assign(middle, integrator.end().end() - 1);
+  result.area = integrator.end().back();
   state.t += duration;
   const T change = magnitude(energy(chain, state) - before);
   result.energy_drift = before != T(0) ? change / magnitude(before) : change;

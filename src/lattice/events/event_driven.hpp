@@ -1,18 +1,18 @@
 #pragma once
 /**
-# Landing on the switchings
+# Event-driven integration
 
-With location.hpp an interval without a switching (a contact that opens or closes) costs little and is
-exact to the last digits. What remains is to find out where the intervals end. We look ahead with a plain
-leapfrog and small steps, cross the interval up to the instant where it saw a switching, correct that
-instant with the overlap $x$ found there, and repeat. The second derivative of the overlap is known from
-the forces, and with the root of the parabola $x + \dot x\tau + \ddot x\tau^2/2$ (overlap.hpp) the
-correction converges with order three: two or three passages suffice. The columns of a tangent
-(tangent.hpp) follow only the last one.
+A contact event is the instant at which a contact opens or closes. Between two of them the motion is smooth, and such
+a segment costs little and is exact to the last digits (location.hpp). What remains is to find its end. We look ahead
+with a plain leapfrog and small steps (event detection), integrate up to the instant where it saw an event, correct
+that instant with the overlap $x$ found there, and repeat (event location). The second derivative of the overlap is
+known from the forces, and with the root of the parabola $x + \dot x\tau + \ddot x\tau^2/2$ (overlap.hpp) the
+correction converges with order three: two or three integrations of the
+segment suffice. The columns of a tangent (tangent.hpp) follow only the last one.
 
 The result does not rest on the detection being right. The forces are those of the true contact law
 everywhere, never those of a contact held open or closed. An event that the detection missed shows
-after the passage as an overlap with the wrong sign, and we then land on it. */
+at the end of the segment as an overlap with the wrong sign, and we then locate it. */
 
 #include <algorithm>
 #include <cstddef>

@@ -71,8 +71,8 @@ struct Arc {
     const T r = T(1) - s;
     return T(6) * s * r * (x1 - x0) / dt + r * (T(1) - T(3) * s) * u0 + s * (T(3) * s - T(2)) * u1;
   }
-  /// First place in (0, end) after which `holds` fails, by bisection to 2^-24 of `end`: a landing
-  /// corrects the rest.
+  /// First place in (0, end) after which `holds` fails, by bisection to 2^-24 of `end`: event
+  /// location corrects the rest.
   template <class Holds>
   static T last(T end, Holds holds) {
     T low(0), high = end;

@@ -15,7 +15,8 @@ T extrapolation_weight(std::size_t j, std::size_t levels) {
 }
 
 template <class T>
-Window core_of(const Chain& chain, const Record<T>& record, std::type_identity_t<T> negligible) {
+Window core_of(const Chain& chain, const StepRecord<T>& record,
+               std::type_identity_t<T> negligible) {
   const std::size_t n = chain.sites;
   const T rest = chain.well.stiffness(T(0));
   const auto light = [&](std::size_t i) { return i < n ? inverse_mass<T>(chain, i) : T(0); };
@@ -42,10 +43,10 @@ Window core_of(const Chain& chain, const Record<T>& record, std::type_identity_t
 namespace detail {
 
 /**
-The work is done on a panel, a block of rows and columns of the tangent that is copied to a place of its
+The work is done on a block of rows and columns of the tangent that is copied to a place of its
 own, positions `y` and velocities `v` row by row. */
 template <class T>
-struct Panel {
+struct ColumnBlock {
   std::size_t rows = 0, columns = 0;
   std::vector<T> y, v;
   void resize(std::size_t row_count, std::size_t column_count) {
@@ -95,7 +96,7 @@ void rotate_outside(const Chain& chain, Window core, T duration, Tangent<T>& tan
 
 /**
 A column that vanishes throughout the core, such as one that begins far out in the tail, remains zero
-there. Only the others are packed into the panel. */
+there. Only the others are packed into the block. */
 template <class T>
 struct Packing {
   Window core;
@@ -118,36 +119,37 @@ struct Packing {
 };
 
 /**
-Now we carry the columns over one step. Every level starts from the same panel. We sum the weighted
+Now we advance the columns by one step. Every level starts from the same block. We sum the weighted
 increments rather than the weighted values, because the weights are large and alternate in sign, and
 their rounding would otherwise spoil the entries of order one. */
 template <class T>
-void extrapolate_panel(const Chain& chain, const Record<T>& record, Window core, Panel<T>& panel) {
-  const std::size_t count = panel.y.size();
-  std::vector<TangentRow<T>> rows(panel.rows);
+void extrapolate_block(const Chain& chain, const StepRecord<T>& record, Window core,
+                       ColumnBlock<T>& block) {
+  const std::size_t count = block.y.size();
+  std::vector<TangentRow<T>> rows(block.rows);
   std::vector<T> y, v, dy(count, T(0)), dv(count, T(0));
   std::size_t at = 0;
   // Level j crosses the step in j substeps, along the positions that the trajectory had there
   for (std::size_t j = 1; j <= record.levels(); ++j) {
-    y = panel.y;
-    v = panel.v;
+    y = block.y;
+    v = block.v;
     add_scaled(y.data(), v.data(), record.lead[j - 1], count);
     for (std::size_t i = 0; i < j; ++i, ++at) {
       const Curvature<T> node = record.nodes[at];
-      for (std::size_t n = 0; n < panel.rows; ++n)
+      for (std::size_t n = 0; n < block.rows; ++n)
         rows[n] = row_at(chain, node, core, core.first + n);
-      kick_panel(rows.data(), y.data(), v.data(), panel.rows, panel.columns);
+      kick_block(rows.data(), y.data(), v.data(), block.rows, block.columns);
       add_scaled(y.data(), v.data(), node.drift, count);
     }
     // What this level adds to the start enters with its extrapolation weight
-    add_scaled(y.data(), panel.y.data(), T(-1), count);
-    add_scaled(v.data(), panel.v.data(), T(-1), count);
+    add_scaled(y.data(), block.y.data(), T(-1), count);
+    add_scaled(v.data(), block.v.data(), T(-1), count);
     const T weight = extrapolation_weight<T>(j, record.levels());
     add_scaled(dy.data(), y.data(), weight, count);
     add_scaled(dv.data(), v.data(), weight, count);
   }
-  add_scaled(panel.y.data(), dy.data(), T(1), count);
-  add_scaled(panel.v.data(), dv.data(), T(1), count);
+  add_scaled(block.y.data(), dy.data(), T(1), count);
+  add_scaled(block.v.data(), dv.data(), T(1), count);
 }
 
 }  // namespace detail
@@ -156,31 +158,31 @@ using namespace detail;
 
 // Sites in the tail feel nothing but their wells; those of the core feel their contacts too
 template <class T>
-void carry(const Chain& chain, const Record<T>& record, std::type_identity_t<T> negligible,
-           Tangent<T>& tangent) {
+void advance_tangent(const Chain& chain, const StepRecord<T>& record,
+                     std::type_identity_t<T> negligible, Tangent<T>& tangent) {
   const Window core = core_of(chain, record, negligible);
   const Packing<T> packing(tangent, core);
   rotate_outside(chain, core, record.duration, tangent);
   if (packing.columns.empty()) return;
   // Columns that reach the core, their number rounded up to a multiple of eight
   const std::size_t width = (packing.columns.size() + 7) / 8 * 8, half = chain.sites;
-  Panel<T> panel;
-  panel.resize(core.last - core.first, width);
+  ColumnBlock<T> block;
+  block.resize(core.last - core.first, width);
   packing.each(width, [&](std::size_t n, std::size_t k, std::size_t at) {
-    panel.y[at] = tangent(n, k);
-    panel.v[at] = tangent(n + half, k);
+    block.y[at] = tangent(n, k);
+    block.v[at] = tangent(n + half, k);
   });
-  extrapolate_panel(chain, record, core, panel);
+  extrapolate_block(chain, record, core, block);
   packing.each(width, [&](std::size_t n, std::size_t k, std::size_t at) {
-    tangent(n, k) = panel.y[at];
-    tangent(n + half, k) = panel.v[at];
+    tangent(n, k) = block.y[at];
+    tangent(n + half, k) = block.v[at];
   });
 }
 
-#define LATTICE_INSTANCES(T)                                     \
-  template T extrapolation_weight<T>(std::size_t, std::size_t);  \
-  template Window core_of<T>(const Chain&, const Record<T>&, T); \
-  template void carry<T>(const Chain&, const Record<T>&, T, Tangent<T>&);
+#define LATTICE_INSTANCES(T)                                         \
+  template T extrapolation_weight<T>(std::size_t, std::size_t);      \
+  template Window core_of<T>(const Chain&, const StepRecord<T>&, T); \
+  template void advance_tangent<T>(const Chain&, const StepRecord<T>&, T, Tangent<T>&);
 #include "lattice/model/instances.hpp"
 
 }  // namespace lattice

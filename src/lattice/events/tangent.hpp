@@ -86,7 +86,7 @@ leapfrog runs over the same interval: that of level $j$ drifts by `lead[j - 1]` 
 kicks and drifts. The orbit is computed first and leaves a record of the curvatures that it met; the
 columns follow it afterwards. */
 template <class T>
-struct Record {
+struct StepRecord {
   T duration = 0;         ///< of the step
   std::vector<T> lead{};  ///< first drift of each level
   Curvatures<T> nodes{};  ///< one for level 1, two for level 2, and so on
@@ -118,14 +118,14 @@ core: from the first to the last one with a contact whose stiffness over the mas
 a well whose curvature differs from its value at rest by more than that. With precompression the contacts
 are stiff at rest, and the core is the whole chain. */
 template <class T>
-Window core_of(const Chain& chain, const Record<T>& record, std::type_identity_t<T> negligible);
+Window core_of(const Chain& chain, const StepRecord<T>& record, std::type_identity_t<T> negligible);
 
 /**
-All together: `carry` replaces the columns of `tangent` by their images after the step that `record` holds.
-Accelerations below `negligible` (per unit of displacement) count as none. The panel is padded to whole
+All together: `advance_tangent` replaces the columns of `tangent` by their images after the step that `record` holds.
+Accelerations below `negligible` (per unit of displacement) count as none. The block is padded to whole
 vectors of eight columns. */
 template <class T>
-void carry(const Chain& chain, const Record<T>& record, std::type_identity_t<T> negligible,
-           Tangent<T>& tangent);
+void advance_tangent(const Chain& chain, const StepRecord<T>& record,
+                     std::type_identity_t<T> negligible, Tangent<T>& tangent);
 
 }  // namespace lattice

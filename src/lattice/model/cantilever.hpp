@@ -27,9 +27,9 @@ To see what that costs we solve the beam itself. A beam of length $\ell$, bendin
 mass $\rho A$ per unit length that vibrates with frequency $\omega$ obeys $EI\,u'''' = \rho A\,\omega^2 u$.
 In units of $\ell$, with $x^4 = \rho A\,\omega^2\ell^4/(EI)$, this is $u'''' = x^4 u$. A force $F$ at the
 middle makes the shear force jump there, and by symmetry $F = -2\,u'''$ at the end of the left half. A
-point mass of $\kappa$ beam masses at the same place takes up $-\kappa x^4 u$. Hence the stiffness against
+point mass of $p$ beam masses at the same place takes up $-p\,x^4 u$. Hence the stiffness against
 such a force, in units of $EI/\ell^3$, is
-$$k(x) = -\frac{2\,u'''}{u}-\kappa\,x^4, \qquad u(0)=u'(0)=0,\quad u'(\tfrac12)=0.$$
+$$k(x) = -\frac{2\,u'''}{u}-p\,x^4, \qquad u(0)=u'(0)=0,\quad u'(\tfrac12)=0.$$
 The static stiffness is $k(0)$, and a free vibration has $k(x) = 0$. */
 struct ClampedBeam {
   std::size_t steps = 400;  ///< of the classical Runge-Kutta method on half of the beam

@@ -141,8 +141,8 @@ Estimate last_steps(const BreatherPair& low, const BreatherPair& high, double om
 }
 
 // Newton's method for a vanishing barrier, with bisection if it would leave the bracket
-Estimate zero_between(const BreatherPair& left, const BreatherPair& right,
-                      Estimate BreatherPair::*gap) {
+Estimate frequency_of_zero(const BreatherPair& left, const BreatherPair& right,
+                           Estimate BreatherPair::*gap) {
   const auto slope =
       gap == &BreatherPair::equal_area ? &BreatherPair::slope_area : &BreatherPair::slope;
   const double above = (right.*gap).value, width = right.omega - left.omega;

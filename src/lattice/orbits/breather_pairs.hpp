@@ -149,7 +149,7 @@ Between two pairs of opposite sign a barrier vanishes. Its derivative is known w
 method, kept between the pairs, finds the frequency in double precision in a few steps. Two more steps, one at each
 tolerance, give its error; if that is above $10^{-8}$, they are made with extended precision. */
 /// The frequency at which `gap` vanishes. Throws std::runtime_error if it is not known to a thousandth of the bracket.
-Estimate zero_between(const BreatherPair& left, const BreatherPair& right,
-                      Estimate BreatherPair::*gap);
+Estimate frequency_of_zero(const BreatherPair& left, const BreatherPair& right,
+                           Estimate BreatherPair::*gap);
 
 }  // namespace lattice

@@ -105,7 +105,7 @@ struct NewtonRule {
 /**
 An orbit is no better than the flow from which it was computed. Every step of the integrator estimates its
 own error. If one could not meet the tolerance, or if a contact that matters opened or closed in the middle
-of a step (`unlanded`), the residual means nothing and the orbit is refused. */
+of a step (`missed_events`), the residual means nothing and the orbit is refused. */
 /// Whether the flow is good enough for an orbit.
 template <class T>
 bool is_accurate(const FlowReport<T>& flow, const EventTolerance<T>& landing);

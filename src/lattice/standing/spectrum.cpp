@@ -166,12 +166,12 @@ Matrix<T> full_matrix(const Stationary<T>& state) {
 }  // namespace
 
 /**
-The eigenvalues $\kappa$ of this matrix are $i\lambda$. */
+The eigenvalues $\sigma$ of this matrix are $i\lambda$. */
 template <class T>
 std::vector<std::complex<T>> full_exponents(const Stationary<T>& state) {
   std::vector<std::complex<T>> out;
-  for (const std::complex<T>& kappa : eigenvalues_of(full_matrix(state)))
-    out.emplace_back(kappa.imag(), -kappa.real());
+  for (const std::complex<T>& sigma : eigenvalues_of(full_matrix(state)))
+    out.emplace_back(sigma.imag(), -sigma.real());
   return out;
 }
 

@@ -1,4 +1,4 @@
-#include "sec5/journey.hpp"
+#include "sec5/arrivals.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@ namespace lattice {
 namespace {
 
 /// Collects the maxima of a signal while it is sampled.
-class Peaks {
+class Maxima {
  public:
   void add(double t, double x, double step) {
     if (seen_ >= 2 && middle_ > left_ && middle_ >= x) {
@@ -25,7 +25,7 @@ class Peaks {
     }
     left_ = middle_, middle_ = x, ++seen_;
   }
-  std::vector<Peak> all{};
+  std::vector<Maximum> all{};
   std::size_t highest = 0;
 
  private:
@@ -34,12 +34,12 @@ class Peaks {
 };
 
 /// Half the time between the maxima on either side; zero if one is missing.
-double period_at(const std::vector<Peak>& all, std::size_t i) {
+double period_at(const std::vector<Maximum>& all, std::size_t i) {
   return i > 0 && i + 1 < all.size() ? (all[i + 1].t - all[i - 1].t) / 2 : 0;
 }
 
 /// The maximum that is the strongest one with the weight (1 - nu s/4)^power; none, `all.size()`, where all come too late.
-std::size_t strongest(const std::vector<Peak>& all, double nu, int power) {
+std::size_t strongest_maximum(const std::vector<Maximum>& all, double nu, int power) {
   double most = 0;
   std::size_t out = all.size();
   for (std::size_t i = 0; i < all.size() && nu * all[i].t < 4; ++i) {
@@ -51,7 +51,7 @@ std::size_t strongest(const std::vector<Peak>& all, double nu, int power) {
 }
 
 /// The top of a parabola through the weighted logarithms of a maximum and its neighbours.
-double top_between(const std::vector<Peak>& all, std::size_t i, double nu, int power) {
+double top_between(const std::vector<Maximum>& all, std::size_t i, double nu, int power) {
   const auto log = [&](std::size_t k) {
     return std::log(all[k].height) + power * std::log1p(-nu * all[k].t / 4);
   };
@@ -82,15 +82,15 @@ double true_time(double nu, double s) {
 }
 
 // Each contact and each bead keeps its own maxima; the impact is the first of the first bead
-Journey follow_packet(const DrivenChain& driven, double velocity, double duration, std::size_t last,
-                      double step) {
+Arrivals packet_arrivals(const DrivenChain& driven, double velocity, double duration,
+                         std::size_t last, double step) {
   const Chain& chain = driven.chain;
   const std::size_t contacts = std::min(last, chain.sites - 1);
-  std::vector<Peaks> push(contacts), speed(contacts);
+  std::vector<Maxima> push(contacts), speed(contacts);
   const TimeGrid steps = time_grid(duration, step, step);
   State<double> state = struck(chain.sites, velocity);
   speed[0].all.push_back({0, velocity});
-  Journey out;
+  Arrivals out;
   out.budget = evolve(driven, state, steps, [&](const State<double>& now, const EnergyBudget&) {
     // Beyond the first bead at rest nothing has moved yet
     for (std::size_t n = 0; n < contacts && (now.y[n] != 0 || now.v[n] != 0); ++n) {
@@ -101,14 +101,14 @@ Journey follow_packet(const DrivenChain& driven, double velocity, double duratio
     // The centre swings with the beads; so it is taken at every step
     out.centres.push_back({now.t, energy_centre(energy_density(chain, now), 0, chain.sites)});
     // The packet has passed when the last push is well below its maximum
-    const Peaks& end = push.back();
+    const Maxima& end = push.back();
     if (period_at(end.all, end.highest) == 0 || now.y[contacts - 1] >= now.y[contacts]) return true;
-    const Peak& top = end.all[end.highest];
+    const Maximum& top = end.all[end.highest];
     return !(top.height > 1e-12 && now.t > top.t + 60);
   });
   double latest = 0;
   for (std::size_t n = 0; n < contacts; ++n) {
-    Passing p;
+    Arrival p;
     p.pushes = std::move(push[n].all), p.speeds = std::move(speed[n].all);
     const std::size_t top = push[n].highest;
     if (!p.pushes.empty()) p.t = p.pushes[top].t, p.force = p.pushes[top].height;
@@ -121,12 +121,12 @@ Journey follow_packet(const DrivenChain& driven, double velocity, double duratio
   return out;
 }
 
-Progressed way_after(const Journey& journey, double t) {
-  Progressed out;
+Travelled travelled_after(const Arrivals& arrivals, double t) {
+  Travelled out;
   double last = 0, site = 0;
   std::vector<std::array<double, 2>> passed{{0, 0}};
-  for (std::size_t n = 1; n < journey.contacts.size() && last < t; ++n) {
-    const Passing& p = journey.contacts[n];
+  for (std::size_t n = 1; n < arrivals.contacts.size() && last < t; ++n) {
+    const Arrival& p = arrivals.contacts[n];
     if (!p.reached) continue;
     // Of the last stretch only what lies before the end counts
     const double until = std::min(p.t, t), dwell = (p.t - last) / (double(n) - site);
@@ -142,23 +142,25 @@ Progressed way_after(const Journey& journey, double t) {
   return out;
 }
 
-double centre_after(const Journey& journey, double t) {
-  const auto& all = journey.centres;
-  const auto next = std::find_if(all.begin(), all.end(), [&](const Peak& p) { return p.t >= t; });
+double centre_after(const Arrivals& arrivals, double t) {
+  const auto& all = arrivals.centres;
+  const auto next =
+      std::find_if(all.begin(), all.end(), [&](const Maximum& p) { return p.t >= t; });
   if (next == all.begin() || next == all.end()) throw std::out_of_range("the run is too short");
   const double part = (t - next[-1].t) / (next->t - next[-1].t);
   return next[-1].height + part * (next->height - next[-1].height);
 }
 
 // The internal clock runs on: what slows down are the turns beyond those of a linear oscillation
-Journey slowed(const Journey& undamped, double nu) {
+Arrivals slowed(const Arrivals& undamped, double nu) {
   if (!(nu > 0)) return undamped;
   const double turn = 2 * std::numbers::pi;
-  Journey out;
+  Arrivals out;
   double latest = 0;
-  for (const Passing& from : undamped.contacts) {
-    const std::size_t i = strongest(from.pushes, nu, 3), k = strongest(from.speeds, nu, 2);
-    Passing p;
+  for (const Arrival& from : undamped.contacts) {
+    const std::size_t i = strongest_maximum(from.pushes, nu, 3),
+                      k = strongest_maximum(from.speeds, nu, 2);
+    Arrival p;
     if (const double period = period_at(from.pushes, i); period > 0) {
       const double s = top_between(from.pushes, i, nu, 3), rate = 1 - nu * s / 4;
       p.t = true_time(nu, s);
@@ -171,14 +173,14 @@ Journey slowed(const Journey& undamped, double nu) {
     latest = std::max(latest, p.t);
     out.contacts.push_back(std::move(p));
   }
-  for (const Peak& c : undamped.centres)
+  for (const Maximum& c : undamped.centres)
     if (nu * c.t < 4) out.centres.push_back({true_time(nu, c.t), c.height});
   return out;
 }
 
-double seen_until(const Journey& journey, double resolution) {
+double seen_until(const Arrivals& arrivals, double resolution) {
   std::vector<double> v;
-  for (const Passing& p : journey.contacts) v.push_back(p.velocity);
+  for (const Arrival& p : arrivals.contacts) v.push_back(p.velocity);
   return falls_below(v, resolution);
 }
 

@@ -25,56 +25,56 @@ double slow_clock(double nu, double t);
 double true_time(double nu, double s);
 
 /// A maximum in time of a push or of a speed.
-struct Peak {
+struct Maximum {
   double t = 0, height = 0;
 };
 
 /// The strongest push of one contact and the largest velocity of the bead before it, and all maxima of both.
-struct Passing {
+struct Arrival {
   double t = 0, force = 0, period = 0, velocity = 0;
   bool reached = false;  ///< there is a strongest push, later than that of the contact before
-  std::vector<Peak> pushes{}, speeds{};
+  std::vector<Maximum> pushes{}, speeds{};
 };
 
 /// What a run has seen: contact 1, that of the first two beads, has the index 0.
-struct Journey {
-  std::vector<Passing> contacts{};
-  std::vector<Peak> centres{};  ///< of the chain's energy, as `height`, in sites from one
-  double budget = 0;            ///< the largest imbalance, see driven_chain.hpp
+struct Arrivals {
+  std::vector<Arrival> contacts{};
+  std::vector<Maximum> centres{};  ///< of the chain's energy, as `height`, in sites from one
+  double budget = 0;               ///< the largest imbalance, see driven_chain.hpp
 };
 
 /// Strikes the first bead of a driven or damped chain at rest with `velocity` and follows the packet for `duration`, or until
 /// it has passed the contact `last`. Maxima are those of parabolas through three neighbouring steps.
-Journey follow_packet(const DrivenChain& driven, double velocity, double duration, std::size_t last,
-                      double step);
+Arrivals packet_arrivals(const DrivenChain& driven, double velocity, double duration,
+                         std::size_t last, double step);
 
 /**
 The way begins at the first contact at the time of the impact, and between two contacts the packet moves evenly
 and oscillates with the period that it has at the later one. How long it takes from one contact to the next
 depends on the phase in which it meets them; its speed is therefore a mean over the last five stretches. A packet
 that reaches no further contact stops at the last one. */
-struct Progressed {
+struct Travelled {
   double sites = 0, oscillations = 0;  ///< from the first contact on
   double speed = 0, period = 0;        ///< at the end; the speed is zero if the packet has stopped
 };
 
 /// How far the packet has come after the time `t`.
-Progressed way_after(const Journey& journey, double t);
+Travelled travelled_after(const Arrivals& arrivals, double t);
 
 /// The centre of the energy at the time `t`.
-double centre_after(const Journey& journey, double t);
+double centre_after(const Arrivals& arrivals, double t);
 
 /// How far a sensor of this resolution sees the packet: the place, between two beads, where the largest
 /// velocity falls below `resolution` for the first time, on a logarithmic scale; the last bead if it never
 /// does.
-double seen_until(const Journey& journey, double resolution);
+double seen_until(const Arrivals& arrivals, double resolution);
 
 /**
-The law takes every maximum of a journey without losses to the time at which the slow clock shows it, with
+The law takes every maximum of a run without losses to the time at which the slow clock shows it, with
 the weight $(1-\nu s/4)^2$ for a speed and its power $\frac32$ for a force, and lets the strongest one win. It has
 no free parameter. As maxima are a period apart, the time of the strongest push is that of a parabola through
 the logarithms of three of them. */
-/// The journey with the energy rate nu that the slow clock predicts from one without losses.
-Journey slowed(const Journey& undamped, double nu);
+/// The arrivals at the energy rate nu that the slow clock predicts from those without losses.
+Arrivals slowed(const Arrivals& undamped, double nu);
 
 }  // namespace lattice
