@@ -94,7 +94,7 @@ Exact confirmed(std::size_t k, int sign, const Orbit<double>& orbit) {
   NewtonRule<long double> rule;
   rule.events.tolerance /= 2;
   return {k, sign, orbit,
-          polish(type_one<long double>(k, orbit.start.y.size() / 2 - 1), orbit, rule)};
+          newton(type_one<long double>(k, orbit.start.y.size() / 2 - 1), orbit, rule)};
 }
 
 /// The orbits of type I with the given k, in ascending order, of one sign.
@@ -122,7 +122,7 @@ double residual_in_wide(const Exact& e, const Vector<T>& x_given) {
   const auto problem = with_free_time(type_one<long double>(e.k));
   const Vector<long double> x = with_time<long double>(x_given.template cast<long double>(),
                                                        2 * pi<long double>() * (long double)(e.k));
-  return double(sup<long double>(problem.shoot(x, {}, false).miss)) / e.orbit.amplitude;
+  return double(sup<long double>(problem.evaluate(x, {}, false).residual)) / e.orbit.amplitude;
 }
 
 /**

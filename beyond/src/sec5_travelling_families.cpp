@@ -116,7 +116,7 @@ member. */
 double missed_identity(const Orbit<double>& member) {
   const double time = shift_time(member);
   const auto problem = with_free_time(travelling_problem(time));
-  const double first = problem.shoot(with_time(member.x, time), {}, false).miss[0];
+  const double first = problem.evaluate(with_time(member.x, time), {}, false).residual[0];
   return std::abs(first / member.amplitude - velocity_sum(member) * std::sin(time / 2));
 }
 
@@ -210,7 +210,7 @@ Twice type_one_twice(std::size_t k, int sign, const Orbit<double>& orbit) {
 
 Twice type_two_twice(const Family& f, const Orbit<double>& orbit) {
   const auto problem = with_free_time(travelling_problem(shift_time(orbit)));
-  const auto wide = polish(in_precision<long double>(problem), orbit);
+  const auto wide = newton(in_precision<long double>(problem), orbit);
   return {2,
           f.k,
           f.sign,
@@ -362,10 +362,10 @@ double speed_in(const Path& p, std::size_t i) {
 }
 
 Cells crossing(std::size_t k, Branch<double>& branch) {
-  const Orbit<double> orbit = branch.reach(1);
+  const Orbit<double> orbit = branch.orbit_at(1);
   Shooting<double> problem = branch.problem();
   problem.chain.well = Quartic{1};
-  const auto wide = polish(in_precision<long double>(problem), orbit);
+  const auto wide = newton(in_precision<long double>(problem), orbit);
   return {k, compare(1 / shift_time(orbit), 1 / double(shift_time(wide))),
           compare(orbit.energy, double(wide.energy))};
 }

@@ -220,9 +220,9 @@ TEST_CASE("the orbit is that of a run", "[property][driven]") {
   Vector<double> x(21);
   for (int n = 0; n < 10; ++n) x[n] = state.y[std::size_t(n)], x[10 + n] = state.v[std::size_t(n)];
   x[20] = a;
-  CHECK(sup<double>(orbit.miss(x)) < 1e-7 * a);
+  CHECK(sup<double>(orbit.return_error(x)) < 1e-7 * a);
   x[20] = 1.1 * a;
-  CHECK(sup<double>(orbit.miss(x)) > 1e-4 * a);
+  CHECK(sup<double>(orbit.return_error(x)) > 1e-4 * a);
 }
 
 TEST_CASE("the energy budget of a driven chain closes at the steps of the command",
@@ -433,22 +433,22 @@ TEST_CASE("the law of the threshold, and the equations of a quiet orbit", "[unit
   x << 0.2, -0.1, 0.3, 0.15, 0.5;
   orbit.from = 0.5 * x, orbit.along = Vector<double>::LinSpaced(5, 0.1, 0.6);
   const Vector<double> expected = miss_by_hand(orbit.driven, x, 12);
-  const Shot<double> shot = orbit.shoot(x, {}, true), bare = orbit.shoot(x, {}, false);
+  const Evaluation<double> here = orbit.evaluate(x, true), bare = orbit.evaluate(x, false);
   CHECK(bare.jacobian.size() == 0);
-  CHECK(bare.miss == shot.miss);
+  CHECK(bare.residual == here.residual);
   double plane = -0.7 * 0.3;
   for (int i = 0; i < 5; ++i) plane += 0.5 * x[i] * orbit.along[i];
-  for (int i = 0; i < 4; ++i) check_close(shot.miss[i], expected[i], 1e-12);
-  check_close(shot.miss[4], plane, 1e-15);
+  for (int i = 0; i < 4; ++i) check_close(here.residual[i], expected[i], 1e-12);
+  check_close(here.residual[4], plane, 1e-15);
   const Matrix<double> slopes = slopes_by_hand(orbit.driven, x, 12, 1e-5);
   for (int k = 0; k < 5; ++k) {
-    for (int i = 0; i < 4; ++i) check_close(shot.jacobian(i, k), slopes(i, k), 1e-7);
-    check_close(shot.jacobian(4, k), orbit.along[k], 0);
+    for (int i = 0; i < 4; ++i) check_close(here.jacobian(i, k), slopes(i, k), 1e-7);
+    check_close(here.jacobian(4, k), orbit.along[k], 0);
     for (const Vector<double>& size :
-         {orbit.sizes(x, false).unknown, orbit.sizes(x, true).equation})
+         {orbit.equations().sizes(x, false).unknown, orbit.equations().sizes(x, true).equation})
       check_close(size[k], 0.3, 0);
   }
-  CHECK(orbit.sizes(x, false).equation.size() == 5);
+  CHECK(orbit.equations().sizes(x, false).equation.size() == 5);
 }
 
 TEST_CASE("an array whose far end moves is too short for its drive", "[unit][driven]") {

@@ -82,14 +82,14 @@ The branch is followed in double precision, and its end is confirmed in extended
 static OneOrbit::Found found_with_free_time(const Shooting<double>& problem,
                                             const Orbit<double>& orbit) {
   const auto wide = in_precision<long double>(problem);
-  return {problem, orbit, wide, polish(wide, orbit)};
+  return {problem, orbit, wide, newton(wide, orbit)};
 }
 
 static OneOrbit::Found on_branch(const OneOrbit& choice, const Orbit<double>& start) {
   const int direction = choice.s > 0 ? 1 : -1;
   auto branch = branch_in_s(start, direction);
   try {
-    const Orbit<double> orbit = branch.reach(choice.s);
+    const Orbit<double> orbit = branch.orbit_at(choice.s);
     auto problem = branch.problem();
     problem.chain.well = Quartic{choice.s};
     return found_with_free_time(problem, orbit);
@@ -121,7 +121,7 @@ static OneOrbit::Found chosen_type_one(const OneOrbit& choice) {
   const Orbit<double> orbit = stairs.reach(choice.k);
   if (choice.s != 0) return on_branch(choice, orbit);
   const auto problem = type_one<long double>(choice.k, choice.reach);
-  return {type_one<double>(choice.k, choice.reach), orbit, problem, polish(problem, orbit)};
+  return {type_one<double>(choice.k, choice.reach), orbit, problem, newton(problem, orbit)};
 }
 
 /**
@@ -155,7 +155,7 @@ static OneOrbit::Found chosen_near(const OneOrbit& choice, double near) {
     throw UsageError("--near: no orbit without a tail within 0.25 of " + short_text(near) +
                      " (allowed: a time near one; the nearest is " +
                      number_text(shift_time(best.orbit)) + ")");
-  best.wide = polish(best.wide_problem, best.orbit);
+  best.wide = newton(best.wide_problem, best.orbit);
   return best;
 }
 
@@ -164,7 +164,8 @@ The residual is that of the profile as printed, so the wider orbit is rounded fi
 static double residual_of(const OneOrbit::Found& f) {
   const Vector<double> printed = f.wide.x.cast<double>();
   const Vector<long double> x = printed.cast<long double>();
-  return double(sup<long double>(f.wide_problem.shoot(x, {}, false).miss)) / f.orbit.amplitude;
+  return double(sup<long double>(f.wide_problem.evaluate(x, {}, false).residual)) /
+         f.orbit.amplitude;
 }
 
 /**

@@ -6,7 +6,7 @@
 namespace lattice {
 
 DpsMember dps_member(const DpsTravelling& problem, const Vector<double>& guess) {
-  const Solution<double> found = solve<DpsTravelling, double>(problem, guess);
+  const Solution<double> found = newton(problem.equations(), guess);
   const Field field = problem.expand(found.x);
   double sum = 0;
   for (const auto& a : field) sum += a.imag();
@@ -30,8 +30,8 @@ Vector<double> cut_dps_packet(double from, std::size_t reach) {
                const auto c = front_packet(d);
                if (!c || energy_centre(d, *c) < from || *c + reach >= sites) return;
                (t0 == 0 ? t0 : t1) = tau, (x0 == 0 ? x0 : x1) = energy_centre(d, *c);
-               const double miss = std::abs(d[*c + 1] - d[*c - 1]) / d[*c];
-               if (miss < least) least = miss, best = field, centre = *c;
+               const double uneven = std::abs(d[*c + 1] - d[*c - 1]) / d[*c];
+               if (uneven < least) least = uneven, best = field, centre = *c;
              });
   if (best.empty() || !(x1 > x0)) throw std::runtime_error("no packet passes the site");
   /**
@@ -92,8 +92,8 @@ struct DpsBranch {
     problem.size = sup(guess);
     NewtonRule<double> rule;
     rule.events.tolerance = 1e-10;
-    rule.keep = 1e-3;
-    before = std::exchange(x, solve<DpsTravelling, double>(problem, guess, rule).x);
+    rule.reuse_below = 1e-3;
+    before = std::exchange(x, newton(problem.equations(), guess, rule).x);
     stride = h;
     while (std::hypot(x[x.size() - 2], x[x.size() - 1]) > 1e-14 * sup(x)) {
       x = widened(x, 1), before = widened(before, 1);

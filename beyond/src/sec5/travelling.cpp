@@ -68,7 +68,7 @@ Estimate energy_of_type_one(std::size_t k, const Orbit<double>& orbit) {
   Orbit<double> shaken = orbit;
   shaken.x *= 1 + 1e-7;
   const auto problem = type_one<double>(k, orbit.start.y.size() / 2 - 1);
-  return compare(polish(problem, shaken, coarse).energy, orbit.energy);
+  return compare(newton(problem, shaken, coarse).energy, orbit.energy);
 }
 
 // A straight line through two members predicts the next, but for the far tail

@@ -171,7 +171,7 @@ class Staircase {
     guess.x = x / double(k * k);
     if ((k + k_) % 2) guess.jacobian = -guess.jacobian;
     const Shooting<double> problem = type_one<double>(k, reach_);
-    orbit_ = k > 2 * first ? polish(problem, guess, rule_) : newton(problem, guess.x, rule_);
+    orbit_ = k > 2 * first ? newton(problem, guess, rule_) : newton(problem, guess.x, rule_);
     remember(k);
   }
 
