@@ -100,12 +100,12 @@ Exact confirmed(std::size_t k, int sign, const Orbit<double>& orbit) {
 /// The orbits of type I with the given k, in ascending order, of one sign.
 std::vector<Exact> type_one_orbits(int sign, const std::vector<std::size_t>& ks) {
   std::vector<Exact> found;
-  Staircase down(sign), up = down;
+  TypeOneOrbits down(sign), up = down;
   for (auto k = ks.rbegin(); k != ks.rend(); ++k)
-    if (*k <= Staircase::first) found.push_back(confirmed(*k, sign, down.reach(*k)));
+    if (*k <= TypeOneOrbits::first) found.push_back(confirmed(*k, sign, down.orbit_at(*k)));
   std::reverse(found.begin(), found.end());
   for (std::size_t k : ks)
-    if (k > Staircase::first) found.push_back(confirmed(k, sign, up.reach(k)));
+    if (k > TypeOneOrbits::first) found.push_back(confirmed(k, sign, up.orbit_at(k)));
   return found;
 }
 
@@ -144,7 +144,7 @@ void report_exactness(Report& report, const std::vector<Exact>& plus,
             "largest of k = 1, 2, 3, relative to amplitude");
   facts.add("residual_rounded", {rounded, rounded}, "of the extended orbit rounded to double");
   facts.add("residual_wide", {wide, wide}, "largest of k = 1, 2, 3, relative to amplitude");
-  facts.add("newton_steps_from_cut", exact(double(Staircase(1).orbit().iterations())));
+  facts.add("newton_steps_from_cut", exact(double(TypeOneOrbits(1).orbit().iterations())));
   const Exact &p = plus.front(), &m = minus.front();
   facts.add("energy_plus", p.energy());
   facts.add("energy_minus", m.energy());

@@ -166,7 +166,7 @@ TEST_CASE("a piston has to lift the breather of the DpS limit to its top", "[uni
 TEST_CASE("the fold of the quiet orbit is where emission begins", "[property][driven]") {
   const double omega = 1.1, law = threshold_law(Drive::By::piston, omega);
   const DrivenChain driven{Chain{10}, {2.5e-3, 0}, {Drive::By::piston, omega}};
-  const QuietBranch branch = quiet_branch(driven, 48);
+  const QuietOrbits branch = quiet_orbits(driven, 48);
   check_close(branch.fold / law, 1.117, 2e-3);
   CHECK(branch.amplitude.back() < 0.9 * branch.fold);  // it has turned back
   const auto count = [&](double share) {
@@ -280,7 +280,7 @@ TEST_CASE("rates, spreads and bisections", "[unit][driven]") {
 
 TEST_CASE("a breather of a family is measured as what it is", "[property][traveller]") {
   const double turn = 2 * std::numbers::pi, phase = 0.4;
-  const Orbit<double> start = Staircase(1).reach(3);
+  const Orbit<double> start = TypeOneOrbits(1).orbit_at(3);
   const Orbit<double> member = follow_family(start, 3 * turn - phase, 0.2).back();
   const MemberGrid grid = member_grid(3, 3, {0, phase});
   const DrivenChain driven{Chain{32}};
@@ -303,7 +303,7 @@ TEST_CASE("a breather of a family is measured as what it is", "[property][travel
 
 TEST_CASE("packets of a train are told apart", "[unit][traveller]") {
   // Two packets of the shape of a breather, eleven sites apart
-  const Orbit<double> start = Staircase(1).reach(3);
+  const Orbit<double> start = TypeOneOrbits(1).orbit_at(3);
   const DrivenChain driven{Chain{60}};
   State<double> two = embed(start.start, 60, 11);
   const State<double> behind = embed(start.start, 60, 0);

@@ -29,7 +29,8 @@ double left_behind(const Orbit<double>& orbit, std::size_t shifts) {
 }
 
 const Orbit<double>& first_orbit(int sign) {
-  static const Orbit<double> plus = Staircase(1).reach(1), minus = Staircase(-1).reach(1);
+  static const Orbit<double> plus = TypeOneOrbits(1).orbit_at(1),
+                             minus = TypeOneOrbits(-1).orbit_at(1);
   return sign > 0 ? plus : minus;
 }
 
@@ -66,7 +67,7 @@ TEST_CASE("the state at a part of the way between two others", "[unit][travellin
 TEST_CASE("an impact's packet becomes an exact orbit in a few steps", "[convergence][travelling]") {
   for (int sign : {1, -1}) {
     const Orbit<double> orbit =
-        newton(type_one<double>(5), cut_packet(Staircase::first_velocity, 15, 30, sign));
+        newton(type_one<double>(5), cut_packet(TypeOneOrbits::first_velocity, 15, 30, sign));
     CAPTURE(sign, to_text(orbit.history));
     CHECK(orbit.iterations() <= 9);
     CHECK(sign * central_velocity(orbit) > 0);
@@ -84,7 +85,7 @@ TEST_CASE("both orbits with one oscillation a site", "[convergence][travelling]"
     CHECK(wide.residual() < 1e-16);
     check_close(double(wide.energy), energies[sign < 0], 0, 1e-14);
     // A longer chain has the same orbit.
-    const Orbit<double> longer = Staircase(sign, 9).reach(1);
+    const Orbit<double> longer = TypeOneOrbits(sign, 9).orbit_at(1);
     check_close(longer.energy, orbit.energy, 0, 1e-12);
   }
   check_close(shift_time(first_orbit(1)), 2 * pi<double>(), 0, 1e-15);
@@ -156,9 +157,9 @@ TEST_CASE("the DpS equation has its own orbit of type I, the limit of the chain'
   const double limit = 2 * member.norm * std::pow(problem.shift_time, 4);
   check_close(limit, 65.55230988, 0, 1e-8);
   // The chain comes closer with 1/k.
-  Staircase stairs(1);
+  TypeOneOrbits orbits(1);
   const auto off = [&](std::size_t k) {
-    return stairs.reach(k).energy * std::pow(2 * pi<double>() * double(k), 4) - limit;
+    return orbits.orbit_at(k).energy * std::pow(2 * pi<double>() * double(k), 4) - limit;
   };
   const double five = off(5), ten = off(10);
   CHECK(ten < 0.55 * five);

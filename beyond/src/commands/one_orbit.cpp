@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lattice/numerics/progress.hpp"
+#include "sec5/branches_in_s.hpp"
 
 namespace lattice {
 
@@ -68,14 +69,7 @@ void OneOrbit::parameters(Parameters& p) {
 }
 
 constexpr double two_pi = 2 * std::numbers::pi;
-constexpr Stride in_s{.first = 0.02, .least = 1e-6, .most = 0.3};
-
-static Branch<double> branch_in_s(const Orbit<double>& start, int direction) {
-  const double time = shift_time(start);
-  auto problem = with_free_time(travelling_problem(time, 0, start.start.y.size() / 2 - 1));
-  const Vector<double> x = start.x.size() % 2 ? with_time(start.x, time) : start.x;
-  return {problem, along_s<double>(), newton(problem, x), direction, {}, in_s};
-}
+constexpr double two_pi = 2 * std::numbers::pi;
 
 /**
 The branch is followed in double precision, and its end is confirmed in extended precision. */
@@ -87,14 +81,14 @@ static OneOrbit::Found found_with_free_time(const Shooting<double>& problem,
 
 static OneOrbit::Found on_branch(const OneOrbit& choice, const Orbit<double>& start) {
   const int direction = choice.s > 0 ? 1 : -1;
-  auto branch = branch_in_s(start, direction);
+  auto branch = branch_in_s(start, direction, 0.3);
   try {
     const Orbit<double> orbit = branch.orbit_at(choice.s);
     auto problem = branch.problem();
     problem.chain.well = Quartic{choice.s};
     return found_with_free_time(problem, orbit);
   } catch (const NoBranch&) {
-    auto again = branch_in_s(start, direction);
+    auto again = branch_in_s(start, direction, 0.3);
     const double fold = again.fold();
     throw UsageError("--s: " + short_text(choice.s) + " has no orbit with k = " +
                      std::to_string(choice.k) + " and the sign " + choice.sign +
@@ -117,8 +111,8 @@ static void need_reach(const OneOrbit& choice, const Orbit<double>& orbit) {
 }
 
 static OneOrbit::Found chosen_type_one(const OneOrbit& choice) {
-  Staircase stairs(choice.sign == "plus" ? 1 : -1, choice.reach);
-  const Orbit<double> orbit = stairs.reach(choice.k);
+  TypeOneOrbits orbits(choice.sign == "plus" ? 1 : -1, choice.reach);
+  const Orbit<double> orbit = orbits.orbit_at(choice.k);
   if (choice.s != 0) return on_branch(choice, orbit);
   const auto problem = type_one<long double>(choice.k, choice.reach);
   return {type_one<double>(choice.k, choice.reach), orbit, problem, newton(problem, orbit)};
@@ -130,8 +124,8 @@ at somewhat shorter shift times, on families that begin at the orbits of type I 
 follow the family that begins at the next multiple of $2\pi$ above the time asked for. */
 static OneOrbit::Found chosen_near(const OneOrbit& choice, double near) {
   const auto above = std::size_t(std::max(1.0, std::ceil(near / two_pi)));
-  Staircase stairs(choice.sign == "plus" ? 1 : -1, choice.reach);
-  const Orbit<double> start = stairs.reach(above);
+  TypeOneOrbits orbits(choice.sign == "plus" ? 1 : -1, choice.reach);
+  const Orbit<double> start = orbits.orbit_at(above);
   const double end = std::max(near - 0.6, 3.0);
   const auto members = follow_family(start, std::min(end, shift_time(start)), 0.1);
   std::vector<OneOrbit::Found> candidates{{type_one<double>(above, choice.reach),

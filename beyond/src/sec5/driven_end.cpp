@@ -141,7 +141,7 @@ Equations<double> DrivenOrbit::equations() const {
 }
 
 // Steps along the curve, and a parabola through the three points about the largest amplitude
-QuietBranch quiet_branch(const DrivenChain& driven, std::size_t steps, double apart,
+QuietOrbits quiet_orbits(const DrivenChain& driven, std::size_t steps, double apart,
                          double beyond) {
   const Eigen::Index n = Eigen::Index(2 * driven.chain.sites + 1);
   const double law = threshold_law(driven.drive.by, driven.drive.omega);
@@ -153,7 +153,7 @@ QuietBranch quiet_branch(const DrivenChain& driven, std::size_t steps, double ap
   // Begin in the direction of the amplitude, from no motion at all
   Vector<double> at = Vector<double>::Zero(n);
   Vector<double> tangent = Vector<double>::Unit(n, n - 1);
-  QuietBranch out;
+  QuietOrbits out;
   std::vector<double> lengths;
   double gone = 0;
   problem.length = 0.2 * law / size;

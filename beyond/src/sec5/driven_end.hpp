@@ -68,7 +68,7 @@ struct DrivenOrbit {
 };
 
 /// The curve of quiet orbits from a weak drive to beyond its fold, and the fold.
-struct QuietBranch {
+struct QuietOrbits {
   std::vector<double> amplitude{};  ///< of the drive
   std::vector<double> response{};   ///< amplitude of the first bead when a period begins
   double fold = 0;                  ///< largest amplitude
@@ -77,7 +77,7 @@ struct QuietBranch {
 /// Follows the quiet orbit, with `steps` steps a period, from point to point at the distance `apart` in units of the
 /// law for a piston, until its amplitude has fallen to the share `beyond` of the fold. The drive of `driven` says what is
 /// driven and how fast; its amplitude is not used. Throws NewtonFailed.
-QuietBranch quiet_branch(const DrivenChain& driven, std::size_t steps, double apart = 0.1,
+QuietOrbits quiet_orbits(const DrivenChain& driven, std::size_t steps, double apart = 0.1,
                          double beyond = 0.8);
 
 /**
