@@ -38,7 +38,7 @@ static Estimate largest_modulus(const Pair& phase, const Estimate& rest) {
 
 /**
 The equations cover one shift; here an orbit runs on. It is integrated over one shift at a time by the method
-that lands on every opening and closing of a contact (event_driven.hpp), and then the frame moves on by one site.
+that ends a step at every contact event (event_driven.hpp), and then the frame moves on by one site.
 What the last site of the frame holds is left behind. */
 static double left_behind(const Shooting<double>& problem, const Orbit<double>& orbit,
                           std::size_t shifts, const EventTolerance<double>& rule) {
@@ -165,7 +165,7 @@ static double residual_of(const OneOrbit::Found& f) {
 /**
 Every quantity needs an error. Times, speeds and energies are compared between double and
 extended precision; what is left behind, and the multipliers of slow orbits, for which extended precision would
-take long, between two tolerances of the landing. */
+take long, between two tolerances of the flow. */
 Table OneOrbit::quantities(const Found& f) const {
   const auto peak = [](const auto& problem, const auto& orbit) {
     const auto e = energy_density(problem.chain, orbit.start);

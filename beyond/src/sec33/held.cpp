@@ -77,10 +77,10 @@ void Held<T>::differentiate(const Vector<T>& x, const EventTolerance<T>& rule, c
 }
 
 template <class T>
-Vector<T> moved_to_centre(const Held<T>& held, Vector<T> x, const EventTolerance<T>& landing) {
+Vector<T> moved_to_centre(const Held<T>& held, Vector<T> x, const EventTolerance<T>& rule) {
   const Eigen::Index n = x.size() - 1;
   for (int k = 0; k < 4; ++k) {
-    const Evaluation<T> here = held.evaluate(x, landing);
+    const Evaluation<T> here = held.evaluate(x, rule);
     Matrix<T> matrix = here.jacobian;
     for (Eigen::Index i = 0; i < n; ++i)
       matrix(i, n) = i > 0 && i + 1 < n ? x[i + 1] - x[i - 1] : T(0);

@@ -66,6 +66,6 @@ Newton's method on all equations can take over. In double precision it would fin
 well as rounding compares with the barrier, so callers continue in extended precision. */
 /// The unknowns with the centre of `held` and the same parameter, from those near that centre.
 template <class T>
-Vector<T> moved_to_centre(const Held<T>& held, Vector<T> x, const EventTolerance<T>& landing = {});
+Vector<T> moved_to_centre(const Held<T>& held, Vector<T> x, const EventTolerance<T>& rule = {});
 
 }  // namespace lattice

@@ -43,8 +43,8 @@ Vector<T> solve_scaled(Matrix<T> matrix, Vector<T> right, const Sizes<T>& size, 
 }
 
 template <class T>
-bool is_accurate(const FlowReport<T>& flow, const EventTolerance<T>& landing) {
-  const T tolerance = std::max(landing.tolerance, T(16) * std::numeric_limits<T>::epsilon());
+bool is_accurate(const FlowReport<T>& flow, const EventTolerance<T>& rule) {
+  const T tolerance = std::max(rule.tolerance, T(16) * std::numeric_limits<T>::epsilon());
   return flow.unlanded == 0 && flow.error <= tolerance * T(double(flow.steps + 1));
 }
 

@@ -147,7 +147,7 @@ own error. If one could not meet the tolerance, or if a contact that matters ope
 of a step (`unlanded`), the residual means nothing and the orbit is refused. */
 /// Whether the flow is good enough for an orbit.
 template <class T>
-bool is_accurate(const FlowReport<T>& flow, const EventTolerance<T>& landing);
+bool is_accurate(const FlowReport<T>& flow, const EventTolerance<T>& rule);
 
 /// Where the iteration ended: unknowns, the evaluation there, and all iterations.
 template <class T>
