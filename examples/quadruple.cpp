@@ -10,7 +10,7 @@ int main() {
   const Orbit<double> orbit = find_breather(problem);
   NewtonRule<Quadruple> rule;
   rule.events.tolerance = Quadruple(1e-27);
-  const auto wide = polish(in_precision<Quadruple>(problem), orbit, rule);
+  const auto wide = newton(in_precision<Quadruple>(problem), orbit, rule);
   std::cout.precision(25);
   std::cout << "energy " << wide.energy << ", residual " << wide.residual() << '\n';
 }

@@ -125,8 +125,7 @@ void of_free_chains(Report& report, std::vector<MotionMeans>& all) {
   add("uneven_ring", uneven_ring.chain, standing.start, standing.period());
   report.facts.add("mean_force_spread_uneven_ring", balance_estimate(all.back(), &Balance::spread));
   add("walls", walls.chain, between.start, between.period());
-  add("mixed_exponents", motions::mixed_chain(1).chain, motions::mixed_wave(),
-      2 * std::numbers::pi);
+  add("mixed_exponents", motions::mixed_chain(1), motions::mixed_wave(), 2 * std::numbers::pi);
   report.facts.add("mean_force_spread_free", spread);
   report.facts.add("mean_force_least_free", force, "relative to amplitude");
 

@@ -65,9 +65,10 @@ is of third order (breather.hpp). Every barrier is computed at two tolerances, a
 its error. Where this error exceeds three parts in a thousand, we repeat the computation with 64-bit mantissas. The two
 breathers of one frequency are called a *pair*. */
 /// The pairs of each well.
-std::vector<BreatherPairs> climb_wells(int count) {
+std::vector<BreatherPairs> pairs_in_wells(int count) {
   std::vector<BreatherPairs> families;
-  for (double s : wells) families.push_back(climb_pairs(s, pair_frequencies(s, count), measure));
+  for (double s : wells)
+    families.push_back(breather_pairs_at(s, pair_frequencies(s, count), measure));
   return families;
 }
 
@@ -366,7 +367,7 @@ nothing about the potential between the two breathers, which may have further ex
 breathers without symmetry there. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
-  const auto families = climb_wells(report.quick ? 10 : 60);
+  const auto families = pairs_in_wells(report.quick ? 10 : 60);
   report_barriers(report, families);
   report_growth(report, families);
   report_ratios(report, families);

@@ -103,7 +103,7 @@ void report_convergence(Report& report) {
   report.facts.add("variation", compare(coarse.variation(), orbit.variation()));
   report.facts.add("newton_iterations", exact(double(orbit.iterations())));
   const auto symmetric = [&](const Orbit<double>& o) {
-    return condition_of(problem.shoot(o.x, {}).jacobian).condition;
+    return condition_of(problem.evaluate(o.x, {}).jacobian).condition;
   };
   report.facts.add("condition_site", compare(symmetric(coarse), symmetric(orbit)));
 
@@ -331,7 +331,7 @@ void report_branches(Report& report) {
   // Both families, frequency by frequency
   std::vector<double> omegas = pair_frequencies(0, report.quick ? 6 : 80);
   omegas.insert(omegas.begin(), 1.001);
-  const BreatherPairs pairs = climb_pairs(0, omegas, measure_in<double>);
+  const BreatherPairs pairs = breather_pairs_at(0, omegas, measure_in<double>);
   Table& table = report.table(
       "branches", {number("omega", "frequency"), number("amplitude_bond", "largest |y_n(0)|"),
                    number("amplitude_site", "largest |y_n(0)|"),

@@ -298,7 +298,8 @@ TEST_CASE("3.2: after a hundred periods the breather of omega_b = 1.1 looks as a
 TEST_CASE("3.2: the tail falls super-exponentially, with the exponent 3/2 from site to site",
           "[article]") {
   const auto problem = breather_problem<double>(Centre::site, 1.1, 0, 63);
-  const auto orbit = polish(in_precision<Wide>(problem), find_breather(problem), graded<Wide>());
+  const auto orbit =
+      newton(in_precision<Wide>(problem), find_breather(problem), scaled_rule<Wide>());
   const auto exponent = [&](long n) {
     const auto log_of = [&](long k) {
       return std::log(std::abs(orbit.start.y[site_index(k, 63)]));

@@ -26,7 +26,8 @@ template <class Problem, class Unknowns>
 Unknowns slope_along(const Problem& problem, const Unknowns& x, long k, double h) {
   Unknowns up = x, down = x;
   up[k] += h, down[k] -= h;
-  return (problem.shoot(up, {}, false).miss - problem.shoot(down, {}, false).miss) / (2 * h);
+  return (problem.evaluate(up, {}, false).residual - problem.evaluate(down, {}, false).residual) /
+         (2 * h);
 }
 
 /// What is said when `make` is refused with such an error; nothing if it is not.

@@ -206,7 +206,7 @@ TEST_CASE("two tolerances and two precisions agree within the error", "[converge
     const Orbit<double> orbit = find_breather(problem);
     const auto narrow = compare_pairs(pairs_at(problem, orbit, 16), pairs_at(problem, orbit));
     const auto wide_problem = in_precision<long double>(problem);
-    const auto wide_orbit = polish(wide_problem, orbit);
+    const auto wide_orbit = newton(wide_problem, orbit);
     const auto wide = floquet_pairs(wide_problem.chain, wide_orbit.start, wide_orbit.period());
     CHECK(narrow.front().error < 1e-13);
     check_close(narrow.front().kappa.real(), double(wide.pinning()), narrow.front().error);

@@ -84,17 +84,18 @@ TEST_CASE("the equations' derivatives by difference quotients", "[unit][formulas
   for (Centre centre : {Centre::site, Centre::bond}) {
     const auto problem = breather_problem(centre, 1.2, 0.3, centre == Centre::site ? 7 : 8);
     const auto orbit = find_breather(problem);
-    const auto shot = problem.shoot(orbit.x, {});
+    const auto here = problem.evaluate(orbit.x, {});
     auto faster = problem, slower = problem;
     faster.omega += 1e-5;
     slower.omega -= 1e-5;
-    const Vector<double> slope =
-        (faster.shoot(orbit.x, {}, false).miss - slower.shoot(orbit.x, {}, false).miss) / 2e-5;
-    CHECK(sup<double>(slope + problem.period() / problem.omega * shot.miss_period) <
+    const Vector<double> slope = (faster.evaluate(orbit.x, {}, false).residual -
+                                  slower.evaluate(orbit.x, {}, false).residual) /
+                                 2e-5;
+    CHECK(sup<double>(slope + problem.period() / problem.omega * here.residual_period) <
           1e-6 * orbit.amplitude);
     const double h = 1e-7 * orbit.amplitude;
     for (Eigen::Index k = 0; k < orbit.x.size(); ++k)
-      CHECK(sup<double>(slope_along(problem, orbit.x, k, h) - shot.jacobian.col(k)) < 1e-3);
+      CHECK(sup<double>(slope_along(problem, orbit.x, k, h) - here.jacobian.col(k)) < 1e-3);
   }
 }
 

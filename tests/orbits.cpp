@@ -114,11 +114,11 @@ TEST_CASE("the derivative with respect to a free period is exact", "[unit][orbit
   problem.symmetry = travelling_reversible(4, true);
   Vector<double> x(10);
   x << 0.02, -0.01, 0.001, 0, 0.03, -0.02, 0.004, 0.001, 0, 6;
-  const Shot<double> shot = problem.shoot(x, {});
+  const Evaluation<double> here = problem.evaluate(x, {});
   for (Eigen::Index k : {0, 4, 5, 9}) {
     const Vector<double> slope = slope_along(problem, x, k, k == 9 ? 1e-6 : 1e-8);
     CAPTURE(k);
-    CHECK(sup<double>(slope - shot.jacobian.col(k)) < 1e-5);
+    CHECK(sup<double>(slope - here.jacobian.col(k)) < 1e-5);
   }
 }
 
@@ -139,28 +139,48 @@ TEST_CASE("the slopes along a branch are those between its orbits", "[unit][orbi
 TEST_CASE("an orbit is refused where its flow is not accurate", "[unit][orbits]") {
   const Problem good = breather_problem(Centre::site, 1.1, 0, 31);
   const Orbit<double> orbit = find_breather(good);
-  struct Careless : Problem {
-    std::size_t missed_events = 0;
-    double error = 0;
-    Shot<double> shoot(const Vector<double>& x, const EventTolerance<double>& rule,
-                       bool jacobian = true) const {
-      Shot<double> shot = Problem::shoot(x, rule, jacobian);
-      shot.flow.missed_events += missed_events;
-      shot.flow.error += error;
-      return shot;
-    }
+  const auto careless = [&](std::size_t unlanded, double error) {
+    Equations<double> out = good.equations();
+    out.evaluate = [=, &good](const Vector<double>& x, const EventTolerance<double>& rule,
+                              bool derivative) {
+      Evaluation<double> here = good.evaluate(x, rule, derivative);
+      here.flow.unlanded += unlanded;
+      here.flow.error += error;
+      return here;
+    };
+    return out;
   };
-  CHECK_NOTHROW(solve(Careless{good}, orbit.x));
-  CHECK_THROWS_AS(solve(Careless{good, 1}, orbit.x), NewtonFailed);
-  NewtonRule<double> every;  // locates every event, and still may not miss one that matters
+  CHECK_NOTHROW(newton(careless(0, 0), orbit.x));
+  CHECK_THROWS_AS(newton(careless(1, 0), orbit.x), NewtonFailed);
+  NewtonRule<double> every;  // ends a step at every event, and still may not miss one that matters
   every.events.floor = 0;
-  CHECK_NOTHROW(solve(Careless{good}, orbit.x, every));
-  CHECK_THROWS_AS(solve(Careless{good, 1}, orbit.x, every), NewtonFailed);
-  CHECK_THROWS_AS(solve(Careless{good, 0, 1e-9}, orbit.x), NewtonFailed);
+  CHECK_NOTHROW(newton(careless(0, 0), orbit.x, every));
+  CHECK_THROWS_AS(newton(careless(1, 0), orbit.x, every), NewtonFailed);
+  CHECK_THROWS_AS(newton(careless(0, 1e-9), orbit.x), NewtonFailed);
   // The same by an integrator that is given too few levels and too large a tolerance to hide it.
   NewtonRule<double> coarse;
   coarse.events.levels = 1;
   CHECK_THROWS_AS(newton(good, orbit.x, coarse), NewtonFailed);
+}
+
+TEST_CASE("Newton's method takes any residual", "[unit][orbits]") {
+  // Where a circle meets a hyperbola, from differences and from a derivative that was computed before
+  const auto residual = [](const Vector<double>& x) {
+    return Vector<double>{{x[0] * x[0] + x[1] * x[1] - 4, x[0] * x[1] - 1}};
+  };
+  const Equations<double> equations = by_differences("the crossing", residual, 1e-6);
+  const Vector<double> guess{{2, 0.5}};
+  const Solution<double> found = newton(equations, guess);
+  check_close(found.x[0], std::sqrt(2 + std::sqrt(3.0)), 1e-14);
+  check_close(found.x[0] * found.x[1], 1, 1e-14);
+  CHECK(found.history.size() < 7);
+  const Matrix<double> derivative{{4, 1}, {0.5, 2}};
+  const Solution<double> chord = newton(equations, guess, {}, &derivative);
+  CHECK(sup<double>(chord.x - found.x) < 1e-13);
+  CHECK(chord.evaluation.jacobian == derivative);
+  CHECK(refusal<NewtonFailed>([&] {
+          newton(equations, Vector<double>{{1, -1}});
+        }).find("the crossing: ") == 0);
 }
 
 TEST_CASE("damped Newton converges from where the plain one runs away", "[property][orbits]") {
@@ -168,7 +188,7 @@ TEST_CASE("damped Newton converges from where the plain one runs away", "[proper
   const Orbit<double> orbit = find_breather(problem);
   NewtonRule<double> damped;
   damped.damped = true;
-  damped.most = 60;
+  damped.most_steps = 60;
   std::size_t found = 0;
   for (unsigned long seed = 1; seed <= 4; ++seed) {
     State<double> start = orbit.start;
@@ -190,7 +210,7 @@ TEST_CASE("extended precision refines with the derivative of double precision",
     const Problem problem = breather_problem(centre, 1.1, 0, centre == Centre::site ? 31 : 32);
     const Orbit<double> orbit = find_breather(problem);
     const auto wide = in_precision<long double>(problem);
-    const auto chord = polish(wide, orbit);
+    const auto chord = newton(wide, orbit);
     const auto full = newton(wide, orbit.x.cast<long double>().eval());
     CHECK(sup<long double>(chord.x - full.x) < 1e-15L * full.amplitude);
     CHECK(chord.residual() < 1e-15);
@@ -222,7 +242,7 @@ TEST_CASE("a branch follows any parameter of its problem", "[property][orbits]")
   const Along<double> mass{"mass", [](const Problem& p) { return p.chain.mass[10]; }, set, 1e-3};
   const Orbit<double> start = newton(even, even.reduce(find_breather(problem).start));
   Branch branch(even, mass, start, 1);
-  const Orbit<double> heavy = branch.reach(1.02);
+  const Orbit<double> heavy = branch.orbit_at(1.02);
   Problem there = even;
   set(there, 1.02);
   CHECK(return_error(there, heavy, 0) < 1e-12);
@@ -309,11 +329,11 @@ TEST_CASE("an orbit that shrinks to rest is none", "[unit][orbits]") {
                  "0.0022 to ") == 0);
   CHECK(why.find("; relative residuals 1.1e-01, ") != std::string::npos);
   CHECK(why.find('\n') == std::string::npos);
-  // Rest itself, also with a free period, and as the start of a polish
+  // Rest itself, also with a free period, and as an orbit to start from
   CHECK_THROWS_AS(newton(problem, problem.reduce(State<double>(16))), NewtonFailed);
   Orbit<double> resting = find_breather(problem);
   resting.x.setZero();
-  CHECK_THROWS_AS(polish(in_precision<long double>(problem), resting), NewtonFailed);
+  CHECK_THROWS_AS(newton(in_precision<long double>(problem), resting), NewtonFailed);
   problem.symmetry.free_period = true;
   State<double> still(16);
   still.t = 6;

@@ -155,7 +155,7 @@ TEST_CASE("the linear tail is long enough, and falls at the rate of the band",
   const auto longer = chosen.find();
   // Twenty more sites change nothing, as the wider type sees it
   const auto wide = [](const Fitted& one) {
-    return polish(in_precision<Wide>(one.problem), one.orbit, rule<Wide>(0));
+    return newton(in_precision<Wide>(one.problem), one.orbit, rule<Wide>(0));
   };
   const Orbit<Wide> a = wide(found), b = wide(longer);
   check_close(double(a.energy - b.energy), 0, 1e-15 * double(b.energy));

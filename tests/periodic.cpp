@@ -90,17 +90,18 @@ TEST_CASE("the derivatives of the equations are exact", "[unit][periodic]") {
   for (Centre centre : {Centre::site, Centre::bond}) {
     const auto p = problem_of(centre, 1.1, 0.5);
     const Orbit<double> o = find_breather(p);
-    const Shot<double> shot = p.shoot(o.x, {});
+    const Evaluation<double> here = p.evaluate(o.x, {});
     // The equations have derivatives of order 3/2 only, so the difference quotient errs by h^{1/2}.
     const double h = 1e-8 * o.amplitude;
     for (Eigen::Index k : {o.x.size() / 2, o.x.size() / 2 + 1})
-      CHECK(sup<double>(slope_along(p, o.x, k, h) - shot.jacobian.col(k)) < 3e-5);
+      CHECK(sup<double>(slope_along(p, o.x, k, h) - here.jacobian.col(k)) < 3e-5);
     auto faster = p, slower = p;
     faster.omega += 1e-6;
     slower.omega -= 1e-6;
     const Vector<double> slope =
-        (faster.shoot(o.x, {}, false).miss - slower.shoot(o.x, {}, false).miss) / 2e-6;
-    CHECK(sup<double>(slope + p.period() / p.omega * shot.miss_period) < 1e-7 * o.amplitude);
+        (faster.evaluate(o.x, {}, false).residual - slower.evaluate(o.x, {}, false).residual) /
+        2e-6;
+    CHECK(sup<double>(slope + p.period() / p.omega * here.residual_period) < 1e-7 * o.amplitude);
   }
 }
 
@@ -135,7 +136,7 @@ TEST_CASE("a breather does not depend on how it was reached", "[property][period
     const auto low = problem_of(centre, 1.03, 0.5), linear = problem_of(centre, 1.1, 0);
     Branch rising(low, along_omega<double>(), find_breather(low), 1);
     Branch hardening(linear, along_s<double>(), find_breather(linear), 1);
-    for (const Orbit<double>& other : {rising.reach(1.1), hardening.reach(0.5)}) {
+    for (const Orbit<double>& other : {rising.orbit_at(1.1), hardening.orbit_at(0.5)}) {
       CHECK(sup<double>(other.x - direct.x) < 1e-12 * direct.amplitude);
       check_close(other.energy, direct.energy, 0, 1e-12);
     }
@@ -156,7 +157,7 @@ TEST_CASE("a branch passes its fold", "[property][periodic]") {
 TEST_CASE("failure comes with its history", "[unit][periodic]") {
   const auto p = problem_of(Centre::site, 1.1);
   NewtonRule<double> hasty;
-  hasty.most = 2;
+  hasty.most_steps = 2;
   try {
     newton(p, p.reduce(ansatz(Centre::site, 1.1, 31)), hasty);
     FAIL("two iterations are not enough");
@@ -172,7 +173,7 @@ TEST_CASE("double and extended precision agree", "[convergence][periodic]") {
   for (Centre centre : {Centre::site, Centre::bond}) {
     const auto p = problem_of(centre, 1.1);
     const Orbit<double> o = find_breather(p);
-    const auto wide = polish(in_precision<long double>(p), o);
+    const auto wide = newton(in_precision<long double>(p), o);
     check_close(o.energy, double(wide.energy), 0, 1e-12);
     check_close(o.area, double(wide.area), 0, 1e-12);
     CHECK(wide.residual() < 1e-15);
@@ -182,14 +183,14 @@ TEST_CASE("double and extended precision agree", "[convergence][periodic]") {
 TEST_CASE("every site of the tail is known to relative accuracy", "[convergence][periodic]") {
   const auto p = problem_of(Centre::site, 1.1);
   const Orbit<double> o = find_breather(p);
-  NewtonRule<double> graded;
-  graded.graded = true;
-  graded.events.floor = 0;
+  NewtonRule<double> scaled;
+  scaled.scaled = true;
+  scaled.events.floor = 0;
   NewtonRule<long double> wide;
-  wide.graded = true;
+  wide.scaled = true;
   wide.events.floor = 0;
-  const auto a = polish(p, o, graded);
-  const auto b = polish(in_precision<long double>(p), o, wide);
+  const auto a = newton(p, o, scaled);
+  const auto b = newton(in_precision<long double>(p), o, wide);
   for (std::size_t n = 15; n < 29; ++n) check_close(a.start.y[n], double(b.start.y[n]), 0, 1e-9);
   CHECK(std::abs(a.start.y[28]) < 1e-130);
   CHECK(std::abs(a.start.y[28]) > 0);

@@ -85,7 +85,7 @@ std::vector<Fold> fold_points(const ArraySetup& setup, bool quick) {
 
 Estimate fold_of(const ArraySetup& setup, Drive::By by, double omega) {
   const DrivenChain driven = setup.driven(by, omega, 0, 0, 0, 10);
-  return compare(quiet_branch(driven, 32, 0.1, 1).fold, quiet_branch(driven, 64, 0.05, 1).fold);
+  return compare(quiet_orbits(driven, 32, 0.1, 1).fold, quiet_orbits(driven, 64, 0.05, 1).fold);
 }
 
 /// The exponent of delta between two points of the curve of folds.
@@ -151,7 +151,7 @@ and, between 0.1 and 0.2, [3.36910](num:sec5_driving.exponent_base_strong). At $
 [1.1160](num:sec5_driving.fold_over_law_first_lossless) and [1.0280](num:sec5_driving.fold_over_law_lossless). Closer to
 the beams' frequency damping matters more, so that at a fixed lifetime the ratio does not tend to one. */
 void report_orbits(Report& report, const ArraySetup& setup) {
-  const auto branch = quiet_branch(setup.driven(Drive::By::piston, 1.1, 0, 0, 0, 10), 64, 0.1);
+  const auto branch = quiet_orbits(setup.driven(Drive::By::piston, 1.1, 0, 0, 0, 10), 64, 0.1);
   Table& orbits =
       report.table("quiet_orbits", {number("amplitude", "of the piston", "um"),
                                     number("response",

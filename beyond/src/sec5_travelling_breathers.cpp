@@ -94,18 +94,18 @@ Exact confirmed(std::size_t k, int sign, const Orbit<double>& orbit) {
   NewtonRule<long double> rule;
   rule.events.tolerance /= 2;
   return {k, sign, orbit,
-          polish(type_one<long double>(k, orbit.start.y.size() / 2 - 1), orbit, rule)};
+          newton(type_one<long double>(k, orbit.start.y.size() / 2 - 1), orbit, rule)};
 }
 
 /// The orbits of type I with the given k, in ascending order, of one sign.
 std::vector<Exact> type_one_orbits(int sign, const std::vector<std::size_t>& ks) {
   std::vector<Exact> found;
-  Staircase down(sign), up = down;
+  TypeOneOrbits down(sign), up = down;
   for (auto k = ks.rbegin(); k != ks.rend(); ++k)
-    if (*k <= Staircase::first) found.push_back(confirmed(*k, sign, down.reach(*k)));
+    if (*k <= TypeOneOrbits::first) found.push_back(confirmed(*k, sign, down.orbit_at(*k)));
   std::reverse(found.begin(), found.end());
   for (std::size_t k : ks)
-    if (k > Staircase::first) found.push_back(confirmed(k, sign, up.reach(k)));
+    if (k > TypeOneOrbits::first) found.push_back(confirmed(k, sign, up.orbit_at(k)));
   return found;
 }
 
@@ -122,7 +122,7 @@ double residual_in_wide(const Exact& e, const Vector<T>& x_given) {
   const auto problem = with_free_time(type_one<long double>(e.k));
   const Vector<long double> x = with_time<long double>(x_given.template cast<long double>(),
                                                        2 * pi<long double>() * (long double)(e.k));
-  return double(sup<long double>(problem.shoot(x, {}, false).miss)) / e.orbit.amplitude;
+  return double(sup<long double>(problem.evaluate(x, {}, false).residual)) / e.orbit.amplitude;
 }
 
 /**
@@ -144,7 +144,7 @@ void report_exactness(Report& report, const std::vector<Exact>& plus,
             "largest of k = 1, 2, 3, relative to amplitude");
   facts.add("residual_rounded", {rounded, rounded}, "of the extended orbit rounded to double");
   facts.add("residual_wide", {wide, wide}, "largest of k = 1, 2, 3, relative to amplitude");
-  facts.add("newton_steps_from_cut", exact(double(Staircase(1).orbit().iterations())));
+  facts.add("newton_steps_from_cut", exact(double(TypeOneOrbits(1).orbit().iterations())));
   const Exact &p = plus.front(), &m = minus.front();
   facts.add("energy_plus", p.energy());
   facts.add("energy_minus", m.energy());

@@ -63,7 +63,7 @@ std::vector<Family> families(bool quick) {
 }
 
 void follow(Family& f, double step) {
-  const Orbit<double> start = Staircase(f.sign).reach(f.k);
+  const Orbit<double> start = TypeOneOrbits(f.sign).orbit_at(f.k);
   f.members = follow_family(start, two_pi * f.fastest, step);
   for (std::size_t i = 1; i < f.members.size(); ++i)
     if (velocity_sum(f.members[i - 1]) * velocity_sum(f.members[i]) < 0)
@@ -116,7 +116,7 @@ member. */
 double missed_identity(const Orbit<double>& member) {
   const double time = shift_time(member);
   const auto problem = with_free_time(travelling_problem(time));
-  const double first = problem.shoot(with_time(member.x, time), {}, false).miss[0];
+  const double first = problem.evaluate(with_time(member.x, time), {}, false).residual[0];
   return std::abs(first / member.amplitude - velocity_sum(member) * std::sin(time / 2));
 }
 
@@ -210,7 +210,7 @@ Twice type_one_twice(std::size_t k, int sign, const Orbit<double>& orbit) {
 
 Twice type_two_twice(const Family& f, const Orbit<double>& orbit) {
   const auto problem = with_free_time(travelling_problem(shift_time(orbit)));
-  const auto wide = polish(in_precision<long double>(problem), orbit);
+  const auto wide = newton(in_precision<long double>(problem), orbit);
   return {2,
           f.k,
           f.sign,
@@ -231,10 +231,11 @@ std::vector<Twice> all_orbits(const std::vector<Family>& all, std::size_t slowes
       return;
     }
     const int sign = i == 0 ? 1 : -1;
-    Staircase down(sign), up = down;
-    for (std::size_t k : {4, 3, 2, 1}) lists[i].push_back(type_one_twice(k, sign, down.reach(k)));
+    TypeOneOrbits down(sign), up = down;
+    for (std::size_t k : {4, 3, 2, 1})
+      lists[i].push_back(type_one_twice(k, sign, down.orbit_at(k)));
     for (std::size_t k = 5; k <= slowest; ++k)
-      lists[i].push_back(type_one_twice(k, sign, up.reach(k)));
+      lists[i].push_back(type_one_twice(k, sign, up.orbit_at(k)));
   });
   std::vector<Twice> orbits;
   for (const auto& list : lists) orbits.insert(orbits.end(), list.begin(), list.end());
@@ -294,7 +295,7 @@ void report_folds(Report& report, const std::vector<Start>& starts) {
   const std::size_t hard = starts.size();
   std::vector<Estimate> folds(hard + (report.quick ? 0 : 1));
   parallel_for(folds.size(), [&](std::size_t i) {
-    folds[i] = fold_of(branch_from(starts[i % hard].second, i < hard ? 1 : -1));
+    folds[i] = fold_of(branch_in_s(starts[i % hard].second, i < hard ? 1 : -1));
   });
   for (std::size_t i = 0; i < hard; ++i)
     report.facts.add("fold_k" + std::to_string(starts[i].first), folds[i], "s");
@@ -362,10 +363,10 @@ double speed_in(const Path& p, std::size_t i) {
 }
 
 Cells crossing(std::size_t k, Branch<double>& branch) {
-  const Orbit<double> orbit = branch.reach(1);
+  const Orbit<double> orbit = branch.orbit_at(1);
   Shooting<double> problem = branch.problem();
   problem.chain.well = Quartic{1};
-  const auto wide = polish(in_precision<long double>(problem), orbit);
+  const auto wide = newton(in_precision<long double>(problem), orbit);
   return {k, compare(1 / shift_time(orbit), 1 / double(shift_time(wide))),
           compare(orbit.energy, double(wide.energy))};
 }
@@ -377,7 +378,7 @@ Table exact_at_one(const std::vector<Start>& starts) {
   std::vector<std::vector<Cells>> rows(starts.size());
   parallel_for(starts.size(), [&](std::size_t i) {
     const std::size_t k = starts[i].first;
-    Branch<double> branch = branch_from(starts[i].second, 1);
+    Branch<double> branch = branch_in_s(starts[i].second, 1);
     try {
       rows[i].push_back(crossing(k, branch));
       if (k > 3) return;
@@ -440,7 +441,7 @@ void reproduce(Report& report) {
   report_orbit_chart(report, orbits);
   std::vector<Start> starts;
   for (std::size_t k : quick ? std::vector<std::size_t>{1} : std::vector<std::size_t>{1, 2, 3, 4})
-    starts.emplace_back(k, Staircase(1).reach(k));
+    starts.emplace_back(k, TypeOneOrbits(1).orbit_at(k));
   report_wells(report, starts);
   const Table at_one = exact_at_one(starts);
   std::array<Path, 2> packet;

@@ -335,10 +335,10 @@ struct SmallOrbit {
 
 std::vector<SmallOrbit> small_orbits(int sign, std::size_t slowest) {
   std::vector<SmallOrbit> list;
-  Staircase stairs(sign);
+  TypeOneOrbits orbits(sign);
   for (std::size_t k : {5, 6, 8, 10, 15, 20, 30, 40, 60}) {
     if (k > slowest) break;
-    const Estimate e = energy_of_type_one(k, stairs.reach(k));
+    const Estimate e = energy_of_type_one(k, orbits.orbit_at(k));
     const double scale = std::pow(2 * std::numbers::pi * double(k), 4);
     list.push_back({k, sign, {e.value * scale, e.error * scale}});
   }

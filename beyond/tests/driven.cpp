@@ -162,7 +162,7 @@ TEST_CASE("a piston has to lift the breather of the DpS limit to its top", "[uni
 TEST_CASE("the fold of the quiet orbit is where emission begins", "[property][driven]") {
   const double omega = 1.1, law = threshold_law(Drive::By::piston, omega);
   const DrivenChain driven{Chain{10}, {2.5e-3, 0}, {Drive::By::piston, omega}};
-  const QuietBranch branch = quiet_branch(driven, 48);
+  const QuietOrbits branch = quiet_orbits(driven, 48);
   check_close(branch.fold / law, 1.117, 2e-3);
   CHECK(branch.amplitude.back() < 0.9 * branch.fold);  // it has turned back
   const auto count = [&](double share) {
@@ -216,9 +216,9 @@ TEST_CASE("the orbit is that of a run", "[property][driven]") {
   Vector<double> x(21);
   for (int n = 0; n < 10; ++n) x[n] = state.y[std::size_t(n)], x[10 + n] = state.v[std::size_t(n)];
   x[20] = a;
-  CHECK(sup<double>(orbit.miss(x)) < 1e-7 * a);
+  CHECK(sup<double>(orbit.return_error(x)) < 1e-7 * a);
   x[20] = 1.1 * a;
-  CHECK(sup<double>(orbit.miss(x)) > 1e-4 * a);
+  CHECK(sup<double>(orbit.return_error(x)) > 1e-4 * a);
 }
 
 TEST_CASE("the energy budget of a driven chain closes at the steps of the command",
@@ -276,7 +276,7 @@ TEST_CASE("rates, spreads and bisections", "[unit][driven]") {
 
 TEST_CASE("a breather of a family is measured as what it is", "[property][traveller]") {
   const double turn = 2 * std::numbers::pi, phase = 0.4;
-  const Orbit<double> start = Staircase(1).reach(3);
+  const Orbit<double> start = TypeOneOrbits(1).orbit_at(3);
   const Orbit<double> member = follow_family(start, 3 * turn - phase, 0.2).back();
   const MemberGrid grid = member_grid(3, 3, {0, phase});
   const DrivenChain driven{Chain{32}};
@@ -299,7 +299,7 @@ TEST_CASE("a breather of a family is measured as what it is", "[property][travel
 
 TEST_CASE("packets of a train are told apart", "[unit][traveller]") {
   // Two packets of the shape of a breather, eleven sites apart
-  const Orbit<double> start = Staircase(1).reach(3);
+  const Orbit<double> start = TypeOneOrbits(1).orbit_at(3);
   const DrivenChain driven{Chain{60}};
   State<double> two = embed(start.start, 60, 11);
   const State<double> behind = embed(start.start, 60, 0);
@@ -429,22 +429,22 @@ TEST_CASE("the law of the threshold, and the equations of a quiet orbit", "[unit
   x << 0.2, -0.1, 0.3, 0.15, 0.5;
   orbit.from = 0.5 * x, orbit.along = Vector<double>::LinSpaced(5, 0.1, 0.6);
   const Vector<double> expected = miss_by_hand(orbit.driven, x, 12);
-  const Shot<double> shot = orbit.shoot(x, {}, true), bare = orbit.shoot(x, {}, false);
+  const Evaluation<double> here = orbit.evaluate(x, true), bare = orbit.evaluate(x, false);
   CHECK(bare.jacobian.size() == 0);
-  CHECK(bare.miss == shot.miss);
+  CHECK(bare.residual == here.residual);
   double plane = -0.7 * 0.3;
   for (int i = 0; i < 5; ++i) plane += 0.5 * x[i] * orbit.along[i];
-  for (int i = 0; i < 4; ++i) check_close(shot.miss[i], expected[i], 1e-12);
-  check_close(shot.miss[4], plane, 1e-15);
+  for (int i = 0; i < 4; ++i) check_close(here.residual[i], expected[i], 1e-12);
+  check_close(here.residual[4], plane, 1e-15);
   const Matrix<double> slopes = slopes_by_hand(orbit.driven, x, 12, 1e-5);
   for (int k = 0; k < 5; ++k) {
-    for (int i = 0; i < 4; ++i) check_close(shot.jacobian(i, k), slopes(i, k), 1e-7);
-    check_close(shot.jacobian(4, k), orbit.along[k], 0);
+    for (int i = 0; i < 4; ++i) check_close(here.jacobian(i, k), slopes(i, k), 1e-7);
+    check_close(here.jacobian(4, k), orbit.along[k], 0);
     for (const Vector<double>& size :
-         {orbit.sizes(x, false).unknown, orbit.sizes(x, true).equation})
+         {orbit.equations().sizes(x, false).unknown, orbit.equations().sizes(x, true).equation})
       check_close(size[k], 0.3, 0);
   }
-  CHECK(orbit.sizes(x, false).equation.size() == 5);
+  CHECK(orbit.equations().sizes(x, false).equation.size() == 5);
 }
 
 TEST_CASE("an array whose far end moves is too short for its drive", "[unit][driven]") {

@@ -28,13 +28,13 @@ TEST_CASE("a breather held at a site or bond stands at the exchange", "[property
   Held<double> held{problem, along_s<double>(), 0.2};
   Vector<double> x(16);
   x << problem.reduce(orbit.start), 0.15;
-  const Shot<double> shot = held.shoot(x, {});
+  const Evaluation<double> here = held.evaluate(x, {});
   for (Eigen::Index k : {5, 7, 8, 15}) {
     const Vector<double> slope = slope_along(held, x, k, k == 15 ? 1e-4 : 1e-7);
     CAPTURE(k);
-    CHECK(sup<double>(slope - shot.jacobian.col(k)) < 1e-5 * (1 + sup<double>(slope)));
+    CHECK(sup<double>(slope - here.jacobian.col(k)) < 1e-5 * (1 + sup<double>(slope)));
   }
-  check_close(shot.miss[15], -0.2, 1e-12);  // the orbit is at its site, not at 0.2
+  check_close(here.residual[15], -0.2, 1e-12);  // the orbit is at its site, not at 0.2
 }
 
 TEST_CASE("a breather in between is found twice, by solutions of their own",
@@ -47,8 +47,8 @@ TEST_CASE("a breather in between is found twice, by solutions of their own",
   const Vector<Wide> near =
       moved_to_centre(Held<double>{problem, along_s<double>(), 0.25}, x).cast<Wide>();
   const Held<Wide> held{in_precision<Wide>(problem), along_s<Wide>(), Wide(0.25)};
-  const Wide fine = solve(held, near, rule<Wide>(0)).x[21];
-  const Wide coarse = solve(held, near, rule<Wide>(1)).x[21];
+  const Wide fine = newton(held.equations(), near, rule<Wide>(0)).x[21];
+  const Wide coarse = newton(held.equations(), near, rule<Wide>(1)).x[21];
   CHECK(double(fine) > 0.15251949);  // the exchange around a site
   CHECK(double(fine) < 0.15251982);  // and around a bond
   CHECK(fine != coarse);
@@ -64,7 +64,7 @@ TEST_CASE("a breather held at a centre: its equations and their derivative", "[u
   Vector<double> x(8);
   x << problem.reduce(orbit.start), 1.35;
   x[1] += 0.01, x[4] -= 0.02;
-  const auto miss = [&](const Vector<double>& at) {
+  const auto residual = [&](const Vector<double>& at) {
     State<double> z(7);
     for (std::size_t n = 0; n < 7; ++n) z.y[n] = at[Eigen::Index(n)];
     flow(problem.chain, z, half_turn / at[7]);
@@ -78,22 +78,23 @@ TEST_CASE("a breather held at a centre: its equations and their derivative", "[u
     out[7] = moment / weight - 0.3;
     return out;
   };
-  const Shot<double> shot = held.shoot(x, {});
-  check_close((shot.miss - miss(x)).cwiseAbs().maxCoeff(), 0, 1e-12);
-  CHECK(held.shoot(x, {}, false).jacobian.size() == 0);
-  const double size = shot.jacobian.cwiseAbs().maxCoeff();
+  const Evaluation<double> here = held.evaluate(x, {});
+  check_close((here.residual - residual(x)).cwiseAbs().maxCoeff(), 0, 1e-12);
+  CHECK(held.evaluate(x, {}, false).jacobian.size() == 0);
+  const double size = here.jacobian.cwiseAbs().maxCoeff();
   for (Eigen::Index k = 0; k < 8; ++k) {
     const Vector<double> h = 2e-6 * Vector<double>::Unit(8, k);
     CAPTURE(k);
-    check_close(((miss(x + h) - miss(x - h)) / 4e-6 - shot.jacobian.col(k)).cwiseAbs().maxCoeff(),
-                0, 1e-6 * size);
+    check_close(
+        ((residual(x + h) - residual(x - h)) / 4e-6 - here.jacobian.col(k)).cwiseAbs().maxCoeff(),
+        0, 1e-6 * size);
   }
   const Sizes<double> inner = problem.sizes(x.head(7), true), sizes = held.sizes(x, true);
   for (int n = 0; n < 7; ++n)
     CHECK((sizes.unknown[n] == inner.unknown[n] && sizes.equation[n] == inner.equation[n]));
   CHECK((sizes.unknown[7] == 1 && sizes.equation[7] == 1 && sizes.unknown.size() == 8));
   // Moved to the centre, all equations hold but for a share of the gradient
-  const Vector<double> there = moved_to_centre(held, x), rest = miss(there);
+  const Vector<double> there = moved_to_centre(held, x), rest = residual(there);
   CHECK(there[7] == 1.35);
   check_close(rest[7], 0, 1e-7);
   Vector<double> slope = Vector<double>::Zero(7);

@@ -12,7 +12,8 @@ namespace {
 /// All equations, the one included that a family leaves out.
 Vector<double> all_equations(const Orbit<double>& orbit, double s = 0) {
   const auto problem = with_free_time(travelling_problem(shift_time(orbit), s));
-  return problem.shoot(with_time(orbit.x, shift_time(orbit)), {}, false).miss / orbit.amplitude;
+  return problem.evaluate(with_time(orbit.x, shift_time(orbit)), {}, false).residual /
+         orbit.amplitude;
 }
 
 /// Largest amplitude left behind by `shifts` shifts, relative to the orbit's.
@@ -27,7 +28,8 @@ double left_behind(const Orbit<double>& orbit, std::size_t shifts) {
 }
 
 const Orbit<double>& first_orbit(int sign) {
-  static const Orbit<double> plus = Staircase(1).reach(1), minus = Staircase(-1).reach(1);
+  static const Orbit<double> plus = TypeOneOrbits(1).orbit_at(1),
+                             minus = TypeOneOrbits(-1).orbit_at(1);
   return sign > 0 ? plus : minus;
 }
 
@@ -40,9 +42,9 @@ TEST_CASE("the equation that a family leaves out is V sin(T/2) in the linear wel
     const auto problem = with_free_time(travelling_problem(time, s, 4));
     Vector<double> x(10);
     x << -0.2, 0.1, 0.02, 0.001, 0.4, -0.2, -0.03, 0.004, 1e-5, time;
-    const Vector<double> miss = problem.shoot(x, {}, false).miss;
+    const Vector<double> residual = problem.evaluate(x, {}, false).residual;
     double sum = 0;
-    for (Eigen::Index i = 0; i < miss.size(); i += 2) sum += miss[i];
+    for (Eigen::Index i = 0; i < residual.size(); i += 2) sum += residual[i];
     const double v = x[4] + 2 * x.segment(5, 4).sum();
     CAPTURE(time, s);
     if (s == 0)
@@ -64,7 +66,7 @@ TEST_CASE("the state at a part of the way between two others", "[unit][travellin
 TEST_CASE("an impact's packet becomes an exact orbit in a few steps", "[convergence][travelling]") {
   for (int sign : {1, -1}) {
     const Orbit<double> orbit =
-        newton(type_one<double>(5), cut_packet(Staircase::first_velocity, 15, 30, sign));
+        newton(type_one<double>(5), cut_packet(TypeOneOrbits::first_velocity, 15, 30, sign));
     CAPTURE(sign, to_text(orbit.history));
     CHECK(orbit.iterations() <= 9);
     CHECK(sign * central_velocity(orbit) > 0);
@@ -78,11 +80,11 @@ TEST_CASE("both orbits with one oscillation a site", "[convergence][travelling]"
   for (int sign : {1, -1}) {
     const Orbit<double>& orbit = first_orbit(sign);
     check_close(orbit.energy, energies[sign < 0], 0, 2e-13);
-    const Orbit<long double> wide = polish(type_one<long double>(1), orbit);
+    const Orbit<long double> wide = newton(type_one<long double>(1), orbit);
     CHECK(wide.residual() < 1e-16);
     check_close(double(wide.energy), energies[sign < 0], 0, 1e-14);
     // A longer chain has the same orbit.
-    const Orbit<double> longer = Staircase(sign, 9).reach(1);
+    const Orbit<double> longer = TypeOneOrbits(sign, 9).orbit_at(1);
     check_close(longer.energy, orbit.energy, 0, 1e-12);
   }
   check_close(shift_time(first_orbit(1)), 2 * pi<double>(), 0, 1e-15);
@@ -113,7 +115,7 @@ TEST_CASE("where V vanishes the family passes through an orbit of type II",
   const Orbit<double>& orbit = found[0];
   check_close(shift_time(orbit) / (2 * pi<double>()), 0.89740655032, 0, 1e-9);
   CHECK(std::abs(velocity_sum(orbit)) < 1e-12);
-  const auto wide = polish(
+  const auto wide = newton(
       in_precision<long double>(with_free_time(travelling_problem(shift_time(orbit)))), orbit);
   check_close(double(shift_time(wide)), shift_time(orbit), 0, 1e-10);
   CHECK(left_behind(orbit, 20) < 1e-10);
@@ -139,10 +141,10 @@ TEST_CASE("a branch in s folds, and says where", "[property][travelling]") {
                   {.first = 0.02, .least = 1e-6, .most = 0.1});
   };
   check_close(branch().fold(), 0.010302, 0, 1e-3);
-  CHECK_THROWS_AS(branch().reach(1), NoBranch);
+  CHECK_THROWS_AS(branch().orbit_at(1), NoBranch);
   const Orbit<double> soft =
       Branch(problem, along_s<double>(), start, -1, {}, {.first = 0.02, .least = 1e-6, .most = 0.1})
-          .reach(-0.1);
+          .orbit_at(-0.1);
   CHECK(shift_time(soft) > 2 * pi<double>() * 1.01);
 }
 
@@ -150,13 +152,13 @@ TEST_CASE("the DpS equation has its own orbit of type I, the limit of the chain'
           "[convergence][travelling]") {
   DpsTravelling problem;
   const DpsMember member = dps_member(problem, cut_dps_packet(40, problem.half_length));
-  CHECK(std::abs(problem.misses(member.x)[0]) < 1e-12);
+  CHECK(std::abs(problem.residuals(member.x)[0]) < 1e-12);
   const double limit = 2 * member.norm * std::pow(problem.shift_time, 4);
   check_close(limit, 65.55230988, 0, 1e-8);
   // The chain comes closer with 1/k.
-  Staircase stairs(1);
+  TypeOneOrbits orbits(1);
   const auto off = [&](std::size_t k) {
-    return stairs.reach(k).energy * std::pow(2 * pi<double>() * double(k), 4) - limit;
+    return orbits.orbit_at(k).energy * std::pow(2 * pi<double>() * double(k), 4) - limit;
   };
   const double five = off(5), ten = off(10);
   CHECK(ten < 0.55 * five);
@@ -164,7 +166,7 @@ TEST_CASE("the DpS equation has its own orbit of type I, the limit of the chain'
   // The left-out equation again.
   problem.phase = 0.3;
   const DpsMember next = dps_member(problem, member.x);
-  check_close(problem.misses(next.x)[0], next.V * std::sin(0.15), 0, 1e-8);
+  check_close(problem.residuals(next.x)[0], next.V * std::sin(0.15), 0, 1e-8);
 }
 
 namespace {
@@ -181,7 +183,7 @@ TEST_CASE("equations of a travelling breather of the DpS equation", "[unit][trav
   problem.half_length = 3, problem.phase = 0.7;
   Vector<double> x(7);
   x << 0.5, -0.2, 0.3, 0.1, 0.05, -0.03, 0.02;
-  const auto misses = [&](const Vector<double>& u) {
+  const auto residuals = [&](const Vector<double>& u) {
     // Sites -3 to 4; those on the left are the mirror images
     Field a{{-u[5], u[6]}, {-u[3], u[4]}, {-u[1], u[2]}, {0, u[0]},
             {u[1], u[2]},  {u[3], u[4]},  {u[5], u[6]},  0};
@@ -194,16 +196,19 @@ TEST_CASE("equations of a travelling breather of the DpS equation", "[unit][trav
     }
     return out;
   };
-  const Vector<double> expected = misses(x), all = problem.misses(x);
-  const Shot<double> shot = problem.shoot(x, {}), bare = problem.shoot(x, {}, false);
+  const Vector<double> expected = residuals(x), all = problem.residuals(x);
+  const Equations<double> equations = problem.equations();
+  const Evaluation<double> here = equations.evaluate(x, {}, true),
+                           bare = equations.evaluate(x, {}, false);
   for (int i = 0; i < 8; ++i) check_close(all[i], expected[i], 1e-11);
-  CHECK((shot.miss == all.tail(7) && bare.miss == shot.miss && bare.jacobian.size() == 0));
+  CHECK((here.residual == all.tail(7) && bare.residual == here.residual &&
+         bare.jacobian.size() == 0));
   for (int k = 0; k < 7; ++k) {
     const Vector<double> e = 1e-5 * Vector<double>::Unit(7, k),
-                         slope = (misses(x + e) - misses(x - e)) / 2e-5;
-    for (int i = 0; i < 7; ++i) check_close(shot.jacobian(i, k), slope[i + 1], 2e-7);
-    check_close(problem.sizes(x, false).unknown[k], 0.5, 0);
-    check_close(problem.sizes(x, true).equation[k], 0.5, 0);
+                         slope = (residuals(x + e) - residuals(x - e)) / 2e-5;
+    for (int i = 0; i < 7; ++i) check_close(here.jacobian(i, k), slope[i + 1], 2e-7);
+    check_close(equations.sizes(x, false).unknown[k], 0.5, 0);
+    check_close(equations.sizes(x, true).equation[k], 0.5, 0);
   }
 }
 

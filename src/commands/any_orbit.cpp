@@ -59,7 +59,7 @@ std::vector<Multiplier> beside_phase(const Chain& chain, const State<T>& start, 
 OrbitMultipliers in_motion(const Fitted& found) {
   NewtonRule<Wide> how = rule<Wide>(0);
   how.rank = 1e-9;
-  const Orbit<Wide> wide = polish(in_precision<Wide>(found.problem), found.orbit, how);
+  const Orbit<Wide> wide = newton(in_precision<Wide>(found.problem), found.orbit, how);
   std::vector<Multiplier> coarse = beside_phase(found.problem.chain, found.orbit.start,
                                                 found.orbit.period(), rule<double>(0).events);
   OrbitMultipliers out{{{1, 0}, {1, 0}}, exact(1)};
@@ -87,7 +87,7 @@ Fitted orbit_from_rest(const Chain& chain, const State<double>& guess, double pe
 }
 
 std::vector<Estimate> positions_of(const Fitted& found) {
-  const Orbit<Wide> wide = polish(in_precision<Wide>(found.problem), found.orbit, rule<Wide>(0));
+  const Orbit<Wide> wide = newton(in_precision<Wide>(found.problem), found.orbit, rule<Wide>(0));
   std::vector<Estimate> out;
   for (std::size_t n = 0; n < wide.start.y.size(); ++n)
     out.push_back(compare(found.orbit.start.y[n], double(wide.start.y[n])));

@@ -24,7 +24,7 @@ Errors are differences from an orbit in extended precision (a 64-bit mantissa). 
 period. */
 Table OneBreather::quantities(const Found& found) const {
   const Orbit<double>& orbit = found.orbit;
-  const Orbit<Wide> wide = polish(in_precision<Wide>(found.problem), orbit, rule<Wide>(0));
+  const Orbit<Wide> wide = newton(in_precision<Wide>(found.problem), orbit, rule<Wide>(0));
   State<double> end = orbit.start;
   const FlowReport<double> run = flow(found.problem.chain, end, found.problem.period(), {});
   const double miss = largest_difference(end, orbit.start) / orbit.amplitude;
@@ -46,7 +46,7 @@ Table OneBreather::quantities(const Found& found) const {
 
 // A reader may want the tail, so it has relative accuracy at every site
 Table OneBreather::profile(const Found& found) const {
-  const Orbit<double> orbit = polish(found.problem, found.orbit, graded<double>());
+  const Orbit<double> orbit = newton(found.problem, found.orbit, scaled_rule<double>());
   Table table{{count("n", "site", "site"), number("y", "position at t = 0")}};
   for (std::size_t i = 0; i < orbit.start.y.size(); ++i)
     table.add({site_number(i, orbit.start.y.size()), orbit.start.y[i]});

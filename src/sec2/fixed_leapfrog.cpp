@@ -27,8 +27,8 @@ static void kick_tangent(const Chain& chain, const std::vector<double>& y, doubl
 
 /**
 Since both are cheap here, the tangent simply follows its orbit step by step. */
-void LeapfrogShooting::fly(State<double>& z, Tangent<double>* tangent, int count,
-                           const std::function<void(const State<double>&)>& watch) const {
+void LeapfrogShooting::advance(State<double>& z, Tangent<double>* tangent, int count,
+                               const std::function<void(const State<double>&)>& watch) const {
   const std::size_t sites = this->chain.sites;
   const double h = this->period() / steps;
   const auto drift = [&](double by) {
@@ -48,26 +48,29 @@ void LeapfrogShooting::fly(State<double>& z, Tangent<double>* tangent, int count
 /**
 An evaluation differs from that of shooting.hpp only in how the chain is run: residuals and derivatives follow from the
 lists of the symmetry as they do there. */
-Shot<double> LeapfrogShooting::shoot(const Vector<double>& x, const EventTolerance<double>&,
-                                     bool with_jacobian) const {
-  const Symmetry& symmetry = this->symmetry;
+Evaluation<double> LeapfrogShooting::evaluate(const Vector<double>& x, bool with_jacobian) const {
   const State<double> start = this->expand(x);
   State<double> z = start;
-  const Tangent<double> first = tangent_of<double>(symmetry.unknowns, this->chain.sites);
+  const Tangent<double> first = tangent_of<double>(this->symmetry.unknowns, this->chain.sites);
   Tangent<double> tangent = first;
-  fly(z, with_jacobian ? &tangent : nullptr, steps / symmetry.parts, [](const State<double>&) {});
-  Shot<double> shot;
-  shot.miss = this->residuals(start, z);
-  if (with_jacobian) shot.jacobian = Matrix<double>::Zero(shot.miss.size(), x.size());
-  for (Eigen::Index i = 0; with_jacobian && i < shot.miss.size(); ++i)
-    for (Eigen::Index k = 0; k < x.size(); ++k) {
-      const Equation& equation = symmetry.equations[std::size_t(i)];
-      for (const Term& t : equation.end)
-        shot.jacobian(i, k) += t.sign * tangent(t.index, std::size_t(k));
-      for (const Term& t : equation.start)
-        shot.jacobian(i, k) += t.sign * first(t.index, std::size_t(k));
-    }
-  return shot;
+  advance(z, with_jacobian ? &tangent : nullptr, steps / this->symmetry.parts,
+          [](const State<double>&) {});
+  Evaluation<double> out;
+  out.residual = this->residuals(start, z);
+  if (with_jacobian) out.jacobian = this->slopes(first, tangent);
+  return out;
+}
+
+Equations<double> LeapfrogShooting::equations() const {
+  const auto rows = Eigen::Index(this->symmetry.equations.size());
+  return {name(),
+          [*this](const Vector<double>& x, const EventTolerance<double>&, bool derivative) {
+            return evaluate(x, derivative);
+          },
+          [rows, size = scale](const Vector<double>& x, bool) {
+            return Sizes<double>{Vector<double>::Constant(x.size(), size),
+                                 Vector<double>::Constant(rows, size)};
+          }};
 }
 
 }  // namespace lattice

@@ -17,22 +17,18 @@ add up to zero over a period, as the integral of the force does. */
 
 namespace lattice {
 
-/// A problem in the sense of newton.hpp. Unknowns and equations are measured in units of the fixed number
-/// `scale`, so that a search whose orbit shrinks to nothing ends there, at rest.
+/// Unknowns and equations are measured in units of the fixed number `scale`, so that a search whose orbit shrinks
+/// to nothing ends there, at rest.
 struct LeapfrogShooting : Shooting<double> {
   double scale = 1;
   int steps = 128;  ///< per period; a multiple of the symmetry's parts
 
-  /// What newton.hpp asks of a problem.
-  Sizes<double> sizes(const Vector<double>& x, bool) const {
-    const auto rows = Eigen::Index(this->symmetry.equations.size());
-    return {Vector<double>::Constant(x.size(), scale), Vector<double>::Constant(rows, scale)};
-  }
-  Shot<double> shoot(const Vector<double>& x, const EventTolerance<double>& rule,
-                     bool with_jacobian = true) const;
+  /// The equations of shooting.hpp with these steps, for Newton's method.
+  Equations<double> equations() const;
+  Evaluation<double> evaluate(const Vector<double>& x, bool with_jacobian = true) const;
   /// Advances a state and its tangent, if there is one, by `count` steps and shows each to `watch(z)`.
-  void fly(State<double>& z, Tangent<double>* tangent, int count,
-           const std::function<void(const State<double>&)>& watch) const;
+  void advance(State<double>& z, Tangent<double>* tangent, int count,
+               const std::function<void(const State<double>&)>& watch) const;
 };
 
 }  // namespace lattice

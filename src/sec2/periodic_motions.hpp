@@ -40,7 +40,7 @@ inline double wave_amplitude(double q, double alpha) {
 inline NewtonRule<double> free_rule() {
   NewtonRule<double> rule;
   rule.damped = true;
-  rule.most = 60;
+  rule.most_steps = 60;
   rule.rank = 1e-9;
   return rule;
 }
@@ -109,56 +109,32 @@ inline double contact_push(const MixedChain& chain, const double* y, std::size_t
 }
 
 /**
-The library's Newton method accepts any problem that gives residuals and a Jacobian. For the mixed chain
-GSL's integrator gives the residuals, and finite differences give the Jacobian. */
-struct MixedProblem {
-  using Scalar = double;
-  MixedChain chain;
-  double half_period;
-
-  /// What newton.hpp asks of a problem.
-  std::string name() const { return "standing wave with mixed exponents"; }
-  Sizes<double> sizes(const Vector<double>& x, bool) const {
-    const Vector<double> all = Vector<double>::Constant(x.size(), sup(x));
-    return {all, all};
-  }
-  /// Velocities after half a period, which must vanish.
-  Vector<double> rest_missed(const Vector<double>& x) const {
-    State<double> start(chain.sites);
-    std::copy(x.begin(), x.end(), start.y.begin());
-    const auto v = mean_forces(chain, start, half_period, 1e-14).end.v;
-    return Eigen::Map<const Vector<double>>(v.data(), Eigen::Index(v.size()));
-  }
-  Shot<double> shoot(const Vector<double>& x, const EventTolerance<double>&,
-                     bool jacobian = true) const;
-};
-
-/**
-The difference is central, and its increment is a hundred-thousandth of the amplitude: then its error,
-of second order, does not slow Newton's method down. */
-inline Shot<double> MixedProblem::shoot(const Vector<double>& x, const EventTolerance<double>&,
-                                        bool jacobian) const {
-  Shot<double> shot;
-  shot.miss = rest_missed(x);
-  if (jacobian) shot.jacobian.resize(x.size(), x.size());
-  for (Eigen::Index k = 0; jacobian && k < x.size(); ++k) {
-    const Vector<double> h = 1e-5 * sup(x) * Vector<double>::Unit(x.size(), k);
-    shot.jacobian.col(k) = (rest_missed(x + h) - rest_missed(x - h)) / (2 * h[k]);
-  }
-  return shot;
+The library's Newton method takes any residual. For the mixed chain it is that of GSL's integrator, and the derivative is a
+central difference over a hundred-thousandth of the amplitude: then its error, of second order, does not slow the
+method down. */
+/// The velocities of a chain after half a period of frequency one from rest at `x`, which must vanish.
+inline Vector<double> velocities_after_half(const MixedChain& chain, const Vector<double>& x) {
+  State<double> start(chain.sites);
+  std::copy(x.begin(), x.end(), start.y.begin());
+  const auto v = mean_forces(chain, start, std::numbers::pi, 1e-14).end.v;
+  return Eigen::Map<const Vector<double>>(v.data(), Eigen::Index(v.size()));
+}
+inline Equations<double> rest_after_half(const MixedChain& chain) {
+  const auto residual = [=](const Vector<double>& x) { return velocities_after_half(chain, x); };
+  return by_differences("standing wave with mixed exponents", residual, 1e-5);
 }
 
 /**
 The exponents are to differ as much as the masses do. At full unevenness, `part` = 1, masses and
 stiffnesses vary by 15 per cent and exponents lie between 1.4 and 1.8; all these numbers are our choice. */
-inline MixedProblem mixed_chain(double part) {
+inline MixedChain mixed_chain(double part) {
   MixedChain chain{5,
                    {},
                    uneven(5, 0.15 * part, 13),
                    uneven(6, 0.15 * part, 14),
                    {1.5, 1.7, 1.4, 1.6, 1.8, 1.5}};
   for (double& alpha : chain.exponent) alpha = 1.5 + part * (alpha - 1.5);
-  return {chain, std::numbers::pi};
+  return chain;
 }
 
 /// The start of the standing wave; throws NewtonFailed.
@@ -168,7 +144,8 @@ inline State<double> mixed_wave() {
   rule.rank = 0;
   for (int k = 0; k <= degrees; ++k) {
     const auto x = Eigen::Map<const Vector<double>>(start.y.data(), 5).eval();
-    const Vector<double> found = solve(mixed_chain(double(k) / degrees), x, rule).x;
+    const MixedChain chain = mixed_chain(double(k) / degrees);
+    const Vector<double> found = newton(rest_after_half(chain), x, rule).x;
     std::copy(found.begin(), found.end(), start.y.begin());
   }
   return start;

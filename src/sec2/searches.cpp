@@ -40,7 +40,7 @@ A motion that is found is followed for a period and classified. */
 static End classify(const Search& search, const State<double>& start) {
   State<double> z = start;
   double swing = 0, overlap = 0;
-  search.fly(z, nullptr, search.steps, [&](const State<double>& now) {
+  search.advance(z, nullptr, search.steps, [&](const State<double>& now) {
     for (std::size_t n = 0; n < now.y.size(); ++n) {
       swing = std::max(swing, std::abs(now.y[n] - start.y[n]) / search.scale);
       if (n > 0) overlap = std::max(overlap, (now.y[n - 1] - now.y[n]) / search.scale);
@@ -56,22 +56,17 @@ static End classify(const Search& search, const State<double>& start) {
 /**
 The library's Newton method, with the exact flow, starts from the motion, may move it by no more than a tenth of its
 size, and must end in an orbit of the same kind. */
-struct Nearby : Shooting<double> {
-  using Base = Shooting<double>;
-  Vector<double> from;
-
-  Shot<double> shoot(const Vector<double>& x, const EventTolerance<double>& rule,
-                     bool jacobian = true) const {
-    if (sup<double>(x - from) < 0.1 * sup(from)) return Base::shoot(x, rule, jacobian);
+static bool confirmed(const Search& search, const Vector<double>& from, End end) try {
+  Equations<double> nearby = search.Shooting<double>::equations();
+  nearby.evaluate = [&, exact = nearby.evaluate](const Vector<double>& x,
+                                                 const EventTolerance<double>& rule,
+                                                 bool derivative) {
+    if (sup<double>(x - from) < 0.1 * sup(from)) return exact(x, rule, derivative);
     throw NewtonFailed("Newton's method leaves the neighbourhood", {});
-  }
-};
-
-static bool confirmed(const Search& search, const Vector<double>& x, End end) try {
-  const Nearby nearby{search, x};
+  };
   NewtonRule<double> rule;
   if (search.symmetry.parts == 1) rule.rank = 1e-9;  // such orbits may be shifted in time
-  return classify(search, nearby.expand(solve(nearby, x, rule).x)) == end;
+  return classify(search, search.expand(newton(nearby, from, rule).x)) == end;
 } catch (const NewtonFailed&) {
   return false;
 }
@@ -81,9 +76,9 @@ A motion that fails this test is not dismissed: it is counted as doubtful. */
 static End run_search(const Series& series, unsigned long seed, int steps) {
   const auto [search, start] = draw(series, seed, steps);
   NewtonRule<double> rule = motions::free_rule();
-  rule.most = 200;
+  rule.most_steps = 200;
   try {
-    const Vector<double> x = solve(search, search.reduce(start), rule).x;
+    const Vector<double> x = newton(search.equations(), search.reduce(start), rule).x;
     const End end = classify(search, search.expand(x));
     const bool moves = end == End::localized || end == End::extended;
     return moves && !confirmed(search, x, end) ? End::doubtful : end;

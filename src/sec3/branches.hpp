@@ -91,7 +91,7 @@ inline Estimate mean_size(const std::vector<Estimate>& values) {
 }
 
 /**
-How a family begins and how far it goes follows from a climb in tenths of the frequency, with three steps close
+How a family begins and how far it goes follows from its breathers in tenths of the frequency, with three steps close
 to one before. */
 struct FamilyExtent {
   Estimate exponent, end;  ///< of the amplitude near omega_b = 1; the last frequency, two at most
@@ -101,7 +101,7 @@ struct FamilyExtent {
 inline FamilyExtent family_from_rest(Centre centre, double s) {
   std::vector<double> omegas{1.0005, 1.001, 1.01};
   for (int k = 1; k <= 10; ++k) omegas.push_back(1 + k / 10.0);
-  const std::vector<Orbit<double>> orbits = climb(centre, s, omegas);
+  const std::vector<Orbit<double>> orbits = breathers_at(centre, s, omegas);
   const Orbit<double>& last = orbits.back();
   return {compare(growth_exponent(orbits.at(1), orbits.at(2)),
                   growth_exponent(orbits.at(0), orbits.at(1))),

@@ -8,11 +8,11 @@ FullMap solve_full_map(double omega_b, int steps, const NewtonRule<double>& how)
   FullMap out;
   out.x = problem.reduce(ansatz(Centre::site, omega_b, problem.chain.sites));
   for (int k = 0; k <= steps; ++k) {
-    const Shot<double> shot = problem.shoot(out.x, how.events);
+    const Evaluation<double> here = problem.evaluate(out.x, how.events);
     const Sizes<double> size = problem.sizes(out.x, false);
-    const Vector<double> step = solve_scaled<double>(shot.jacobian, shot.miss, size, how.rank);
-    out.soft = condition_of(shot.jacobian);
-    out.history.push_back({sup<double>(shot.miss) / sup(out.x), sup(step) / sup(out.x)});
+    const Vector<double> step = solve_scaled<double>(here.jacobian, here.residual, size, how.rank);
+    out.soft = condition_of(here.jacobian);
+    out.history.push_back({sup<double>(here.residual) / sup(out.x), sup(step) / sup(out.x)});
     if (k < steps) out.x -= step;
   }
   return out;

@@ -34,7 +34,7 @@ struct FullMap {
 };
 
 /**
-To see the drift along this mode we make the article's iterations one by one: shoot over the whole period,
+To see the drift along this mode we make the article's iterations one by one: integrate over the whole period,
 solve, step. */
 /// For the site-centred breather of frequency `omega_b`, from the quasi-continuum profile. Directions below `how.rank`
 /// are left alone.

@@ -3,7 +3,7 @@
 # The tail of a breather, site by site
 
 Far from the centre a breather falls off so fast that its displacements pass through all magnitudes that a number format
-has, within a few sites. Newton's method must reach the same relative accuracy at every site (`graded`), and every contact,
+has, within a few sites. Newton's method must reach the same relative accuracy at every site (`scaled`), and every contact,
 however faint, is a contact event. Double precision ends at $10^{-308}$, extended precision much farther out; where both
 exist their difference is the error. */
 
@@ -20,7 +20,7 @@ namespace lattice {
 template <class T>
 Orbit<T> with_tail(double omega_b, std::size_t sites) {
   const auto problem = breather_problem<double>(Centre::site, omega_b, 0, sites);
-  return polish(in_precision<T>(problem), find_breather(problem), graded<T>());
+  return newton(in_precision<T>(problem), find_breather(problem), scaled_rule<T>());
 }
 
 /// The tail in both precisions; sites beyond the shorter chain of extended precision count as zero.

@@ -24,7 +24,7 @@ Spectrum spectrum(const Shooting<double>& problem, const Orbit<double>& orbit) {
     // Slightly off the orbit, so that the coarser run has to find it for itself
     if (coarser) guess.x *= 1.000001;
     const auto how = rule<T>(coarser);
-    const Orbit<T> there = polish(in_t, guess, how);
+    const Orbit<T> there = newton(in_t, guess, how);
     return floquet_pairs(in_t.chain, there.start, there.period(), how.events);
   };
   const Pairs<T> fine = pairs(0);
@@ -101,7 +101,7 @@ Exchange exchange_between(Centre centre, const Cut& cut, TrialKappa low, TrialKa
 // A step in double precision, then two in extended precision, where rounding no longer matters; the second one has the
 // slope between its two points, and is the error
 template <class T>
-Exchange polish_zero(Centre centre, const Cut& cut, Exchange found) {
+Exchange refined_zero(Centre centre, const Cut& cut, Exchange found) {
   double& place = found.place.value;
   place -= quick_kappa(centre, cut.at(place), found.orbit) / found.slope;
   const auto kappa_here = [&] {
@@ -127,7 +127,7 @@ Exchange exchange(Centre centre, const Cut& cut, double low, double high, Orbit<
   const TrialKappa above{high, quick_kappa(centre, cut.at(high), orbit)};
   if (below.kappa * above.kappa >= 0)
     throw NoBranch("no exchange of stability between the two values");
-  return polish_zero<T>(centre, cut, exchange_between(centre, cut, below, above, orbit, 1e-5));
+  return refined_zero<T>(centre, cut, exchange_between(centre, cut, below, above, orbit, 1e-5));
 }
 
 namespace {
@@ -241,9 +241,9 @@ InWells exchanges_in_wells(Centre centre, double omega_b) {
     // From the nearer end, where the family changes less
     const auto& [near, far] = pairs[k];
     const Exchange found =
-        polish_zero<Wide>(centre, cut,
-                          exchange_between(centre, cut, {near->s, near->kappa},
-                                           {far->s, far->kappa}, near->orbit, 1e-5));
+        refined_zero<Wide>(centre, cut,
+                           exchange_between(centre, cut, {near->s, near->kappa},
+                                            {far->s, far->kappa}, near->orbit, 1e-5));
     // A zero lies where it was looked for, and has opposite signs on its sides
     out.places[k] = found.place;
     const double s = found.place.value, aside = std::max(4 * found.place.error, 1e-4);
@@ -259,7 +259,7 @@ InWells exchanges_in_wells(Centre centre, double omega_b) {
 
 #define LATTICE_INSTANCES(T)                                                    \
   template Spectrum spectrum<T>(const Shooting<double>&, const Orbit<double>&); \
-  template Exchange polish_zero<T>(Centre, const Cut&, Exchange);               \
+  template Exchange refined_zero<T>(Centre, const Cut&, Exchange);              \
   template Exchange exchange<T>(Centre, const Cut&, double, double, Orbit<double>);
 #include "lattice/model/instances.hpp"
 

@@ -124,7 +124,7 @@ rounding allows. The error of the zero is that of $\kappa$ over the slope, plus 
 because the slope is known no better than that. */
 /// The zero after that step, with its error. Throws NewtonFailed.
 template <class T>
-Exchange polish_zero(Centre centre, const Cut& cut, Exchange found);
+Exchange refined_zero(Centre centre, const Cut& cut, Exchange found);
 
 /// The exchange of stability between `low` and `high` on a cut, from an orbit nearby. Throws NoBranch if
 /// kappa has the same sign at both ends, NewtonFailed if an orbit is not found.

@@ -52,17 +52,17 @@ inline Table mode_table(const StruckArray& blow, const Profile& now, const Orbit
 
 /**
 How well do we know this breather? An error of the energy that stayed moves it along its family, so we
-compute it at two energies. It should also be symmetric about the defect, so we note by how much it
-misses the equations for symmetric orbits, and by how much its own. Both are rounding if they shrink with
+compute it at two energies. It should also be symmetric about the defect, so we note its residual in
+the equations for symmetric orbits, and in its own. Both are rounding if they shrink with
 the precision, so the orbit is computed in two types, and the difference is the error. */
-/// Relative to the amplitude: what is missed of the mode's own equations, and of the symmetric ones.
+/// Relative to the amplitude: the residual of the mode's own equations, and of the symmetric ones.
 template <class T>
-std::array<double, 2> misses(const Shooting<double>& problem, const Orbit<double>& orbit) {
+std::array<double, 2> mode_residuals(const Shooting<double>& problem, const Orbit<double>& orbit) {
   Shooting<T> in_t{problem.chain, problem.symmetry, T(problem.omega)};
-  const Orbit<T> mode = polish(in_t, orbit);
+  const Orbit<T> mode = newton(in_t, orbit);
   in_t.symmetry = site_centred(mode_sites);
-  const Shot<T> shot = in_t.shoot(in_t.reduce(mode.start), {}, false);
-  return {mode.residual(), double(sup(shot.miss) / mode.amplitude)};
+  const Evaluation<T> here = in_t.evaluate(in_t.reduce(mode.start), {}, false);
+  return {mode.residual(), double(sup(here.residual) / mode.amplitude)};
 }
 
 /**
@@ -77,7 +77,8 @@ inline void report_mode(Report& report, const StruckArray& blow, const std::arra
   const Profile now = profile(blow.array, problem, orbit, stays[1], 256);
   report.output.add("trapped_mode", mode_table(blow, now, orbit));
   problem.omega = orbit.omega;
-  const auto in_double = misses<double>(problem, orbit), wide = misses<Wide>(problem, orbit);
+  const auto in_double = mode_residuals<double>(problem, orbit),
+             wide = mode_residuals<Wide>(problem, orbit);
   report.facts.add("mode_frequency", compare(moved.omega, orbit.omega), "1 / tau_c");
   report.facts.add("mode_run_frequency", compare(stays[0].frequency, stays[1].frequency),
                    "1 / tau_c");

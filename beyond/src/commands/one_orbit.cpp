@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lattice/numerics/progress.hpp"
+#include "sec5/branches_in_s.hpp"
 
 namespace lattice {
 
@@ -37,7 +38,7 @@ static Estimate largest_multiplier(const Pair& phase, const Estimate& rest) {
 
 /**
 The equations cover one shift; here an orbit runs on. It is integrated over one shift at a time by the method
-that stops at every opening and closing of a contact (event_driven.hpp), and then the frame moves on by one site.
+that ends a step at every contact event (event_driven.hpp), and then the frame moves on by one site.
 What the last site of the frame holds is left behind. */
 static double left_behind(const Shooting<double>& problem, const Orbit<double>& orbit,
                           std::size_t shifts, const EventTolerance<double>& rule) {
@@ -68,33 +69,26 @@ void OneOrbit::parameters(Parameters& p) {
 }
 
 constexpr double two_pi = 2 * std::numbers::pi;
-constexpr Stride in_s{.first = 0.02, .least = 1e-6, .most = 0.3};
-
-static Branch<double> branch_in_s(const Orbit<double>& start, int direction) {
-  const double time = shift_time(start);
-  auto problem = with_free_time(travelling_problem(time, 0, start.start.y.size() / 2 - 1));
-  const Vector<double> x = start.x.size() % 2 ? with_time(start.x, time) : start.x;
-  return {problem, along_s<double>(), newton(problem, x), direction, {}, in_s};
-}
+constexpr double two_pi = 2 * std::numbers::pi;
 
 /**
 The branch is followed in double precision, and its end is confirmed in extended precision. */
 static OneOrbit::Found found_with_free_time(const Shooting<double>& problem,
                                             const Orbit<double>& orbit) {
   const auto wide = in_precision<long double>(problem);
-  return {problem, orbit, wide, polish(wide, orbit)};
+  return {problem, orbit, wide, newton(wide, orbit)};
 }
 
 static OneOrbit::Found on_branch(const OneOrbit& choice, const Orbit<double>& start) {
   const int direction = choice.s > 0 ? 1 : -1;
-  auto branch = branch_in_s(start, direction);
+  auto branch = branch_in_s(start, direction, 0.3);
   try {
-    const Orbit<double> orbit = branch.reach(choice.s);
+    const Orbit<double> orbit = branch.orbit_at(choice.s);
     auto problem = branch.problem();
     problem.chain.well = Quartic{choice.s};
     return found_with_free_time(problem, orbit);
   } catch (const NoBranch&) {
-    auto again = branch_in_s(start, direction);
+    auto again = branch_in_s(start, direction, 0.3);
     const double fold = again.fold();
     throw UsageError("--s: " + short_text(choice.s) + " has no orbit with k = " +
                      std::to_string(choice.k) + " and the sign " + choice.sign +
@@ -117,11 +111,11 @@ static void need_half_length(const OneOrbit& choice, const Orbit<double>& orbit)
 }
 
 static OneOrbit::Found chosen_type_one(const OneOrbit& choice) {
-  Staircase stairs(choice.sign == "plus" ? 1 : -1, choice.half_length);
-  const Orbit<double> orbit = stairs.reach(choice.k);
+  TypeOneOrbits orbits(choice.sign == "plus" ? 1 : -1, choice.half_length);
+  const Orbit<double> orbit = orbits.orbit_at(choice.k);
   if (choice.s != 0) return on_branch(choice, orbit);
   const auto problem = type_one<long double>(choice.k, choice.half_length);
-  return {type_one<double>(choice.k, choice.half_length), orbit, problem, polish(problem, orbit)};
+  return {type_one<double>(choice.k, choice.half_length), orbit, problem, newton(problem, orbit)};
 }
 
 /**
@@ -130,8 +124,8 @@ at somewhat shorter shift times, on families that begin at the orbits of type I 
 follow the family that begins at the next multiple of $2\pi$ above the time asked for. */
 static OneOrbit::Found chosen_near(const OneOrbit& choice, double near) {
   const auto above = std::size_t(std::max(1.0, std::ceil(near / two_pi)));
-  Staircase stairs(choice.sign == "plus" ? 1 : -1, choice.half_length);
-  const Orbit<double> start = stairs.reach(above);
+  TypeOneOrbits orbits(choice.sign == "plus" ? 1 : -1, choice.half_length);
+  const Orbit<double> start = orbits.orbit_at(above);
   const double end = std::max(near - 0.6, 3.0);
   const auto members = follow_family(start, std::min(end, shift_time(start)), 0.1);
   std::vector<OneOrbit::Found> candidates{{type_one<double>(above, choice.half_length),
@@ -156,7 +150,7 @@ static OneOrbit::Found chosen_near(const OneOrbit& choice, double near) {
     throw UsageError("--near: no orbit without a tail within 0.25 of " + short_text(near) +
                      " (allowed: a time near one; the nearest is " +
                      number_text(shift_time(best.orbit)) + ")");
-  best.wide = polish(best.wide_problem, best.orbit);
+  best.wide = newton(best.wide_problem, best.orbit);
   return best;
 }
 
@@ -165,13 +159,14 @@ The residual is that of the profile as printed, so the wider orbit is rounded fi
 static double residual_of(const OneOrbit::Found& f) {
   const Vector<double> printed = f.wide.x.cast<double>();
   const Vector<long double> x = printed.cast<long double>();
-  return double(sup<long double>(f.wide_problem.shoot(x, {}, false).miss)) / f.orbit.amplitude;
+  return double(sup<long double>(f.wide_problem.evaluate(x, {}, false).residual)) /
+         f.orbit.amplitude;
 }
 
 /**
 Every quantity needs an error. Times, speeds and energies are compared between double and
 extended precision; what is left behind, and the multipliers of slow orbits, for which extended precision would
-take long, between two tolerances of the integration. */
+take long, between two tolerances of the flow. */
 Table OneOrbit::quantities(const Found& f) const {
   const auto peak = [](const auto& problem, const auto& orbit) {
     const auto e = energy_density(problem.chain, orbit.start);

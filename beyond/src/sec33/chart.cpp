@@ -7,8 +7,8 @@ namespace lattice {
 NewtonRule<double> chart_rule() {
   NewtonRule<double> how;
   how.events.tolerance = 1e-12;
-  how.most = 8;
-  how.keep = 1e-6;
+  how.most_steps = 8;
+  how.reuse_below = 1e-6;
   return how;
 }
 

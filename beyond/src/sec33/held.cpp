@@ -6,8 +6,8 @@ namespace lattice {
 The sizes of positions and their equations are those of the inner problem; the parameter and the centre are
 of order one. */
 template <class T>
-Sizes<T> Held<T>::sizes(const Vector<T>& x, bool graded) const {
-  const Sizes<T> inner = problem.sizes(x.head(x.size() - 1), graded);
+Sizes<T> Held<T>::sizes(const Vector<T>& x, bool scaled) const {
+  const Sizes<T> inner = problem.sizes(x.head(x.size() - 1), scaled);
   Sizes<T> out{Vector<T>::Ones(x.size()), Vector<T>::Ones(x.size())};
   out.unknown.head(x.size() - 1) = inner.unknown;
   out.equation.head(x.size() - 1) = inner.equation;
@@ -15,27 +15,36 @@ Sizes<T> Held<T>::sizes(const Vector<T>& x, bool graded) const {
 }
 
 /**
-A shot gives the velocities at $T_b/2$ and, as the last equation, the centre. The derivative of the latter
+An evaluation gives the velocities at $T_b/2$ and, as the last equation, the centre. The derivative of the latter
 needs the positions at $T_b/2$ as well; these are in the same columns of the tangent. */
 template <class T>
-Shot<T> Held<T>::shoot(const Vector<T>& x, const EventTolerance<T>& rule,
-                       bool with_jacobian) const {
+Evaluation<T> Held<T>::evaluate(const Vector<T>& x, const EventTolerance<T>& rule,
+                                bool with_jacobian) const {
   const std::size_t n = sites();
   const auto last = Eigen::Index(n);
   Tangent<T> tangent(n, with_jacobian ? n : 0);
-  Shot<T> shot;
-  const State<T> end = fly(x, rule, shot.flow, with_jacobian ? &tangent : nullptr);
+  Evaluation<T> out;
+  const State<T> end = after_half(x, rule, out.flow, with_jacobian ? &tangent : nullptr);
   T weight(0), moment(0);
   for (std::size_t i = 0; i < n; ++i) {
     const T w = x[Eigen::Index(i)] * x[Eigen::Index(i)] + end.y[i] * end.y[i];
     weight += w;
     moment += w * place(i);
   }
-  shot.miss.resize(last + 1);
-  for (std::size_t i = 0; i < n; ++i) shot.miss[Eigen::Index(i)] = end.v[i];
-  shot.miss[last] = moment / weight - centre;
-  if (with_jacobian) differentiate(x, rule, end, tangent, weight, shot);
-  return shot;
+  out.residual.resize(last + 1);
+  for (std::size_t i = 0; i < n; ++i) out.residual[Eigen::Index(i)] = end.v[i];
+  out.residual[last] = moment / weight - centre;
+  if (with_jacobian) differentiate(x, rule, end, tangent, weight, out);
+  return out;
+}
+
+template <class T>
+Equations<T> Held<T>::equations() const {
+  return {"breather held at a centre",
+          [*this](const Vector<T>& x, const EventTolerance<T>& rule, bool derivative) {
+            return evaluate(x, rule, derivative);
+          },
+          [*this](const Vector<T>& x, bool scaled) { return sizes(x, scaled); }};
 }
 
 /**
@@ -44,25 +53,26 @@ instead. Its step is small, because almost nothing in these equations fixes $p$:
 which the breather can be shifted their derivative is as small as the barrier (breather.hpp). */
 template <class T>
 void Held<T>::differentiate(const Vector<T>& x, const EventTolerance<T>& rule, const State<T>& end,
-                            const Tangent<T>& tangent, const T& weight, Shot<T>& shot) const {
+                            const Tangent<T>& tangent, const T& weight, Evaluation<T>& out) const {
   const std::size_t n = sites();
   const auto last = Eigen::Index(n);
   Vector<T> more = x, less = x;
   more[last] += T(change);
   less[last] -= T(change);
   FlowReport<T> unused;
-  const State<T> up = fly(more, rule, unused, nullptr), down = fly(less, rule, unused, nullptr);
-  shot.jacobian = Matrix<T>::Zero(last + 1, last + 1);
+  const State<T> up = after_half(more, rule, unused, nullptr),
+                 down = after_half(less, rule, unused, nullptr);
+  out.jacobian = Matrix<T>::Zero(last + 1, last + 1);
   for (std::size_t i = 0; i < n; ++i) {
     const auto row = Eigen::Index(i);
-    const T lever = T(2) * (place(i) - centre - shot.miss[last]) / weight;
+    const T lever = T(2) * (place(i) - centre - out.residual[last]) / weight;
     for (std::size_t k = 0; k < n; ++k) {
-      shot.jacobian(row, Eigen::Index(k)) = tangent(n + i, k);
-      shot.jacobian(last, Eigen::Index(k)) += lever * end.y[i] * tangent(i, k);
+      out.jacobian(row, Eigen::Index(k)) = tangent(n + i, k);
+      out.jacobian(last, Eigen::Index(k)) += lever * end.y[i] * tangent(i, k);
     }
-    shot.jacobian(last, row) += lever * x[row];
-    shot.jacobian(row, last) = (up.v[i] - down.v[i]) / (T(2) * T(change));
-    shot.jacobian(last, last) += lever * end.y[i] * (up.y[i] - down.y[i]) / (T(2) * T(change));
+    out.jacobian(last, row) += lever * x[row];
+    out.jacobian(row, last) = (up.v[i] - down.v[i]) / (T(2) * T(change));
+    out.jacobian(last, last) += lever * end.y[i] * (up.y[i] - down.y[i]) / (T(2) * T(change));
   }
 }
 
@@ -70,12 +80,12 @@ template <class T>
 Vector<T> moved_to_centre(const Held<T>& held, Vector<T> x, const EventTolerance<T>& rule) {
   const Eigen::Index n = x.size() - 1;
   for (int k = 0; k < 4; ++k) {
-    const Shot<T> shot = held.shoot(x, rule);
-    Matrix<T> matrix = shot.jacobian;
+    const Evaluation<T> here = held.evaluate(x, rule);
+    Matrix<T> matrix = here.jacobian;
     for (Eigen::Index i = 0; i < n; ++i)
       matrix(i, n) = i > 0 && i + 1 < n ? x[i + 1] - x[i - 1] : T(0);
     matrix(n, n) = T(0);
-    const Vector<T> step = solve_scaled<T>(matrix, shot.miss, held.sizes(x, true), 0);
+    const Vector<T> step = solve_scaled<T>(matrix, here.residual, held.sizes(x, true), 0);
     x.head(n) -= step.head(n);
   }
   return x;

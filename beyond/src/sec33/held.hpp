@@ -11,25 +11,21 @@ bond-centred breather, and that of a site-centred one also exchanges the two tim
 or the site, and $p$ there is the branch point. */
 
 #include <cstddef>
-#include <string>
 
 #include "lattice/orbits/continuation.hpp"
 
 namespace lattice {
 
 /**
-Like other orbits, a breather held at its centre is a problem for newton.hpp. The equations are those of
-rest after half a period and that of the centre. */
+The equations are those of rest after half a period and that of the centre. */
 /// The unknowns are the positions at t = 0 and the parameter.
 template <class T>
 struct Held {
-  using Scalar = T;
   Shooting<T> problem;   ///< even in time; its value of the parameter is not used
   Along<T> along;        ///< which parameter is unknown
   T centre{};            ///< Q, in sites from the middle of the chain
   double change = 1e-5;  ///< of the central difference in the parameter, see `differentiate`
 
-  std::string name() const { return "breather held at a centre"; }
   std::size_t sites() const { return problem.chain.sites; }
   /// The problem with the parameter among the unknowns.
   Shooting<T> at(const Vector<T>& x) const { return along.at(problem, x[x.size() - 1]); }
@@ -39,19 +35,20 @@ struct Held {
     for (std::size_t n = 0; n < sites(); ++n) state.y[n] = x[Eigen::Index(n)];
     return state;
   }
-  /// What newton.hpp asks of a problem.
-  Sizes<T> sizes(const Vector<T>& x, bool graded) const;
-  Shot<T> shoot(const Vector<T>& x, const EventTolerance<T>& rule, bool with_jacobian = true) const;
+  /// As those of `Shooting` (shooting.hpp).
+  Sizes<T> sizes(const Vector<T>& x, bool scaled) const;
+  Evaluation<T> evaluate(const Vector<T>& x, const EventTolerance<T>& rule,
+                         bool with_jacobian = true) const;
+  Equations<T> equations() const;
 
   /**
-  `fly` carries the chain through half a period from the unknowns; `place` counts from the middle of the
-  chain. */
+  `after_half` is the chain half a period after the unknowns; `place` counts from the middle of the chain. */
  private:
   void differentiate(const Vector<T>& x, const EventTolerance<T>& rule, const State<T>& end,
-                     const Tangent<T>& tangent, const T& weight, Shot<T>& shot) const;
+                     const Tangent<T>& tangent, const T& weight, Evaluation<T>& out) const;
   T place(std::size_t n) const { return T(double(n)) - T(double(sites() - 1)) / T(2); }
-  State<T> fly(const Vector<T>& x, const EventTolerance<T>& rule, FlowReport<T>& report,
-               Tangent<T>* tangent) const {
+  State<T> after_half(const Vector<T>& x, const EventTolerance<T>& rule, FlowReport<T>& report,
+                      Tangent<T>* tangent) const {
     const Shooting<T> there = at(x);
     State<T> z = start(x);
     report = flow(there.chain, z, there.period() / T(2), rule, tangent);

@@ -25,7 +25,7 @@ Intermediate describe(const Cut& cut, const Exchange& from, double centre,
   std::array<Pairs<Wide>, 2> pairs;
   for (std::size_t coarser : {0U, 1U}) {
     const NewtonRule<Wide> how = rule<Wide>(int(coarser));
-    x[coarser] = solve(held, Vector<Wide>(near.cast<Wide>()), how).x;
+    x[coarser] = newton(held.equations(), Vector<Wide>(near.cast<Wide>()), how).x;
     const auto there = held.at(x[coarser]);
     pairs[coarser] = floquet_pairs(there.chain, held.start(x[coarser]), there.period(), how.events);
   }
@@ -69,7 +69,7 @@ double energy_share(const Cut& cut, const ExchangePair& ends, const Intermediate
     const auto problem = problem_at(both_centres[k], cut.at(double(one.parameter)));
     auto wide = in_precision<Wide>(problem);
     if (!cut.along_s) wide.omega = one.parameter;
-    e[k] = polish(wide, follow(problem, ends.found[k].orbit)).energy;
+    e[k] = newton(wide, follow(problem, ends.found[k].orbit)).energy;
   }
   return double((one.energy - e[0]) / (e[1] - e[0]));
 }

@@ -8,7 +8,8 @@ namespace lattice {
 BreathersAtRest breathers_at_rest(double s) {
   std::vector<double> omegas;
   for (int k = 0; k <= 14; ++k) omegas.push_back(1.58 + 0.02 * k);
-  BreathersAtRest f{climb(Centre::bond, s, omegas), climb(Centre::site, s, omegas), {}};
+  BreathersAtRest f{
+      breathers_at(Centre::bond, s, omegas), breathers_at(Centre::site, s, omegas), {}};
   for (std::size_t k = 0; k < std::min(f.bond.size(), f.site.size()); ++k)
     f.gap.push_back(
         barrier(problem_of(Centre::site, omegas[k], s), f.site[k], f.bond[k]).equal_area);

@@ -7,7 +7,6 @@ namespace lattice {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
-constexpr Stride in_s{.first = 0.02, .least = 1e-6, .most = 0.25};
 
 Place place(const Branch<double>& branch) {
   const Shooting<double> problem = branch.problem();
@@ -18,14 +17,16 @@ Place place(const Branch<double>& branch) {
 
 }  // namespace
 
-Branch<double> branch_from(const Orbit<double>& start, int direction) {
-  const Shooting<double> problem = with_free_time(travelling_problem(shift_time(start)));
-  const Orbit<double> orbit = newton(problem, with_time(start.x, shift_time(start)));
-  return {problem, along_s<double>(), orbit, direction, {}, in_s};
+Branch<double> branch_in_s(const Orbit<double>& start, int direction, double longest) {
+  const double time = shift_time(start);
+  const auto problem = with_free_time(travelling_problem(time, 0, start.start.y.size() / 2 - 1));
+  const Orbit<double> orbit = newton(problem, with_time(start.x, time));
+  const Stride stride{.first = 0.02, .least = 1e-6, .most = longest};
+  return {problem, along_s<double>(), orbit, direction, {}, stride};
 }
 
 std::vector<Place> follow_branch(const Orbit<double>& start, int direction, int steps) {
-  Branch<double> branch = branch_from(start, direction);
+  Branch<double> branch = branch_in_s(start, direction);
   std::vector<Place> way{place(branch)};
   try {
     for (int i = 0; i < steps; ++i) {

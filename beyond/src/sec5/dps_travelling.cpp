@@ -6,7 +6,7 @@
 namespace lattice {
 
 DpsMember dps_member(const DpsTravelling& problem, const Vector<double>& guess) {
-  const Solution<double> found = solve<DpsTravelling, double>(problem, guess);
+  const Solution<double> found = newton(problem.equations(), guess);
   const Field field = problem.expand(found.x);
   double sum = 0;
   for (const auto& a : field) sum += a.imag();
@@ -30,8 +30,8 @@ Vector<double> cut_dps_packet(double from, std::size_t half_length) {
                const auto c = front_packet(d);
                if (!c || energy_centre(d, *c) < from || *c + half_length >= sites) return;
                (t0 == 0 ? t0 : t1) = tau, (x0 == 0 ? x0 : x1) = energy_centre(d, *c);
-               const double miss = std::abs(d[*c + 1] - d[*c - 1]) / d[*c];
-               if (miss < least) least = miss, best = field, centre = *c;
+               const double uneven = std::abs(d[*c + 1] - d[*c - 1]) / d[*c];
+               if (uneven < least) least = uneven, best = field, centre = *c;
              });
   if (best.empty() || !(x1 > x0)) throw std::runtime_error("no packet passes the site");
   /**
@@ -58,63 +58,63 @@ Vector<double> widened(const Vector<double>& x, std::size_t more) {
   return out;
 }
 
-/// A branch of members, as far as it has been followed.
-struct DpsBranch {
-  DpsTravelling problem;
-  Vector<double> x, before{};  ///< the last two members
-  double stride = 0;           ///< between them
-
-  /// Follows it while the parameter, which `set` hands to the problem, goes from `at` to `to`.
-  template <class Set>
-  void follow(double at, double to, double step, Set set) {
-    before.resize(0);
-    for (double h = to < at ? -step : step; at != to;) {
-      const double next = std::abs(to - at) <= std::abs(h) ? to : at + h;
-      try {
-        set(problem, next);
-        correct(next - at);
-        at = next;
-        h *= std::abs(h) < step ? 2 : 1;
-      } catch (const NewtonFailed&) {
-        h /= 2;
-        if (std::abs(h) < step / 100) throw;
-      }
-    }
-  }
-
-  /// One member further on.
-  void correct(double h) {
-    Vector<double> guess = x;
-    if (before.size() > 0) {
-      const double w = h / stride, ratio = sup(x) / sup(before);
-      guess = std::pow(ratio, w) * ((1 + w) * x - w * ratio * before);
-    }
-    problem.size = sup(guess);
-    NewtonRule<double> rule;
-    rule.events.tolerance = 1e-10;
-    rule.keep = 1e-3;
-    before = std::exchange(x, solve<DpsTravelling, double>(problem, guess, rule).x);
-    stride = h;
-    while (std::hypot(x[x.size() - 2], x[x.size() - 1]) > 1e-14 * sup(x)) {
-      x = widened(x, 1), before = widened(before, 1);
-      ++problem.half_length;
-    }
-  }
+/// The last two members of a family, and how far they are apart in its parameter.
+struct LastTwo {
+  Vector<double> x, before{};
+  double apart = 0;
 };
+
+/// One member `h` further on in the parameter that `problem` has now.
+void add_member(DpsTravelling& problem, LastTwo& last, double h) {
+  Vector<double> guess = last.x;
+  if (last.before.size() > 0) {
+    const double w = h / last.apart, ratio = sup(last.x) / sup(last.before);
+    guess = std::pow(ratio, w) * ((1 + w) * last.x - w * ratio * last.before);
+  }
+  problem.size = sup(guess);
+  NewtonRule<double> rule;
+  rule.events.tolerance = 1e-10;
+  rule.reuse_below = 1e-3;
+  Vector<double> x = newton(problem.equations(), guess, rule).x;
+  last = {std::move(x), std::move(last.x), h};
+  while (std::hypot(last.x[last.x.size() - 2], last.x[last.x.size() - 1]) > 1e-14 * sup(last.x)) {
+    last.x = widened(last.x, 1), last.before = widened(last.before, 1);
+    ++problem.half_length;
+  }
+}
+
+/// Follows a family while the parameter, which `set` hands to the problem, goes from `at` to `to`.
+template <class Set>
+void follow(DpsTravelling& problem, LastTwo& last, double at, double to, double step, Set set) {
+  last.before.resize(0);
+  for (double h = to < at ? -step : step; at != to;) {
+    const double next = std::abs(to - at) <= std::abs(h) ? to : at + h;
+    try {
+      set(problem, next);
+      add_member(problem, last, next - at);
+      at = next;
+      h *= std::abs(h) < step ? 2 : 1;
+    } catch (const NewtonFailed&) {
+      h /= 2;
+      if (std::abs(h) < step / 100) throw;
+    }
+  }
+}
 
 }  // namespace
 
+// The first member, then along the angle, then along the exponent
 std::pair<DpsTravelling, DpsMember> follow_dps_member(double alpha, double phase,
                                                       double tolerance) {
-  DpsBranch branch;
-  branch.x = cut_dps_packet(40, branch.problem.half_length);
-  branch.problem.tolerance = 1e-11;
-  branch.correct(0);
-  branch.follow(0, phase, 0.2, [](DpsTravelling& p, double at) { p.phase = at; });
-  branch.follow(2, 1 / (alpha - 1), 0.25, [](DpsTravelling& p, double b) { p.alpha = 1 + 1 / b; });
-  DpsTravelling problem = branch.problem;
+  DpsTravelling problem;
+  LastTwo last{cut_dps_packet(40, problem.half_length)};
+  problem.tolerance = 1e-11;
+  add_member(problem, last, 0);
+  follow(problem, last, 0, phase, 0.2, [](DpsTravelling& p, double at) { p.phase = at; });
+  follow(problem, last, 2, 1 / (alpha - 1), 0.25,
+         [](DpsTravelling& p, double b) { p.alpha = 1 + 1 / b; });
   problem.alpha = alpha, problem.tolerance = tolerance;
-  return {problem, dps_member(problem, branch.x)};
+  return {problem, dps_member(problem, last.x)};
 }
 
 std::pair<DpsTravelling, DpsMember> in_wider_window(const DpsTravelling& problem,

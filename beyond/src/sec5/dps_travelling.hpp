@@ -28,11 +28,10 @@ with $n = 1$ and obtain a family with a member for every $\varphi$ that we tried
 namespace lattice {
 
 /**
-This too is a problem for newton.hpp. The unknowns are the imaginary part of $A_0$ and then real and
+The unknowns of Newton's method are the imaginary part of $A_0$ and then real and
 imaginary parts of $A_1,\dots,A_L$ at $\tau = 0$, with $L$ = `half_length`. The flow is computed by GSL. The
 derivative is a central difference, whose error affects only how fast Newton's method converges. */
 struct DpsTravelling {
-  using Scalar = double;
   std::size_t half_length = 8;
   double phase = 0;          ///< varphi
   double tolerance = 1e-13;  ///< of the integrator
@@ -40,7 +39,6 @@ struct DpsTravelling {
   double size = 1;           ///< a field is known to the tolerance times 1e-4 of this
   static constexpr double shift_time = 2 * std::numbers::pi;
 
-  std::string name() const { return "travelling orbit of the DpS equation"; }
   /// The field at tau = 0, sites -L to L + 1.
   Field expand(const Vector<double>& x) const {
     Field a(2 * half_length + 2);
@@ -62,39 +60,26 @@ struct DpsTravelling {
   The equations hold at half the shift time. All of them are computed, because the one that is left out
   shows whether a member is exact. */
   /// All equations, that of n = 1 first.
-  Vector<double> misses(const Vector<double>& x) const {
+  Vector<double> residuals(const Vector<double>& x) const {
     Field a = expand(x);
     flow(a, shift_time / 2);
-    Vector<double> miss(2 * Eigen::Index(half_length) + 2);
+    Vector<double> out(2 * Eigen::Index(half_length) + 2);
     for (std::size_t n = 1; n <= half_length + 1; ++n) {
       const auto w = std::polar(1.0, -phase / 2) * a[half_length + n],
                  u = std::polar(1.0, -phase / 2) * a[half_length + 1 - n];
-      miss[2 * Eigen::Index(n) - 2] = w.real() + u.real();
-      miss[2 * Eigen::Index(n) - 1] = w.imag() - u.imag();
+      out[2 * Eigen::Index(n) - 2] = w.real() + u.real();
+      out[2 * Eigen::Index(n) - 1] = w.imag() - u.imag();
     }
-    return miss;
+    return out;
   }
 
   /**
-  Newton's method sees all but the first. */
-  Shot<double> shoot(const Vector<double>& x, const EventTolerance<double>&,
-                     bool with_jacobian = true) const {
-    Shot<double> shot;
-    const Eigen::Index m = x.size();
-    shot.miss = misses(x).tail(m);
-    if (!with_jacobian) return shot;
-    shot.jacobian.resize(m, m);
-    const double h = 1e-6 * sup(x);
-    for (Eigen::Index k = 0; k < m; ++k) {
-      Vector<double> up = x, down = x;
-      up[k] += h, down[k] -= h;
-      shot.jacobian.col(k) = (misses(up) - misses(down)).tail(m) / (2 * h);
-    }
-    return shot;
-  }
-  /// Everything is measured by the largest unknown.
-  Sizes<double> sizes(const Vector<double>& x, bool) const {
-    return {Vector<double>::Constant(x.size(), sup(x)), Vector<double>::Constant(x.size(), sup(x))};
+  Newton's method sees all but the first, and everything is measured by the largest unknown. */
+  Equations<double> equations() const {
+    const auto seen = [*this](const Vector<double>& x) -> Vector<double> {
+      return residuals(x).tail(x.size());
+    };
+    return by_differences("travelling orbit of the DpS equation", seen, 1e-6);
   }
 };
 

@@ -7,6 +7,7 @@
 #include "lattice/algebra/eigenvalues.hpp"
 #include "lattice/integrators/event_corrected.hpp"
 #include "lattice/numerics/line_fit.hpp"
+#include "lattice/orbits/newton.hpp"
 
 namespace lattice {
 namespace {
@@ -149,7 +150,8 @@ ModulatedWave one_period(const ModulatedWave& wave) {
 }
 
 /// After the time q / omega each bead is in the state of its neighbour: by how much is this wrong?
-Eigen::VectorXd shift_miss(const Eigen::VectorXd& x, double time, double eps, std::size_t steps) {
+Eigen::VectorXd shift_residual(const Eigen::VectorXd& x, double time, double eps,
+                               std::size_t steps) {
   const std::size_t n = std::size_t(x.size()) / 2;
   State<double> state(n);
   for (std::size_t i = 0; i < n; ++i) {
@@ -168,20 +170,13 @@ Eigen::VectorXd shift_miss(const Eigen::VectorXd& x, double time, double eps, st
   return out;
 }
 
-/// Derivative of `shift_miss` by central differences, which are wider where the steps are, so that runs with other
-/// steps tell their error, too.
-Eigen::MatrixXd shift_slopes(Eigen::VectorXd x, double time, double eps, std::size_t steps) {
-  Eigen::MatrixXd out(x.size(), x.size());
-  const double change = 2.4e-4 / double(steps);
-  for (Eigen::Index k = 0; k < x.size(); ++k) {
-    const double kept = x[k];
-    x[k] = kept + change;
-    out.col(k) = shift_miss(x, time, eps, steps);
-    x[k] = kept - change;
-    out.col(k) = (out.col(k) - shift_miss(x, time, eps, steps)) / (2 * change);
-    x[k] = kept;
-  }
-  return out;
+/// Its derivative by central differences, which are wider where the steps are, so that runs with other steps tell their
+/// error, too.
+Eigen::MatrixXd shift_slopes(const Eigen::VectorXd& x, double time, double eps, std::size_t steps) {
+  const auto residual = [=](const Eigen::VectorXd& at) {
+    return shift_residual(at, time, eps, steps);
+  };
+  return central_differences<double>(residual, x, 2.4e-4 / double(steps));
 }
 
 }  // namespace
@@ -201,9 +196,9 @@ ChainWave chain_wave(const ModulatedWave& wave, double eps, std::size_t steps) {
   // One equation too many, which the flow meets to the error of its steps
   double time = q / (1 - std::sqrt(eps) * ring.wave().frequency()), moved = 1;
   for (int k = 0; k < 20; ++k) {
-    Eigen::VectorXd miss(2 * n + 2);
-    miss << shift_miss(x, time, eps, steps), real.dot(x) - 2, imaginary.dot(x);
-    if (moved < 1e-9 && miss.cwiseAbs().maxCoeff() < 1e-5) {
+    Eigen::VectorXd residual(2 * n + 2);
+    residual << shift_residual(x, time, eps, steps), real.dot(x) - 2, imaginary.dot(x);
+    if (moved < 1e-9 && residual.cwiseAbs().maxCoeff() < 1e-5) {
       ChainWave out{State<double>(ring.sites), q / time};
       for (std::size_t i = 0; i < ring.sites; ++i) {
         out.state.y[i] = eps * x[Eigen::Index(i)];
@@ -214,12 +209,12 @@ ChainWave chain_wave(const ModulatedWave& wave, double eps, std::size_t steps) {
     Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(2 * n + 2, 2 * n + 1);
     slopes.topLeftCorner(2 * n, 2 * n) = shift_slopes(x, time, eps, steps);
     const double change = 1e-5;
-    slopes.col(2 * n).head(2 * n) =
-        (shift_miss(x, time + change, eps, steps) - shift_miss(x, time - change, eps, steps)) /
-        (2 * change);
+    slopes.col(2 * n).head(2 * n) = (shift_residual(x, time + change, eps, steps) -
+                                     shift_residual(x, time - change, eps, steps)) /
+                                    (2 * change);
     slopes.row(2 * n).head(2 * n) = real.transpose();
     slopes.row(2 * n + 1).head(2 * n) = imaginary.transpose();
-    const Eigen::VectorXd step = shortest_solution<double>(slopes, miss);
+    const Eigen::VectorXd step = shortest_solution<double>(slopes, residual);
     x -= step.head(2 * n);
     time -= step[2 * n];
     moved = step.cwiseAbs().maxCoeff();

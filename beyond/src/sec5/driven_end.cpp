@@ -98,12 +98,8 @@ double threshold_law(Drive::By by, double omega) {
   return law_estimate(by, omega).value;
 }
 
-Sizes<double> DrivenOrbit::sizes(const Vector<double>& x, bool) const {
-  return {Vector<double>::Constant(x.size(), scale), Vector<double>::Constant(x.size(), scale)};
-}
-
 // One period of the drive
-Vector<double> DrivenOrbit::miss(const Vector<double>& x) const {
+Vector<double> DrivenOrbit::return_error(const Vector<double>& x) const {
   DrivenChain other = driven;
   other.drive.amplitude = x[x.size() - 1];
   State<double> state = state_of(x);
@@ -119,27 +115,33 @@ Vector<double> DrivenOrbit::miss(const Vector<double>& x) const {
 }
 
 // The last equation is that of the plane
-Shot<double> DrivenOrbit::shoot(const Vector<double>& x, const EventTolerance<double>&,
-                                bool with_jacobian) const {
+Evaluation<double> DrivenOrbit::evaluate(const Vector<double>& x, bool with_jacobian) const {
   const Eigen::Index n = x.size();
-  Shot<double> out;
-  out.miss.resize(n);
-  out.miss.head(n - 1) = miss(x);
-  out.miss[n - 1] = (x - from).dot(along) - length * scale;
+  const auto error = [&](const Vector<double>& at) { return return_error(at); };
+  Evaluation<double> out;
+  out.residual.resize(n);
+  out.residual.head(n - 1) = error(x);
+  out.residual[n - 1] = (x - from).dot(along) - length * scale;
   if (!with_jacobian) return out;
   out.jacobian.resize(n, n);
-  const double change = 1e-6 * scale;
-  for (Eigen::Index k = 0; k < n; ++k) {
-    Vector<double> more = x, less = x;
-    more[k] += change, less[k] -= change;
-    out.jacobian.col(k).head(n - 1) = (miss(more) - miss(less)) / (2 * change);
-  }
+  out.jacobian.topRows(n - 1) = central_differences<double>(error, x, 1e-6 * scale);
   out.jacobian.row(n - 1) = along.transpose();
   return out;
 }
 
+Equations<double> DrivenOrbit::equations() const {
+  return {"the driven orbit",
+          [*this](const Vector<double>& x, const EventTolerance<double>&, bool derivative) {
+            return evaluate(x, derivative);
+          },
+          [size = scale](const Vector<double>& x, bool) {
+            const Vector<double> all = Vector<double>::Constant(x.size(), size);
+            return Sizes<double>{all, all};
+          }};
+}
+
 // Steps along the curve, and a parabola through the three points about the largest amplitude
-QuietBranch quiet_branch(const DrivenChain& driven, std::size_t steps, double apart,
+QuietOrbits quiet_orbits(const DrivenChain& driven, std::size_t steps, double apart,
                          double beyond) {
   const Eigen::Index n = Eigen::Index(2 * driven.chain.sites + 1);
   const double law = threshold_law(driven.drive.by, driven.drive.omega);
@@ -151,14 +153,14 @@ QuietBranch quiet_branch(const DrivenChain& driven, std::size_t steps, double ap
   // Begin in the direction of the amplitude, from no motion at all
   Vector<double> at = Vector<double>::Zero(n);
   Vector<double> tangent = Vector<double>::Unit(n, n - 1);
-  QuietBranch out;
+  QuietOrbits out;
   std::vector<double> lengths;
   double gone = 0;
   problem.length = 0.2 * law / size;
   for (int k = 0; k < int(20 / apart); ++k) {
     problem.from = at, problem.along = tangent;
     const Vector<double> guess = at + problem.length * size * tangent;
-    const Vector<double> next = solve(problem, guess, rule).x;
+    const Vector<double> next = newton(problem.equations(), guess, rule).x;
     const Vector<double> way = next - at;
     gone += way.norm() / size;
     tangent = way.normalized(), at = next;

@@ -49,29 +49,26 @@ double threshold_law(Drive::By by, double omega);
 ## The quiet orbit of the chain, and its fold
 
 With losses the motion below the threshold is a periodic orbit of the driven chain, whose period is that of the
-drive. It is a problem for Newton's method (newton.hpp): the unknowns are the state at the beginning of a
+drive. For Newton's method the unknowns are the state at the beginning of a
 period and the amplitude of the drive, the equations say that the state returns, and that the point lies on a
 plane across the curve of solutions. The flow is that of driven_chain.hpp with a given number of steps; its derivative
 comes from differences, which cost little for a dozen beads. */
 struct DrivenOrbit {
-  using Scalar = double;
   DrivenChain driven;
   std::size_t steps = 64;          ///< per period of the drive
   Vector<double> from{}, along{};  ///< a point of the curve and its direction, in units of `scale`
   double length = 0;               ///< how far along the direction the plane lies
   double scale = 1;                ///< in which unknowns and equations are measured
 
-  /// What newton.hpp asks of a problem.
-  std::string name() const { return "the driven orbit"; }
-  Sizes<double> sizes(const Vector<double>& x, bool graded) const;
-  Shot<double> shoot(const Vector<double>& x, const EventTolerance<double>&,
-                     bool with_jacobian) const;
+  /// For Newton's method.
+  Equations<double> equations() const;
+  Evaluation<double> evaluate(const Vector<double>& x, bool with_jacobian) const;
   /// By how much the state after one period differs from `x` without its last entry, the amplitude.
-  Vector<double> miss(const Vector<double>& x) const;
+  Vector<double> return_error(const Vector<double>& x) const;
 };
 
 /// The curve of quiet orbits from a weak drive to beyond its fold, and the fold.
-struct QuietBranch {
+struct QuietOrbits {
   std::vector<double> amplitude{};  ///< of the drive
   std::vector<double> response{};   ///< amplitude of the first bead when a period begins
   double fold = 0;                  ///< largest amplitude
@@ -80,7 +77,7 @@ struct QuietBranch {
 /// Follows the quiet orbit, with `steps` steps a period, from point to point at the distance `apart` in units of the
 /// law for a piston, until its amplitude has fallen to the share `beyond` of the fold. The drive of `driven` says what is
 /// driven and how fast; its amplitude is not used. Throws NewtonFailed.
-QuietBranch quiet_branch(const DrivenChain& driven, std::size_t steps, double apart = 0.1,
+QuietOrbits quiet_orbits(const DrivenChain& driven, std::size_t steps, double apart = 0.1,
                          double beyond = 0.8);
 
 /**

@@ -110,8 +110,8 @@ double KernelWave::component() const {
 }
 
 double KernelWave::residual() const {
-  const Vector<double> miss = line.convolve(force()) - d;
-  return miss.cwiseAbs().maxCoeff() / d.maxCoeff();
+  const Vector<double> residual = line.convolve(force()) - d;
+  return residual.cwiseAbs().maxCoeff() / d.maxCoeff();
 }
 
 /**
@@ -245,12 +245,12 @@ KernelWave newton_wave(const KernelWave& guess, double shift_time, const PowerCo
     wave = {law, line, wave.line.onto(line, wave.d)};
     double first = 0;
     for (int step = 0; step < 4; ++step) {
-      const Vector<double> miss = line.convolve(wave.force()) - wave.d;
-      const double size = miss.cwiseAbs().maxCoeff() / wave.d.maxCoeff();
+      const Vector<double> residual = line.convolve(wave.force()) - wave.d;
+      const double size = residual.cwiseAbs().maxCoeff() / wave.d.maxCoeff();
       if (step == 0) first = size;
       if (!(size < far)) pass = 30;
       if (!(size > exact && size < far)) break;
-      wave.d += solve_linearized(line, each(wave.d, stiffness_of, law), miss, rough);
+      wave.d += solve_linearized(line, each(wave.d, stiffness_of, law), residual, rough);
     }
     settle_tail(wave);
     const bool settled = first < near || (first < fair && first > before / 4);

@@ -133,9 +133,9 @@ MemberGrid member_grid(std::size_t fastest, std::size_t slowest,
                        const std::vector<double>& phases) {
   NewtonRule<double> rule;
   rule.events.tolerance = 1e-9;
-  Staircase stairs(1, usual_half_length, rule);
+  TypeOneOrbits orbits(1, usual_half_length, rule);
   std::vector<Orbit<double>> starts;
-  for (std::size_t k = slowest; k >= fastest; --k) starts.push_back(stairs.reach(k));
+  for (std::size_t k = slowest; k >= fastest; --k) starts.push_back(orbits.orbit_at(k));
   const auto zero = std::size_t(std::find(phases.begin(), phases.end(), 0) - phases.begin());
   if (zero == phases.size()) throw std::invalid_argument("the phases must contain 0");
   MemberGrid grid{phases, std::vector(phases.size(), std::vector<Traveller>(starts.size()))};

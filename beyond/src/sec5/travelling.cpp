@@ -7,14 +7,14 @@ namespace lattice {
 
 // About its centre a travelling breather is odd in position and even in velocity
 double asymmetry(const State<double>& z, std::size_t c, std::size_t width) {
-  double miss = 0, size = 0;
+  double off = 0, size = 0;
   for (std::size_t j = 1; j <= width; ++j) {
     const double y = z.y[c + j] + z.y[c - j], v = z.v[c + j] - z.v[c - j];
-    miss += y * y + v * v;
+    off += y * y + v * v;
     size += z.y[c + j] * z.y[c + j] + z.v[c + j] * z.v[c + j] + z.y[c - j] * z.y[c - j] +
             z.v[c - j] * z.v[c - j];
   }
-  return miss / size;
+  return off / size;
 }
 
 // The half ahead of the centre determines the breather, the other one is its mirror image
@@ -53,8 +53,8 @@ Vector<double> cut_packet(double velocity, double from, double to, int sign,
     // The largest site passes through zero in the right direction: how symmetrical is the packet?
     if (centre > from && before.y[*c] * now.y[*c] < 0 && sign * now.v[*c] > 0) {
       const State<double> z = between(before, now, before.y[*c] / (before.y[*c] - now.y[*c]));
-      const double miss = asymmetry(z, *c);
-      if (miss < least) least = miss, best = front_half(z, *c, half_length);
+      const double off = asymmetry(z, *c);
+      if (off < least) least = off, best = front_half(z, *c, half_length);
     }
     before = now;
   });
@@ -69,7 +69,7 @@ Estimate energy_of_type_one(std::size_t k, const Orbit<double>& orbit) {
   Orbit<double> shaken = orbit;
   shaken.x *= 1 + 1e-7;
   const auto problem = type_one<double>(k, orbit.start.y.size() / 2 - 1);
-  return compare(polish(problem, shaken, coarse).energy, orbit.energy);
+  return compare(newton(problem, shaken, coarse).energy, orbit.energy);
 }
 
 // A straight line through two members predicts the next, but for the far tail

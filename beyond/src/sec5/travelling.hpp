@@ -95,7 +95,7 @@ and the beads next to it are as nearly odd in position and even in velocity as t
 the packet nothing has moved before, so we keep its front half and mirror it; this leaves out the waves
 behind it. */
 
-/// By how much the neighbours of site `c` miss the symmetry, relative to their size.
+/// By how much the neighbours of site `c` violate the symmetry, relative to their size.
 double asymmetry(const State<double>& z, std::size_t c, std::size_t width = 3);
 
 /// The unknowns of the front half of the packet around site `c`.
@@ -122,11 +122,11 @@ From one orbit of type I we reach others. Small orbits are those of the DpS equa
 $y \propto 1/T^2$. In units of $1/k^2$ the members of type I change little with $1/k$, and a straight line
 through the last two predicts the next one. The tail is only scaled: it falls by many orders of magnitude
 and does not follow a straight line. */
-class Staircase {
+class TypeOneOrbits {
  public:
   /// The orbits with this sign of the central velocity.
-  explicit Staircase(int sign, std::size_t half_length = usual_half_length,
-                     NewtonRule<double> rule = {})
+  explicit TypeOneOrbits(int sign, std::size_t half_length = usual_half_length,
+                         NewtonRule<double> rule = {})
       : half_length_(half_length), rule_(rule) {
     const Shooting<double> problem = type_one<double>(first, half_length);
     orbit_ = newton(problem, cut_packet(first_velocity, 15, 30, sign, half_length), rule);
@@ -139,8 +139,8 @@ class Staircase {
 
   /// The orbit that was reached last.
   const Orbit<double>& orbit() const { return orbit_; }
-  /// Climbs up or down to k, in steps short enough for Newton's method. Throws NewtonFailed.
-  const Orbit<double>& reach(std::size_t k) {
+  /// Goes up or down to k, in steps short enough for Newton's method. Throws NewtonFailed.
+  const Orbit<double>& orbit_at(std::size_t k) {
     Progress progress("orbits up to k = " + std::to_string(k), 1);
     for (const double from = double(k_); k_ != k;) {
       const std::size_t up = std::min(k, k_ + 1 + k_ / 4);
@@ -173,7 +173,7 @@ class Staircase {
     guess.x = x / double(k * k);
     if ((k + k_) % 2) guess.jacobian = -guess.jacobian;
     const Shooting<double> problem = type_one<double>(k, half_length_);
-    orbit_ = k > 2 * first ? polish(problem, guess, rule_) : newton(problem, guess.x, rule_);
+    orbit_ = k > 2 * first ? newton(problem, guess, rule_) : newton(problem, guess.x, rule_);
     remember(k);
   }
 

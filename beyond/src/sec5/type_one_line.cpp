@@ -20,9 +20,9 @@ double ExactLine::at(double c, const std::vector<double>& y, std::size_t from) c
 
 ExactLine exact_line() {
   ExactLine line;
-  Staircase stairs(1);
+  TypeOneOrbits orbits(1);
   for (std::size_t k : {7, 6, 5, 4, 3, 2, 1}) {
-    const Orbit<double> orbit = stairs.reach(k);
+    const Orbit<double> orbit = orbits.orbit_at(k);
     const double time = 2 * std::numbers::pi * double(k), c = 1 / time;
     const Chain chain{24};
     State<double> state = embed(orbit.start, chain.sites, 0);

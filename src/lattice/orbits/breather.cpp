@@ -71,7 +71,7 @@ static void refuse_neighbours_in_phase(const Shooting<double>& problem,
                          orbit.history);
 }
 
-// Begin where the quasi-continuum profile is a good guess, and climb the branch from there
+// Begin where the quasi-continuum profile is a good guess, and follow the branch from there
 Orbit<double> find_breather(const Shooting<double>& problem, Phase phase,
                             const NewtonRule<double>& rule) {
   Shooting<double> nearby = problem;
@@ -91,7 +91,7 @@ Orbit<double> find_breather(const Shooting<double>& problem, Phase phase,
   refuse_neighbours_in_phase(nearby, start);
   if (nearby.omega == problem.omega) return start;
   Branch branch(nearby, along_omega<double>(problem.chain.contact.exponent()), start, 1, rule);
-  return branch.reach(problem.omega);
+  return branch.orbit_at(problem.omega);
 }
 
 State<double> resized(const State<double>& state, std::size_t sites) {
@@ -190,7 +190,7 @@ Barrier<T> barrier(const Shooting<T>& site_problem, const Orbit<T>& site, const 
     const T area_omega = shifted.period() * moved.energy_omega, change = left / area_omega;
     shifted.omega += change;
     moved.x += change * moved.x_omega;
-    moved = polish(shifted, moved, rule);
+    moved = newton(shifted, moved, rule);
     left = bond.area - moved.area;
     neglected = magnitude(T(left * left / (T(4) * pi<T>() * area_omega)));
   }

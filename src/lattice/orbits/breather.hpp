@@ -55,7 +55,7 @@ Orbit<double> find_breather(const Shooting<double>& problem, Phase phase = Phase
                             const NewtonRule<double>& rule = {});
 
 /**
-Double precision finds an orbit, and extended precision confirms its digits (`polish`). */
+Double precision finds an orbit, and extended precision confirms its digits (shooting.hpp). */
 /// The same problem in another precision.
 template <class T>
 Shooting<T> in_precision(const Shooting<double>& problem) {

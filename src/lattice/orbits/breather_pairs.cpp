@@ -16,7 +16,7 @@ Measured<T>::Measured(const BreatherPair& pair, int coarser) {
   for (int k : {0, 1}) {
     Orbit<double> guess = pair.orbit[k];
     if (coarser) guess.x *= 1.000001;
-    orbit[k] = polish(in_precision<T>(pair.problem(k)), guess, how);
+    orbit[k] = newton(in_precision<T>(pair.problem(k)), guess, how);
   }
   gap = barrier(in_precision<T>(pair.problem(0)), orbit[0], orbit[1], how);
 }
@@ -68,20 +68,21 @@ void measure(BreatherPair& pair) {
   if (!settled(pair.equal_frequency) || !settled(pair.equal_area)) measure_in<Wide>(pair);
 }
 
-/// Double precision on the way to a pair, whose digits `measure` confirms: the last look needs no derivative of its own.
+/// Double precision on the way to a pair, whose digits `measure` confirms: the last evaluations need no derivative of their own.
 static NewtonRule<double> on_the_way() {
   NewtonRule<double> how;
-  how.keep = 1e-9;
+  how.reuse_below = 1e-9;
   return how;
 }
 
-// Climb one branch until it folds back in frequency
-std::vector<Orbit<double>> climb(Centre centre, double s, const std::vector<double>& omegas) {
+// Along one branch until it folds back in frequency
+std::vector<Orbit<double>> breathers_at(Centre centre, double s,
+                                        const std::vector<double>& omegas) {
   const auto problem = problem_of(centre, omegas.front(), s);
   std::vector<Orbit<double>> orbits{find_breather(problem)};
   Branch branch(problem, along_omega<double>(), orbits.front(), 1, on_the_way());
   try {
-    for (std::size_t k = 1; k < omegas.size(); ++k) orbits.push_back(branch.reach(omegas[k]));
+    for (std::size_t k = 1; k < omegas.size(); ++k) orbits.push_back(branch.orbit_at(omegas[k]));
   } catch (const NoBranch&) {
   }
   return orbits;
@@ -98,10 +99,10 @@ std::vector<double> pair_frequencies(double s, int count) {
 }
 
 // Both families first, then all pairs, none of which needs another
-BreatherPairs climb_pairs(double s, const std::vector<double>& omegas,
-                          const std::function<void(BreatherPair&)>& measure_pair) {
+BreatherPairs breather_pairs_at(double s, const std::vector<double>& omegas,
+                                const std::function<void(BreatherPair&)>& measure_pair) {
   std::array<std::vector<Orbit<double>>, 2> families;
-  parallel_for(2, [&](std::size_t k) { families[k] = climb(both_centres[k], s, omegas); });
+  parallel_for(2, [&](std::size_t k) { families[k] = breathers_at(both_centres[k], s, omegas); });
   BreatherPairs pairs;
   const auto& [site, bond] = families;
   for (std::size_t k = 0; k < std::min(site.size(), bond.size()); ++k)

@@ -39,11 +39,11 @@ NewtonRule<T> rule(int coarser) {
   return out;
 }
 
-/// The finer rule for the tail: every site to the same relative accuracy, and a landing on every contact.
+/// The finer rule for the tail: every site to the same relative accuracy, and every contact event, however faint.
 template <class T>
-NewtonRule<T> graded() {
+NewtonRule<T> scaled_rule() {
   NewtonRule<T> out = rule<T>(0);
-  out.graded = true;
+  out.scaled = true;
   out.events.floor = T(0);
   return out;
 }
@@ -121,7 +121,7 @@ void measure(BreatherPair& pair);
 The pairs are found along the two branches (continuation.hpp), so that we know to which family a breather
 belongs. Where a branch turns back in frequency the pairs end. */
 /// One family at increasing frequencies, as far as it reaches.
-std::vector<Orbit<double>> climb(Centre centre, double s, const std::vector<double>& omegas);
+std::vector<Orbit<double>> breathers_at(Centre centre, double s, const std::vector<double>& omegas);
 
 /// Pairs at increasing frequencies.
 using BreatherPairs = std::vector<BreatherPair>;
@@ -134,8 +134,8 @@ std::vector<double> pair_frequencies(double s, int count);
 The two families know nothing of each other until their pairs are measured, nor do the pairs; so first the
 families and then the pairs are computed in parallel. */
 /// Both families at these frequencies, as far as they reach, each pair measured by `measure_pair`.
-BreatherPairs climb_pairs(double s, const std::vector<double>& omegas,
-                          const std::function<void(BreatherPair&)>& measure_pair);
+BreatherPairs breather_pairs_at(double s, const std::vector<double>& omegas,
+                                const std::function<void(BreatherPair&)>& measure_pair);
 
 /**
 A zero of the barrier lies between two pairs, and to find it we need another pair there. In the coordinates

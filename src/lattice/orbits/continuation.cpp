@@ -26,32 +26,32 @@ Branch<T>::Branch(Shooting<T> problem, Along<T> which, const Orbit<T>& start, in
   z_ << start.x.cwiseQuotient(unit_) / along_.scale(l), l;
   Vector<T> border = Vector<T>::Zero(z_.size());
   border[z_.size() - 1] = T(1);
-  tangent_ = along(bordered(z_, shot_at(z_), border));
+  tangent_ = along(bordered(z_, evaluate_at(z_), border));
   tangent_ *= T(direction) / tangent_.norm();
   before_ = z_;
 }
 
 /**
-A shot at a point of the curve is one of the problem with that parameter. */
+An evaluation at a point of the curve is one of the problem with that parameter. */
 template <class T>
-Shot<T> Branch<T>::shot_at(const Vector<T>& z) const {
-  return along_.at(problem_, along_.parameter(ell(z))).shoot(unknowns(z), rule_.events);
+Evaluation<T> Branch<T>::evaluate_at(const Vector<T>& z) const {
+  return along_.at(problem_, along_.parameter(ell(z))).evaluate(unknowns(z), rule_.events);
 }
 
 /**
 The last coordinate enters the equations through the problem and, along the frequency, also through the
 scale of the unknowns, $(\omega_b-1)^2 = e^{2\ell}$ between spheres. */
 template <class T>
-Vector<T> Branch<T>::parameter_derivative(const Vector<T>& z, const Shot<T>& shot) const {
+Vector<T> Branch<T>::parameter_derivative(const Vector<T>& z, const Evaluation<T>& here) const {
   const T value = along_.parameter(ell(z));
   if (along_.is_frequency()) {
     const T longer = -along_.at(problem_, value).period() / value;
-    return (value - T(1)) * longer * shot.miss_period +
-           shot.jacobian * (T(along_.power) * unknowns(z));
+    return (value - T(1)) * longer * here.residual_period +
+           here.jacobian * (T(along_.power) * unknowns(z));
   }
   const T change(along_.change);
   const auto at = [&](const T& s) {
-    return along_.at(problem_, s).shoot(unknowns(z), rule_.events, false).miss;
+    return along_.at(problem_, s).evaluate(unknowns(z), rule_.events, false).residual;
   };
   return (at(value + change) - at(value - change)) / (T(2) * change);
 }
@@ -61,15 +61,15 @@ The matrix of the corrector holds the derivatives of the equations with respect 
 each equation in units of the orbit's amplitude, and below them the border: the direction in which a
 correction must not go. */
 template <class T>
-Matrix<T> Branch<T>::bordered(const Vector<T>& z, const Shot<T>& shot,
+Matrix<T> Branch<T>::bordered(const Vector<T>& z, const Evaluation<T>& here,
                               const Vector<T>& border) const {
-  const Eigen::Index m = z.size() - 1, rows = shot.miss.size();
+  const Eigen::Index m = z.size() - 1, rows = here.residual.size();
   const T scale = along_.scale(ell(z));
   const Vector<T> size = amplitude(z);
   Matrix<T> all(rows + 1, m + 1);
-  all.topLeftCorner(rows, m) = shot.jacobian;
+  all.topLeftCorner(rows, m) = here.jacobian;
   for (Eigen::Index k = 0; k < m; ++k) all.col(k).head(rows) *= scale * unit_[k];
-  all.topRightCorner(rows, 1) = parameter_derivative(z, shot);
+  all.topRightCorner(rows, 1) = parameter_derivative(z, here);
   for (Eigen::Index i = 0; i < rows; ++i) all.row(i) /= size[i];
   all.row(rows) = border.transpose();
   return all;
@@ -83,13 +83,13 @@ template <class T>
 bool Branch<T>::correct(Vector<T>& z, const Vector<T>& tangent, Vector<T>& next_tangent) {
   history_.clear();
   for (used_ = 0; used_ <= stride_.corrections; ++used_) {
-    const Shot<T> shot = shot_at(z);
-    Vector<T> right = Vector<T>::Zero(shot.miss.size() + 1);
-    right.head(shot.miss.size()) = shot.miss.cwiseQuotient(amplitude(z));
+    const Evaluation<T> here = evaluate_at(z);
+    Vector<T> right = Vector<T>::Zero(here.residual.size() + 1);
+    right.head(here.residual.size()) = here.residual.cwiseQuotient(amplitude(z));
     const T residual = sup(right);
     history_.push_back({double(residual), 0});
     if (!(residual < T(1))) return false;
-    const Matrix<T> all = bordered(z, shot, tangent);
+    const Matrix<T> all = bordered(z, here, tangent);
     if (residual <= T(stride_.tolerance)) {
       next_tangent = along(all);
       const T norm = next_tangent.norm();
@@ -150,7 +150,7 @@ T Branch<T>::fold(double finer, int most_steps) {
 To reach a given parameter we step beyond it, interpolate the unknowns between the last two points, and
 let Newton's method finish at the target itself. */
 template <class T>
-Orbit<T> Branch<T>::reach(T target, int most_steps) {
+Orbit<T> Branch<T>::orbit_at(T target, int most_steps) {
   const T goal = along_.coordinate(target), start = ell(z_);
   const T side = slope() > T(0) ? T(1) : T(-1);
   Progress progress(number_label("branch to " + along_.name + " =", double(target)), 1);

@@ -113,7 +113,7 @@ class Branch {
   T fold(double finer = 16, int most_steps = 400);
   /// Follows the branch up to `target` and converges there to the accuracy of `rule`; throws NoBranch
   /// if the branch turns back before.
-  Orbit<T> reach(T target, int most_steps = 400);
+  Orbit<T> orbit_at(T target, int most_steps = 400);
   /// The problem with the parameter of that point.
   Shooting<T> problem() const { return along_.at(problem_, parameter()); }
   /// The unknowns there.
@@ -138,11 +138,11 @@ class Branch {
     return solve_system<T>(all, right, rule_.rank);
   }
   /**
-  At a point of the curve we need the shot, its derivative with respect to the parameter and the bordered
+  At a point of the curve we need an evaluation, its derivative with respect to the parameter and the bordered
   matrix; `correct` moves a predicted point onto the curve. */
-  Shot<T> shot_at(const Vector<T>& z) const;
-  Matrix<T> bordered(const Vector<T>& z, const Shot<T>& shot, const Vector<T>& border) const;
-  Vector<T> parameter_derivative(const Vector<T>& z, const Shot<T>& shot) const;
+  Evaluation<T> evaluate_at(const Vector<T>& z) const;
+  Matrix<T> bordered(const Vector<T>& z, const Evaluation<T>& here, const Vector<T>& border) const;
+  Vector<T> parameter_derivative(const Vector<T>& z, const Evaluation<T>& here) const;
   bool correct(Vector<T>& z, const Vector<T>& tangent, Vector<T>& next_tangent);
 
   Shooting<T> problem_;

@@ -25,8 +25,8 @@ far apart or that of the phase is absent. */
 namespace lattice {
 
 /**
-The derivative of the flow comes from the variational equations, with a landing on every contact that opens
-or closes (tangent.hpp, event_driven.hpp). A flow that is too inaccurate for an orbit is refused here too. */
+The derivative of the flow comes from the variational equations, with the exact time of every contact event
+(tangent.hpp, event_driven.hpp). A flow that is too inaccurate for an orbit is refused here too. */
 /// Derivative of the flow from `start` over `duration`: 2N x 2N, positions before velocities.
 /// Throws NewtonFailed if the flow is not accurate.
 template <class T>

@@ -43,29 +43,28 @@ Vector<T> solve_scaled(Matrix<T> matrix, Vector<T> right, const Sizes<T>& size, 
 }
 
 template <class T>
-bool is_accurate(const FlowReport<T>& flow, const EventTolerance<T>& landing) {
-  const T tolerance = std::max(landing.tolerance, T(16) * std::numeric_limits<T>::epsilon());
-  return flow.missed_events == 0 && flow.error <= tolerance * T(double(flow.steps + 1));
+bool is_accurate(const FlowReport<T>& flow, const EventTolerance<T>& rule) {
+  const T tolerance = std::max(rule.tolerance, T(16) * std::numeric_limits<T>::epsilon());
+  return flow.unlanded == 0 && flow.error <= tolerance * T(double(flow.steps + 1));
 }
 
 namespace {
 
-/// The exception that names the problem and what went wrong.
+/// The exception that names the equations and what went wrong.
 template <class T>
-NewtonFailed failure(const NewtonProblem<T>& problem, const std::string& why,
+NewtonFailed failure(const Equations<T>& equations, const std::string& why,
                      const Solution<T>& so_far) {
-  return {problem.name() + ": " + why, so_far.history};
+  return {equations.name + ": " + why, so_far.history};
 }
 
 /// The solution, if its flow was accurate; throws NewtonFailed otherwise.
 template <class T>
-Solution<T> accepted(const NewtonProblem<T>& problem, Solution<T> found,
-                     const NewtonRule<T>& rule) {
-  if (is_accurate(found.shot.flow, rule.events)) return found;
-  throw failure(problem, "the integration is not accurate enough for an orbit", found);
+Solution<T> accepted(const Equations<T>& equations, Solution<T> found, const NewtonRule<T>& rule) {
+  if (is_accurate(found.evaluation.flow, rule.events)) return found;
+  throw failure(equations, "the integration is not accurate enough for an orbit", found);
 }
 
-/// What is shown of an iteration: how many went before, and what they left.
+/// What is shown of an iteration: how many went before, and the residual they left.
 std::string iteration_label(int i, double residual) {
   const std::string number = "Newton step " + std::to_string(i + 1);
   return i == 0 ? number : number_label(number + ", residual", residual);
@@ -77,16 +76,16 @@ end; or it leaps to motions so violent that the flow over one period would take 
 guess, or thirty times as large, is no orbit: in all families that we know the two are of one size. */
 /// Throws NewtonFailed if the unknowns `x` are close to rest or far beyond the guess.
 template <class T>
-void refuse_size(const NewtonProblem<T>& problem, const Vector<T>& guess, const Vector<T>& x,
+void refuse_size(const Equations<T>& equations, const Vector<T>& guess, const Vector<T>& x,
                  const Solution<T>& so_far) {
-  if (!problem.amplitude) return;
-  const T begin = problem.amplitude(guess), now = problem.amplitude(x);
+  if (!equations.amplitude) return;
+  const T begin = equations.amplitude(guess), now = equations.amplitude(x);
   const bool rests = now <= T(1e-6) * begin;
   if (!rests && !(now > T(30) * begin)) return;
   char why[80];
   std::snprintf(why, sizeof why, "it %s, from a guess of size %.2g to %.2g",
                 rests ? "shrinks to rest" : "leaps off", double(begin), double(now));
-  throw failure(problem, why, so_far);
+  throw failure(equations, why, so_far);
 }
 
 /**
@@ -94,75 +93,68 @@ The residual is that of the worst equation, each in its own unit. Far from any o
 even farther away. A damped iteration tries the step, its half, its quarter and so on until the residual
 falls, and gives up below a thousandth of the step. */
 template <class T>
-T residual_of(const NewtonProblem<T>& problem, const Shot<T>& shot, const Vector<T>& at,
-              const NewtonRule<T>& rule) {
-  return sup<T>(shot.miss.cwiseQuotient(problem.sizes(at, rule.graded).equation));
+T relative_residual(const Equations<T>& equations, const Evaluation<T>& at, const Vector<T>& x,
+                    const NewtonRule<T>& rule) {
+  return sup<T>(at.residual.cwiseQuotient(equations.sizes(x, rule.scaled).equation));
 }
 
 /// The share of the step to be taken from the best point so far; throws NewtonFailed if none helps.
 template <class T>
-T damping(const NewtonProblem<T>& problem, const Vector<T>& step, const T& last,
+T damping(const Equations<T>& equations, const Vector<T>& step, const T& last,
           const Solution<T>& best, const NewtonRule<T>& rule) {
   for (T share(1); share > T(1e-3); share /= T(2)) {
     const Vector<T> trial = best.x - share * step;
-    const Shot<T> shot = problem.shoot(trial, rule.events, false);
-    if (residual_of(problem, shot, trial, rule) < last) return share;
+    const Evaluation<T> at = equations.evaluate(trial, rule.events, false);
+    if (relative_residual(equations, at, trial, rule) < last) return share;
   }
-  throw failure(problem, "no step lowers the residual", best);
+  throw failure(equations, "no step lowers the residual", best);
 }
 
 }  // namespace
 
-// Newton's method, with a record of all it tried
+// x <- x - f'(x)^-1 f(x), with a record of all that was tried
 template <class T>
-Solution<T> iterate(const NewtonProblem<T>& problem, Vector<T> x, const NewtonRule<T>& rule,
-                    bool jacobian, const Direction<T>& direction) {
+Solution<T> newton(const Equations<T>& equations, Vector<T> x, const NewtonRule<T>& rule,
+                   const Matrix<T>* derivative) {
   Solution<T> best{x, {}, {}};
   const Vector<T> guess = x;
   T last = std::numeric_limits<T>::infinity();
-  for (int i = 0; i <= rule.most; ++i) {
+  for (int i = 0; i <= rule.most_steps; ++i) {
     const Progress progress(iteration_label(i, double(last)));
-    refuse_size(problem, guess, x, best);
+    refuse_size(equations, guess, x, best);
     // By how much does the orbit from here fail to close?
-    const bool fresh = jacobian && !(last < T(rule.keep));
-    Shot<T> shot = problem.shoot(x, rule.events, fresh);
-    if (jacobian && !fresh) shot.jacobian = best.shot.jacobian;
-    const T residual = residual_of(problem, shot, x, rule);
+    const bool fresh = !derivative && !(last < T(rule.reuse_below));
+    Evaluation<T> at = equations.evaluate(x, rule.events, fresh);
+    if (!fresh) at.jacobian = derivative ? *derivative : best.evaluation.jacobian;
+    const T residual = relative_residual(equations, at, x, rule);
     best.history.push_back({double(residual), 0});
-    if (!(residual < T(rule.graded ? 1e300 : 1e3)))
-      throw failure(problem, "Newton runs away", best);
+    if (!(residual < T(rule.scaled ? 1e300 : 1e3)))
+      throw failure(equations, "Newton runs away", best);
     // Keep the better point, and stop once rounding keeps a small residual from falling further
-    const bool small = last <= rule.enough(), better = residual < last;
-    if (better || !small) best.shot = std::move(shot), best.x = x;
+    const bool small = last <= rule.converged_below(), better = residual < last;
+    if (better || !small) best.evaluation = std::move(at), best.x = x;
     if (small && !(residual < last / T(4))) {
       if (!better) best.history.pop_back();
-      return accepted(problem, std::move(best), rule);
+      return accepted(equations, std::move(best), rule);
     }
     // Step on, with care as long as the orbit is far away
     last = residual;
-    const Vector<T> step = direction(best.shot, x), unit = problem.sizes(x, rule.graded).unknown;
+    const Vector<T> step = solve_scaled<T>(best.evaluation.jacobian, best.evaluation.residual,
+                                           equations.sizes(x, true), rule.rank),
+                    unit = equations.sizes(x, rule.scaled).unknown;
     best.history.back().step = double(sup<T>(step.cwiseQuotient(unit)));
-    x -= (rule.damped && last > rule.enough() ? damping(problem, step, last, best, rule) : T(1)) *
-         step;
+    const bool far = last > rule.converged_below();
+    x -= (rule.damped && far ? damping(equations, step, last, best, rule) : T(1)) * step;
   }
-  throw failure(problem, "Newton does not converge", best);
+  throw failure(equations, "Newton does not converge", best);
 }
 
-// The plain method: the exact derivative at each point
-template <class T>
-Solution<T> solve(const NewtonProblem<T>& problem, const Vector<T>& x, const NewtonRule<T>& rule) {
-  return iterate<T>(problem, x, rule, true, [&](const Shot<T>& shot, const Vector<T>& at) {
-    return solve_scaled<T>(shot.jacobian, shot.miss, problem.sizes(at, true), rule.rank);
-  });
-}
-
-#define LATTICE_INSTANCES(T)                                                                      \
-  template T sup<T>(const Vector<T>&);                                                            \
-  template Vector<T> solve_scaled<T>(Matrix<T>, Vector<T>, const Sizes<T>&, double);              \
-  template bool is_accurate<T>(const FlowReport<T>&, const EventTolerance<T>&);                   \
-  template Solution<T> iterate<T>(const NewtonProblem<T>&, Vector<T>, const NewtonRule<T>&, bool, \
-                                  const Direction<T>&);                                           \
-  template Solution<T> solve<T>(const NewtonProblem<T>&, const Vector<T>&, const NewtonRule<T>&);
+#define LATTICE_INSTANCES(T)                                                           \
+  template T sup<T>(const Vector<T>&);                                                 \
+  template Vector<T> solve_scaled<T>(Matrix<T>, Vector<T>, const Sizes<T>&, double);   \
+  template bool is_accurate<T>(const FlowReport<T>&, const EventTolerance<T>&);        \
+  template Solution<T> newton<T>(const Equations<T>&, Vector<T>, const NewtonRule<T>&, \
+                                 const Matrix<T>*);
 #include "lattice/model/instances.hpp"
 
 }  // namespace lattice

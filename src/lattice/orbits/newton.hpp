@@ -4,20 +4,10 @@
 
 To find $x$ with $f(x) = 0$, Newton's method repeats $x \leftarrow x - f'(x)^{-1} f(x)$ from a guess; once
 it is close, each step doubles the number of correct digits. Here $x$ is the initial state of a periodic
-orbit, as far as it is unknown, and $f$ says by how much the orbit fails to close (symmetry.hpp).
+orbit, as far as it is unknown, and the residual $f(x)$ says by how much the orbit fails to close (symmetry.hpp).
 
-The same code serves every periodic orbit, because it knows only *problems*: objects that turn a vector of
-unknowns into residuals and their derivatives, and that say how large unknowns and equations are. This
-file holds the method, its history and its failures; shooting.hpp makes a problem of a chain.
-
-A problem `P` has
-
-| member | meaning |
-|---|---|
-| `P::Scalar` | the number type |
-| `shoot(x, landing, with_jacobian)` | a `Shot`: residuals, derivatives, report of the integrator |
-| `sizes(x, graded)` | the units in which unknowns and equations are measured |
-| `name()` | what is looked for, for messages | */
+`newton` takes functions for $f$ and $f'$ (`Equations`) and a guess, and knows nothing else, so that it serves every
+periodic orbit. This file holds the method, its history and its failures; shooting.hpp has the equations of a chain. */
 
 #include <functional>
 #include <stdexcept>
@@ -35,13 +25,15 @@ template <class T>
 T sup(const Vector<T>& x);
 
 /**
-Newton's method learns about a problem from one integration at a time, a shot. It tells by how much the
-equations are missed, how that depends on the unknowns, and how accurate the flow was (event_driven.hpp). */
+## The equations
+
+Residual and derivative come from one integration. */
+/// What one integration tells of the equations at x.
 template <class T>
-struct Shot {
-  Vector<T> miss, miss_period;  ///< residuals and their derivative with respect to the period
-  Matrix<T> jacobian;           ///< with respect to the unknowns; empty if it was not asked for
-  FlowReport<T> flow;           ///< of the integration; all zero from another integrator
+struct Evaluation {
+  Vector<T> residual, residual_period;  ///< f and its derivative with respect to the period
+  Matrix<T> jacobian;                   ///< f', one row an equation; empty if it was not asked for
+  FlowReport<T> flow;  ///< how accurate the integration was; all zero from another integrator
 };
 
 /// The units of unknowns and of equations.
@@ -49,6 +41,53 @@ template <class T>
 struct Sizes {
   Vector<T> unknown, equation;
 };
+
+/// Equations f(x) = 0, as functions of the unknowns x.
+template <class T>
+struct Equations {
+  std::string name;  ///< what is looked for, for messages
+  /// f(x), and f'(x) if the `derivative` is wanted.
+  std::function<Evaluation<T>(const Vector<T>& x, const EventTolerance<T>&, bool derivative)>
+      evaluate;
+  /// The units at x: the local size if `scaled`, else the amplitude.
+  std::function<Sizes<T>(const Vector<T>& x, bool scaled)> sizes;
+  /// How large the motion is; where this is given the method does not go to rest.
+  std::function<T(const Vector<T>& x)> amplitude{};
+};
+
+/**
+Where nothing but $f$ is known, central differences give the derivative. Their error decides how fast the method
+converges, but not where. */
+/// The derivative of `residual` at `x`, from changes of each unknown by `change` to either side.
+template <class T, class Residual>
+Matrix<T> central_differences(const Residual& residual, const Vector<T>& x, const T& change) {
+  Matrix<T> out;
+  for (Eigen::Index k = 0; k < x.size(); ++k) {
+    Vector<T> more = x, less = x;
+    more[k] += change, less[k] -= change;
+    const Vector<T> column = (residual(more) - residual(less)) / (T(2) * change);
+    if (k == 0) out.resize(column.size(), x.size());
+    out.col(k) = column;
+  }
+  return out;
+}
+
+/// The equations residual(x) = 0, as many as unknowns, in units of the largest unknown; `change` is that of the
+/// differences in this unit.
+template <class T, class Residual>
+Equations<T> by_differences(const std::string& name, const Residual& residual, const T& change) {
+  return {name,
+          [=](const Vector<T>& x, const EventTolerance<T>&, bool derivative) {
+            Evaluation<T> out;
+            out.residual = residual(x);
+            if (derivative) out.jacobian = central_differences<T>(residual, x, change * sup(x));
+            return out;
+          },
+          [](const Vector<T>& x, bool) {
+            const Vector<T> size = Vector<T>::Constant(x.size(), sup(x));
+            return Sizes<T>{size, size};
+          }};
+}
 
 /**
 ## A step
@@ -66,7 +105,7 @@ Vector<T> solve_scaled(Matrix<T> matrix, Vector<T> right, const Sizes<T>& size, 
 ## History and failure
 
 A result that has not converged must not leave a program unnoticed, so every iteration is recorded.
-Residual and step are relative to the amplitude of the orbit, or, if `graded`, to the local size, so that
+Residual and step are relative to the amplitude of the orbit, or, if `scaled`, to the local size, so that
 the tail has to converge as well as the centre. */
 struct Iteration {
   double residual, step;  ///< the step from that point on; zero where none was made
@@ -91,15 +130,15 @@ struct NewtonFailed : std::runtime_error {
 template <class T>
 struct NewtonRule {
   EventTolerance<T> events{};  ///< of the flow
-  int most = 30;               ///< iterations
-  bool graded = false;         ///< demand relative accuracy of every site
-  bool damped = false;         ///< halve a step until it lowers the residual
-  double rank = 0;             ///< see solve_system
-  double keep = 0;             ///< where the residual falls below it the last derivative serves on
-  /// A residual below which the method may stop, as soon as the residual no longer falls. A shot of many
-  /// steps misses by some multiple of the tolerance of one; relative to the local size, in the tail, by
-  /// a thousand times more.
-  T enough() const { return T(graded ? 65536 : 64) * events.tolerance; }
+  int most_steps = 30;
+  bool scaled = false;     ///< demand relative accuracy of every site
+  bool damped = false;     ///< halve a step until it lowers the residual
+  double rank = 0;         ///< see solve_system
+  double reuse_below = 0;  ///< once the residual is below it, the last derivative serves on
+  /// A residual below which the method may stop, as soon as the residual no longer falls. An evaluation of many
+  /// steps has some multiple of the error of one; relative to the local size, in the tail, a thousand times
+  /// more.
+  T converged_below() const { return T(scaled ? 65536 : 64) * events.tolerance; }
 };
 
 /**
@@ -108,67 +147,27 @@ own error. If one could not meet the tolerance, or if a contact that matters ope
 of a step (`missed_events`), the residual means nothing and the orbit is refused. */
 /// Whether the flow is good enough for an orbit.
 template <class T>
-bool is_accurate(const FlowReport<T>& flow, const EventTolerance<T>& landing);
+bool is_accurate(const FlowReport<T>& flow, const EventTolerance<T>& rule);
 
-/// Where the iteration ended: unknowns, the shot from there, and all iterations.
+/// Where the iteration ended: unknowns, the evaluation there, and all iterations.
 template <class T>
 struct Solution {
   Vector<T> x;
-  Shot<T> shot;
+  Evaluation<T> evaluation;
   History history;
 };
 
 /**
-What the method sees of a problem are these three functions. Any object with members of these names will do. */
+## The method
+
+Most of the time goes into the derivative. Once the residual has fallen below `reuse_below`, the last one is good
+enough for all digits; so is one that was computed before, of the same orbit in another precision. The method stops
+when the residual is small and no longer falls by a factor of four, and keeps the better of the last two points;
+rounding then forbids more. Anything else is a failure. */
+/// The solution near the guess `x`. If a `derivative` is given it serves at all points, and no other is computed.
+/// Throws NewtonFailed, with the history.
 template <class T>
-struct NewtonProblem {
-  std::function<Shot<T>(const Vector<T>& x, const EventTolerance<T>&, bool with_jacobian)> shoot;
-  std::function<Sizes<T>(const Vector<T>& x, bool graded)> sizes;
-  std::function<std::string()> name;
-  /// How large the motion is; where this is given the method does not go to rest.
-  std::function<T(const Vector<T>& x)> amplitude{};
-};
-
-/// `problem` as Newton's method sees it; it must live as long.
-template <class P>
-NewtonProblem<typename P::Scalar> seen(const P& problem) {
-  using T = typename P::Scalar;
-  return {[&](const Vector<T>& x, const EventTolerance<T>& landing, bool with_jacobian) {
-            return problem.shoot(x, landing, with_jacobian);
-          },
-          [&](const Vector<T>& x, bool graded) { return problem.sizes(x, graded); },
-          [&] { return problem.name(); }};
-}
-
-/**
-## The iteration
-
-Now everything is put together. `direction` gives the step from a shot: `solve`, below, uses the exact
-derivative, `polish` of shooting.hpp one that was computed before. We stop when the residual is small and
-no longer falls by a factor of four, and keep the better of the last two points; rounding then forbids
-more. Anything else is a failure. */
-/// The step from a shot at `x`; it is subtracted.
-template <class T>
-using Direction = std::function<Vector<T>(const Shot<T>&, const Vector<T>& x)>;
-
-/// The solution near `x`, with steps from `direction`; shots have a derivative if `jacobian` is set. Throws
-/// NewtonFailed.
-template <class T>
-Solution<T> iterate(const NewtonProblem<T>& problem, Vector<T> x, const NewtonRule<T>& rule,
-                    bool jacobian, const Direction<T>& direction);
-
-/**
-The plain method uses the derivative at each point, of which the columns of the tangent take most of the time; once the
-residual has fallen below `keep`, the derivative of that point is good enough for all digits. `solve` returns the solution near the guess `x`, or
-throws NewtonFailed, with the history. */
-template <class T>
-Solution<T> solve(const NewtonProblem<T>& problem, const Vector<T>& x,
-                  const NewtonRule<T>& rule = {});
-
-/// The same for any problem.
-template <class P, class T = typename P::Scalar>
-Solution<T> solve(const P& problem, const Vector<T>& x, const NewtonRule<T>& rule = {}) {
-  return solve(seen(problem), x, rule);
-}
+Solution<T> newton(const Equations<T>& equations, Vector<T> x, const NewtonRule<T>& rule = {},
+                   const Matrix<T>* derivative = nullptr);
 
 }  // namespace lattice

@@ -37,7 +37,7 @@ Orbit<double> continue_to(Shooting<double> problem, const Orbit<double>& from,
   if (target.sites != problem.chain.sites)
     throw std::invalid_argument("a path leads between two chains of one length");
   NewtonRule<double> rule;
-  rule.damped = true, rule.most = 12, rule.keep = 1e-9;
+  rule.damped = true, rule.most_steps = 12, rule.reuse_below = 1e-9;
   const Chain start = problem.chain;
   Orbit<double> here = from;
   Vector<double> slope = Vector<double>::Zero(from.x.size());

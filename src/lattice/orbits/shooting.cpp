@@ -96,14 +96,14 @@ std::vector<T> local_sizes(const State<T>& state, double alpha) {
 
 /**
 Unknowns and equations have the size of the site that they name first; a free period has the size one.
-Unless `graded`, and for orbits that do not decay in space, the amplitude of the orbit serves for all; so it does
+Unless `scaled`, and for orbits that do not decay in space, the amplitude of the orbit serves for all; so it does
 between compressed beads, whose linear tail no law tells beforehand. */
 template <class T>
-Sizes<T> Shooting<T>::sizes(const Vector<T>& x, bool graded) const {
+Sizes<T> Shooting<T>::sizes(const Vector<T>& x, bool scaled) const {
   const State<T> start = expand(x);
   const std::size_t n = chain.sites;
   const bool falls = symmetry.decays && !(chain.contact.stiffness(0.0) > 0);
-  const std::vector<T> local = graded && falls ? local_sizes(start, chain.contact.exponent())
+  const std::vector<T> local = scaled && falls ? local_sizes(start, chain.contact.exponent())
                                                : std::vector<T>(n, largest(start));
   Sizes<T> out;
   out.unknown = Vector<T>::Ones(x.size());
@@ -116,65 +116,77 @@ Sizes<T> Shooting<T>::sizes(const Vector<T>& x, bool graded) const {
 }
 
 /**
-## A shot
+## An evaluation
 
-First the residuals, for which the two ends of a flight are enough. */
+First the residuals, for which the two ends of the integration are enough. */
 template <class T>
 Vector<T> Shooting<T>::residuals(const State<T>& start, const State<T>& end) const {
-  Vector<T> miss = Vector<T>::Zero(Eigen::Index(symmetry.equations.size()));
+  Vector<T> out = Vector<T>::Zero(Eigen::Index(symmetry.equations.size()));
   for (std::size_t i = 0; i < symmetry.equations.size(); ++i) {
-    T& sum = miss[Eigen::Index(i)];
+    T& sum = out[Eigen::Index(i)];
     for (const Term& term : symmetry.equations[i].end) sum += T(term.sign) * entry(end, term.index);
     for (const Term& term : symmetry.equations[i].start)
       sum += T(term.sign) * entry(start, term.index);
   }
-  return miss;
+  return out;
 }
 
 /**
 Residuals are combinations of entries of the state, so the rows of their Jacobian are the same
 combinations of rows of the tangent. */
 template <class T>
-void add_slopes_of(const Symmetry& symmetry, const Tangent<T>& begin, const Tangent<T>& end,
-                   Matrix<T>& jacobian) {
-  for (std::size_t i = 0; i < symmetry.equations.size(); ++i)
-    for (std::size_t k = 0; k < symmetry.unknowns.size(); ++k) {
-      T& sum = jacobian(Eigen::Index(i), Eigen::Index(k));
+Matrix<T> Shooting<T>::slopes(const Tangent<T>& start, const Tangent<T>& end) const {
+  const std::size_t rows = symmetry.equations.size(), columns = symmetry.unknowns.size();
+  Matrix<T> out =
+      Matrix<T>::Zero(Eigen::Index(rows), Eigen::Index(columns + (symmetry.free_period ? 1 : 0)));
+  for (std::size_t i = 0; i < rows; ++i)
+    for (std::size_t k = 0; k < columns; ++k) {
+      T& sum = out(Eigen::Index(i), Eigen::Index(k));
       for (const Term& term : symmetry.equations[i].end) sum += T(term.sign) * end(term.index, k);
       for (const Term& term : symmetry.equations[i].start)
-        sum += T(term.sign) * begin(term.index, k);
+        sum += T(term.sign) * start(term.index, k);
     }
+  return out;
 }
 
 /**
-A shot carries one column of the tangent for each unknown and no others. A change of the period by
-$\delta T$ moves the end of the flight along the orbit: by its rate of change there times $\delta T$ over
-the number of parts. */
+The tangent has one column for each unknown and no others. A change of the period by $\delta T$ moves the end of
+the integration along the orbit: by its rate of change there times $\delta T$ over the number of parts. */
 template <class T>
-Shot<T> Shooting<T>::shoot(const Vector<T>& x, const EventTolerance<T>& rule,
-                           bool with_jacobian) const {
+Evaluation<T> Shooting<T>::evaluate(const Vector<T>& x, const EventTolerance<T>& rule,
+                                    bool with_jacobian) const {
   const State<T> start = expand(x);
   State<T> z = start;
   const Tangent<T> first =
       with_jacobian ? tangent_of<T>(symmetry.unknowns, chain.sites) : Tangent<T>(0, 0);
   Tangent<T> tangent = first;
-  Shot<T> shot;
-  shot.flow =
+  Evaluation<T> out;
+  out.flow =
       flow(chain, z, period(x) / T(symmetry.parts), rule, with_jacobian ? &tangent : nullptr);
   State<T> rate(chain.sites);
   rate.y = z.v;
   rate.v = accelerations(chain, z.y);
-  shot.miss = residuals(start, z);
-  shot.miss_period = residuals(State<T>(chain.sites), rate) / T(symmetry.parts);
-  if (!with_jacobian) return shot;
-  shot.jacobian = Matrix<T>::Zero(shot.miss.size(), x.size());
-  add_slopes_of(symmetry, first, tangent, shot.jacobian);
-  if (symmetry.free_period) shot.jacobian.col(x.size() - 1) = shot.miss_period;
-  return shot;
+  out.residual = residuals(start, z);
+  out.residual_period = residuals(State<T>(chain.sites), rate) / T(symmetry.parts);
+  if (!with_jacobian) return out;
+  out.jacobian = slopes(first, tangent);
+  if (symmetry.free_period) out.jacobian.col(x.size() - 1) = out.residual_period;
+  return out;
+}
+
+template <class T>
+Equations<T> Shooting<T>::equations() const {
+  const State<T> rest(chain.sites);
+  return {name(),
+          [*this](const Vector<T>& x, const EventTolerance<T>& rule, bool derivative) {
+            return evaluate(x, rule, derivative);
+          },
+          [*this](const Vector<T>& x, bool scaled) { return sizes(x, scaled); },
+          [*this, rest](const Vector<T>& x) { return largest_difference(expand(x), rest); }};
 }
 
 /**
-Everything but the two derivatives is read off the last shot; the area of the period is that of the
+Everything but the two derivatives is read off the last evaluation; the area of the period is that of the
 computed part times the number of parts. */
 template <class T>
 Orbit<T> describe(const Shooting<T>& problem, const Solution<T>& found) {
@@ -184,10 +196,10 @@ Orbit<T> describe(const Shooting<T>& problem, const Solution<T>& found) {
   orbit.omega = T(2) * pi<T>() / problem.period(found.x);
   if (!problem.symmetry.free_period) orbit.omega = problem.omega;
   orbit.energy = energy(problem.chain, orbit.start);
-  orbit.area = T(problem.symmetry.parts) * found.shot.flow.area;
+  orbit.area = T(problem.symmetry.parts) * found.evaluation.flow.area;
   orbit.amplitude = largest(orbit.start);
   orbit.history = found.history;
-  orbit.error = found.shot.flow.error;
+  orbit.error = found.evaluation.flow.error;
   return orbit;
 }
 
@@ -205,43 +217,31 @@ void add_slopes(const Shooting<T>& problem, const Vector<T>& x_omega, Orbit<T>& 
         T(problem.chain.mass_of(n)) * (orbit.start.v[n] * rate.v[n] - a[n] * rate.y[n]);
 }
 
-/// The problem as Newton's method sees it, which is not to end at rest.
-template <class T>
-NewtonProblem<T> moving(const Shooting<T>& problem) {
-  NewtonProblem<T> out = seen(problem);
-  out.amplitude = [&](const Vector<T>& x) {
-    return largest_difference(problem.expand(x), State<T>(problem.chain.sites));
-  };
-  return out;
-}
-
 // Solve for the orbit, then differentiate along the branch: a change of frequency changes the
 // period, and one more solution with the same Jacobian says how the start must follow
 template <class T>
 Orbit<T> newton(const Shooting<T>& problem, const Vector<T>& x, const NewtonRule<T>& rule) {
-  const Solution<T> found = solve(moving(problem), x, rule);
+  const Solution<T> found = newton(problem.equations(), x, rule);
   Orbit<T> orbit = describe(problem, found);
-  orbit.jacobian = found.shot.jacobian.template cast<double>();
+  orbit.jacobian = found.evaluation.jacobian.template cast<double>();
   if (problem.symmetry.free_period) return orbit;
   const T longer = -problem.period() / problem.omega;  // derivative of the period
-  add_slopes<T>(problem,
-                -solve_scaled<T>(found.shot.jacobian, longer * found.shot.miss_period,
-                                 problem.sizes(found.x, true), rule.rank),
-                orbit);
+  add_slopes<T>(
+      problem,
+      -solve_scaled<T>(found.evaluation.jacobian, longer * found.evaluation.residual_period,
+                       problem.sizes(found.x, true), rule.rank),
+      orbit);
   return orbit;
 }
 
-// More digits with the Jacobian of the coarser type; only the miss is computed in the wider one
+// More digits with the Jacobian of the coarser type; only the residual is computed in the finer one
 template <class T, class From>
-Orbit<T> polish(const Shooting<T>& problem, const Orbit<From>& from, const NewtonRule<T>& rule) {
+Orbit<T> newton(const Shooting<T>& problem, const Orbit<From>& from, const NewtonRule<T>& rule) {
   const Vector<T> guess = from.x.template cast<T>();
+  const Matrix<T> derivative = from.jacobian.template cast<T>();
   Solution<T> found;
   try {
-    found = iterate<T>(
-        moving(problem), guess, rule, false, [&](const Shot<T>& shot, const Vector<T>& at) {
-          const Sizes<T> size = problem.sizes(at, true);
-          return solve_scaled<T>(from.jacobian.template cast<T>(), shot.miss, size, rule.rank);
-        });
+    found = newton(problem.equations(), guess, rule, &derivative);
   } catch (const NewtonFailed&) {
     return newton(problem, guess, rule);
   }
@@ -255,17 +255,17 @@ Orbit<T> polish(const Shooting<T>& problem, const Orbit<From>& from, const Newto
   template Tangent<T> tangent_of<T>(const Basis&, std::size_t);                            \
   template struct Shooting<T>;                                                             \
   template Orbit<T> newton<T>(const Shooting<T>&, const Vector<T>&, const NewtonRule<T>&); \
-  template Orbit<T> polish<T, double>(const Shooting<T>&, const Orbit<double>&,            \
+  template Orbit<T> newton<T, double>(const Shooting<T>&, const Orbit<double>&,            \
                                       const NewtonRule<T>&);
 #include "lattice/model/instances.hpp"
 
-// Orbits are polished from double precision, and from extended precision on.
+// An orbit begins at one of double precision, or of extended precision.
 #ifdef LATTICE_QUADRUPLE
-template Orbit<Quadruple> polish<Quadruple, long double>(const Shooting<Quadruple>&,
+template Orbit<Quadruple> newton<Quadruple, long double>(const Shooting<Quadruple>&,
                                                          const Orbit<long double>&,
                                                          const NewtonRule<Quadruple>&);
 #elif !defined(__wasm__)
-template Orbit<long double> polish<long double, long double>(const Shooting<long double>&,
+template Orbit<long double> newton<long double, long double>(const Shooting<long double>&,
                                                              const Orbit<long double>&,
                                                              const NewtonRule<long double>&);
 #endif

@@ -8,8 +8,8 @@ Taken literally these are two equations per site, with an almost singular matrix
 orbit is shifted in time, and nearly true if it is shifted along the chain. The symmetries of the orbit
 (symmetry.hpp) remove both directions and leave less to compute.
 
-A chain, a symmetry and a frequency make a problem in the sense of newton.hpp. The flow is that of
-event_driven.hpp, with its exact derivative (tangent.hpp). */
+A chain, a symmetry and a frequency give the equations for newton.hpp. The flow is that of event_driven.hpp,
+with its exact derivative (tangent.hpp). */
 
 #include <cmath>
 #include <cstddef>
@@ -59,7 +59,6 @@ localized orbit should have `floor = 0` (contact.hpp), because the tail is part 
 free it is the last unknown. */
 template <class T>
 struct Shooting {
-  using Scalar = T;
   Chain chain;
   Symmetry symmetry;
   T omega{};  ///< frequency, not used if the period is free
@@ -75,12 +74,17 @@ struct Shooting {
   /// The unknowns of a state; a free period is taken from its time.
   Vector<T> reduce(const State<T>& state) const;
   /// The sizes to which residuals and steps are relative (newton.hpp).
-  Sizes<T> sizes(const Vector<T>& x, bool graded) const;
-  /// Integrates over the part of a period that the symmetry leaves, and says by how much the equations
-  /// are missed; with the derivative, one row an equation, if it is wanted.
-  Shot<T> shoot(const Vector<T>& x, const EventTolerance<T>& rule, bool with_jacobian = true) const;
-  /// By how much a flight from `start` to `end`, however it was computed, misses the equations.
+  Sizes<T> sizes(const Vector<T>& x, bool scaled) const;
+  /// Integrates over the part of a period that the symmetry leaves; residuals of the equations, with the
+  /// derivative, one row an equation, if it is wanted.
+  Evaluation<T> evaluate(const Vector<T>& x, const EventTolerance<T>& rule,
+                         bool with_jacobian = true) const;
+  /// The equations for Newton's method, which does not go to rest; they hold a copy of the problem.
+  Equations<T> equations() const;
+  /// The residuals from the states at both ends of the integration, however it was made.
   Vector<T> residuals(const State<T>& start, const State<T>& end) const;
+  /// Their derivative from the tangents at both ends, one column an unknown; that of a free period is zero.
+  Matrix<T> slopes(const Tangent<T>& start, const Tangent<T>& end) const;
 };
 
 /**
@@ -98,7 +102,7 @@ struct Orbit {
   T omega{}, energy{}, area{};
   T energy_omega{};         ///< derivative of the energy along the branch
   T amplitude{};            ///< largest modulus of positions and velocities at t = 0
-  Matrix<double> jacobian;  ///< of the equations, for `polish`
+  Matrix<double> jacobian;  ///< of the equations, for another `newton`
   History history;
   T error{};  ///< of the flow, by its own estimate, relative to the amplitude
   /// The last residual, relative to the amplitude.
@@ -121,14 +125,14 @@ template <class T>
 Orbit<T> newton(const Shooting<T>& problem, const Vector<T>& x, const NewtonRule<T>& rule = {});
 
 /**
-## The same orbit in another precision
-
 Digits are confirmed by computing an orbit again in extended precision. If double precision has found it,
 extended precision needs no derivative of its own: with the old one each step gains as many digits as the
 derivative has, about twelve, and the columns of the tangent, which take most of the time, are not
-computed. If this does not converge, Newton's method takes over. Throws NewtonFailed if that fails. */
+computed. */
+/// The orbit near another one, of this or of a coarser precision, whose derivative serves. If that does not
+/// converge the method starts again with its own. Throws NewtonFailed if that fails.
 template <class T, class From>
-Orbit<T> polish(const Shooting<T>& problem, const Orbit<From>& from,
+Orbit<T> newton(const Shooting<T>& problem, const Orbit<From>& from,
                 const NewtonRule<T>& rule = {});
 
 }  // namespace lattice

@@ -48,7 +48,7 @@ Symmetry centred(Centre centre, std::size_t sites) {
   return centre == Centre::bond ? bond_centred(sites) : site_centred(sites);
 }
 
-// A state that returns after its flight, moved along by `shift` sites
+// A state that returns after the period, moved along by `shift` sites
 Symmetry travelling(std::size_t sites, std::size_t shift, bool ring, bool free_period) {
   Symmetry s{.name = shift == 0 ? "periodic" : "travelling",
              .sites = sites,

@@ -30,8 +30,8 @@ using Combination = std::vector<Term>;
 /// Directions in phase space, each of them a column of the tangent map (tangent.hpp).
 using Basis = std::vector<Combination>;
 
-/// A sum of entries of the state at the end of the flight (the part of the period that is computed) and
-/// of the state at its start. It must vanish.
+/// A sum of entries of the state at the end of the shooting segment (the part of the period that is computed)
+/// and of the state at its start. It must vanish.
 struct Equation {
   Combination end{}, start{};
 };
