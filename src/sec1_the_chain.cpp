@@ -388,24 +388,7 @@ One meaning each where no chapter says otherwise.
 | $\mu$, $\delta$ | frequency of a stationary state of that equation; distance $\omega_b-1$ |
 | $\lambda$, $\kappa$ | Floquet multiplier, and $(\lambda+\lambda^{-1}-2)/4$ of a pair of them |
 | $E_{PN}$ | Peierls–Nabarro barrier: energy of the site-centred breather minus that of the bond-centred one |
-| $T$ | inverse speed of a travelling breather: the time after which the next site does the same | 
-## How the chapters depend on each other
-
-A chapter needs those to the left of it, and the headers that it names. `[2]` is in the second volume, beyond the article.
-
-    sec1 -- sec31 DpS limit -- sec32 static breathers -- sec32 barrier -- sec33 stability -- sec33 mobility
-       |         |                 (DpS and chain)                            +-- [2] sec33 between
-       |         |                                                            +-- [2] sec33 multiplier errors
-       |         |                                                            +-- sec33 stability, DpS
-       |         +-- sec34 impact, gentle -- sec34 impact, strong -- sec34 turning -- [2] which, why
-       |         |            |                    +-- sec34 kink
-       |         |            |                    +-- [2] secB numbers of other authors
-       |         |            +-- sec35 scales -- sec36 array -- [2] experiment, driving -- [2] driven packets
-       |         +-- sec4 precompression -- [2] growth
-       |         +-- [2] travelling breathers -- [2] families -- [2] what becomes of a packet
-       |                      +-- [2] kernel equation -- [2] enclosures
-       +-- sec2 no breathers without wells
-       +-- secA integrators
+| $T$ | inverse speed of a travelling breather: the time after which the next site does the same |
 
 ## Try it
 

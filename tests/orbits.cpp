@@ -139,12 +139,12 @@ TEST_CASE("the slopes along a branch are those between its orbits", "[unit][orbi
 TEST_CASE("an orbit is refused where its flow is not accurate", "[unit][orbits]") {
   const Problem good = breather_problem(Centre::site, 1.1, 0, 31);
   const Orbit<double> orbit = find_breather(good);
-  const auto careless = [&](std::size_t unlanded, double error) {
+  const auto careless = [&](std::size_t missed, double error) {
     Equations<double> out = good.equations();
     out.evaluate = [=, &good](const Vector<double>& x, const EventTolerance<double>& rule,
                               bool derivative) {
       Evaluation<double> here = good.evaluate(x, rule, derivative);
-      here.flow.unlanded += unlanded;
+      here.flow.missed_events += missed;
       here.flow.error += error;
       return here;
     };

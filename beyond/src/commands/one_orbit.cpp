@@ -69,7 +69,6 @@ void OneOrbit::parameters(Parameters& p) {
 }
 
 constexpr double two_pi = 2 * std::numbers::pi;
-constexpr double two_pi = 2 * std::numbers::pi;
 
 /**
 The branch is followed in double precision, and its end is confirmed in extended precision. */

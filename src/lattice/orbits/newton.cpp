@@ -45,7 +45,7 @@ Vector<T> solve_scaled(Matrix<T> matrix, Vector<T> right, const Sizes<T>& size, 
 template <class T>
 bool is_accurate(const FlowReport<T>& flow, const EventTolerance<T>& rule) {
   const T tolerance = std::max(rule.tolerance, T(16) * std::numeric_limits<T>::epsilon());
-  return flow.unlanded == 0 && flow.error <= tolerance * T(double(flow.steps + 1));
+  return flow.missed_events == 0 && flow.error <= tolerance * T(double(flow.steps + 1));
 }
 
 namespace {
