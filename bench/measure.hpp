@@ -68,7 +68,7 @@ struct Demand {
 };
 
 /// A competitor: `run` solves the problem with a setting, which is scanned from `coarse` on.
-struct Method {
+struct Contender {
   std::string name;
   bool ours;              ///< or a peer's
   double coarse, factor;  ///< the first setting, and from one to the next
@@ -91,7 +91,7 @@ struct Scan {
 };
 
 /// The scan of a method down to the setting `finest`, or until a run takes longer than `patience` seconds.
-inline Scan scan(const Method& method, const Demand& demand, double patience, double finest) {
+inline Scan scan(const Contender& method, const Demand& demand, double patience, double finest) {
   Scan result;
   int more = method.beyond;
   for (double s = method.coarse; s >= finest && more >= 0; s *= method.factor) {
@@ -156,7 +156,7 @@ inline std::string short_text(double x) {
 /**
 A race: all are scanned, those that qualify are timed, and our best one is compared with all the
 others. One that does not qualify is listed with how far it came. */
-inline void race(Book& book, const std::string& problem, const std::vector<Method>& methods,
+inline void race(Book& book, const std::string& problem, const std::vector<Contender>& methods,
                  const Demand& demand, double patience, double finest, int rounds) {
   const bool tangent = std::isfinite(demand.tangent);
   std::vector<Scan> scans;

@@ -130,17 +130,17 @@ inline void race_monodromies(Book& book, std::size_t sites, int rounds, bool dig
   else
     for (long double x : event_driven<long double>(sites, 0).entries) exact.emplace_back(x);
   const auto peer = [&](const char* label, const gsl_odeiv2_step_type* type) {
-    return Method{label, false, 1e-6, std::pow(10, -0.25),
-                  [=, &exact](double s) { return adaptive_peer(sites, type, s, exact); }};
+    return Contender{label, false, 1e-6, std::pow(10, -0.25),
+                     [=, &exact](double s) { return adaptive_peer(sites, type, s, exact); }};
   };
-  const Method ours{"event location", true, 1e-6, std::pow(10, -0.25), [=, &exact](double s) {
-                      Score score;
-                      const auto m = event_driven<double>(sites, s, &score.evaluations);
-                      score.tangent = largest_difference(m.entries, exact);
-                      return score;
-                    }};
-  const std::vector<Method> methods{ours, peer("GSL rk8pd, tridiagonal", gsl_odeiv2_step_rk8pd),
-                                    peer("GSL rkf45, tridiagonal", gsl_odeiv2_step_rkf45)};
+  const Contender ours{"event location", true, 1e-6, std::pow(10, -0.25), [=, &exact](double s) {
+                         Score score;
+                         const auto m = event_driven<double>(sites, s, &score.evaluations);
+                         score.tangent = largest_difference(m.entries, exact);
+                         return score;
+                       }};
+  const std::vector<Contender> methods{ours, peer("GSL rk8pd, tridiagonal", gsl_odeiv2_step_rk8pd),
+                                       peer("GSL rkf45, tridiagonal", gsl_odeiv2_step_rkf45)};
   race(book, name, methods, {1, 1, 1e-12}, digits ? 1 : 3, 1e-15, rounds);
   if (!digits) return;
   book.ratio(name, "demand: 1e-12", "tangent error, double",

@@ -53,9 +53,9 @@ struct Range {
   double by_step() const { return std::pow(2, -1.0 / parts); }
 };
 
-std::vector<Method> our_methods(const Problem& p, const Range& r) {
-  std::vector<Method> all{{"contact-aware", true, 4 * r.coarse, r.by_step(),
-                           [&p](double h) { return own(p, EventCorrected{h}, true); }, 10}};
+std::vector<Contender> our_methods(const Problem& p, const Range& r) {
+  std::vector<Contender> all{{"contact-aware", true, 4 * r.coarse, r.by_step(),
+                              [&p](double h) { return own(p, EventCorrected{h}, true); }, 10}};
   for (const Scheme& scheme : {verlet(), blanes_moan_4(), blanes_moan_6(), blanes_moan_6_14()})
     for (bool windowed : {true, false})
       all.push_back({scheme.name + (windowed ? ", window" : ", whole chain"), false,
@@ -66,13 +66,13 @@ std::vector<Method> our_methods(const Problem& p, const Range& r) {
   return all;
 }
 
-std::vector<Method> peer_methods(const Problem& p, const Range& r) {
+std::vector<Contender> peer_methods(const Problem& p, const Range& r) {
   using Dopri = odeint::runge_kutta_dopri5<Numbers>;
   using Stoer = odeint::bulirsch_stoer<Numbers>;
   using McLachlan = odeint::symplectic_rkn_sb3a_mclachlan<Numbers>;
   using Verlet = odeint::velocity_verlet<Numbers>;
   const auto adaptive = [&](const char* name, std::function<Score(double)> run) {
-    return Method{name, false, r.tolerance, r.by_tolerance(), run};
+    return Contender{name, false, r.tolerance, r.by_tolerance(), run};
   };
   return {
       adaptive("GSL rk8pd", [&p](double s) { return gsl(p, gsl_odeiv2_step_rk8pd, s); }),
@@ -88,8 +88,8 @@ std::vector<Method> peer_methods(const Problem& p, const Range& r) {
 
 void race_impacts(Book& book, Problem p, const Range& range, double patience, int rounds) {
   find_reference(p);
-  std::vector<Method> methods = our_methods(p, range);
-  for (const Method& m : peer_methods(p, range)) methods.push_back(m);
+  std::vector<Contender> methods = our_methods(p, range);
+  for (const Contender& m : peer_methods(p, range)) methods.push_back(m);
   race(book, p.name, methods, {1e-8, 1e-6, std::numeric_limits<double>::infinity()}, patience,
        1e-15, rounds);
 }
