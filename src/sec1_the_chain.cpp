@@ -397,7 +397,7 @@ One meaning each where no chapter says otherwise.
    restricts the fit of the speed to sites 20 to 60.
 2. *Easy.* The same for the breather: `build/bin/sec32_newton_breathers breather --omega 1.1` gives `amplitude` =
    0.0107480. Hint: how close does this chapter come with half the step?
-3. *Easy.* Take the wells away: `build/bin/sec34_impact run --well none --velocity 1.87` gives `speed` = 0.952600. Which lines
+3. *Harder.* Take the wells away: `build/bin/sec34_impact run --well none --velocity 1.87` gives `speed` = 0.952600. Which lines
    of this chapter have to change for that? Hint: two, and the argument of `packet_speed`.
 4. *Open.* If several beads are struck at once, do they send out one packet or several? */
 void reproduce(Report& report) {
