@@ -2,17 +2,17 @@
 # 1 The chain, and what this book asks of it
 
 A Newton's cradle is a row of balls that touch. Lift the first one, let it fall, and a pulse runs through the row. Now
-hold every ball in a well of its own, so stiff that the ball oscillates while the pulse passes: short strings, or elastic
-beams instead of strings. What travels then is not a pulse but a packet of oscillations, and what stands still may
-be one, too: a *breather*.
+hold every ball in a well of its own, so stiff that the ball oscillates while the pulse passes: short strings, or
+elastic beams instead of strings. What travels then is not a pulse but a packet of oscillations, and what stands still
+may be one, too: a *breather*.
 
 ![A packet that travels, one that turns round, a breather, and its Floquet multipliers.](fig:x36)
 
-This chapter is the article by James, Kevrekidis and Cuevas (Physica D 251, 2013) in a hundred and fifty lines of code. It
-needs mechanics, the C++ standard library and Eigen. Of our own it uses only what writes its tables: `Report`, `Estimate`
-and `compare(coarse, fine)`, which is the finer value with its difference from the coarser one as error, and `Failure`, an
-exception. Readers who reach the end can strike their own chain. Then it says how many of its digits are right, which
-questions it cannot answer, and where the book answers them. */
+This chapter is the article by James, Kevrekidis and Cuevas (Physica D 251, 2013) in a hundred and fifty lines of
+code. It needs mechanics, the C++ standard library and Eigen. Of our own it uses only what writes its tables:
+`Report`, `Estimate` and `compare(coarse, fine)`, which is the finer value with its difference from the coarser one as
+error, and `Failure`, an exception. Readers who reach the end can strike their own chain. Then it says how many of its
+digits are right, which questions it cannot answer, and where the book answers them. */
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -31,16 +31,16 @@ using namespace lattice;
 /**
 ## The equation of motion
 
-Two elastic spheres that overlap by $x$ repel with the force $\gamma\,x^{3/2}$, which is Hertz's law; spheres
-that do not overlap do not act on each other, and none ever pulls. So a contact has no linear part: the gentler the
-motion, the softer it is. The chain has such contacts between neighbours and a well $W$ for every bead, Eqs. (9) and (10) of
+Two elastic spheres that overlap by $x$ repel with the force $\gamma\,x^{3/2}$, which is Hertz's law; spheres that do
+not overlap do not act on each other, and none ever pulls. So a contact has no linear part: the gentler the motion,
+the softer it is. The chain has such contacts between neighbours and a well $W$ for every bead, Eqs. (9) and (10) of
 the article:
 $$\ddot y_n = -W'(y_n) + (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},\qquad
   W(y) = \tfrac12y^2 + \tfrac s4\,y^4,$$
-where $(x)_+$ is $x$ if positive and zero otherwise.
-Lengths and times are measured such that the mass of a bead, the stiffness of its well and that of a contact are one; a
-bead alone oscillates with the frequency one. The number $s$ makes the well harmonic ($s = 0$), hard ($s > 0$) or soft
-($s < 0$). These units are used throughout, except where an experiment is meant (cantilever.hpp converts). */
+where $(x)_+$ is $x$ if positive and zero otherwise. Lengths and times are measured such that the mass of a bead, the
+stiffness of its well and that of a contact are one; a bead alone oscillates with the frequency one. The number $s$
+makes the well harmonic ($s = 0$), hard ($s > 0$) or soft ($s < 0$). These units are used throughout, except where an
+experiment is meant (cantilever.hpp converts). */
 struct Chain {
   Index sites;
   double s = 0;  // anharmonicity of the wells
@@ -68,8 +68,8 @@ VectorXd acceleration(const Chain& chain, const VectorXd& y) {
 /**
 ## A step in time
 
-Verlet's method changes the velocities by half a kick, moves the beads, and kicks them again. It conserves the symplectic
-structure and can be run backwards, as the equation can. Its error falls like $h^2$. */
+Verlet's method changes the velocities by half a kick, moves the beads, and kicks them again. It conserves the
+symplectic structure and can be run backwards, as the equation can. Its error falls like $h^2$. */
 struct State {
   VectorXd y, v;
 };
@@ -86,8 +86,8 @@ State after(const Chain& chain, State now, double time, int steps) {
 }
 
 /**
-Each bead has its kinetic energy, that of its well and that of the contact to its right, Eq. (23). The densities $e_n$ add
-up to the energy $\mathcal H$ of the chain, Eq. (6), which the motion conserves. */
+Each bead has its kinetic energy, that of its well and that of the contact to its right, Eq. (23). The densities $e_n$
+add up to the energy $\mathcal H$ of the chain, Eq. (6), which the motion conserves. */
 VectorXd energy_density(const Chain& chain, const State& now) {
   VectorXd e(chain.sites);
   for (Index n = 0; n < chain.sites; ++n) {
@@ -103,9 +103,9 @@ VectorXd energy_density(const Chain& chain, const State& now) {
 ## An impact, and its packet
 
 Strike the first bead of a chain at rest with the velocity $v_0$, Eq. (26), and look at the energy every 0.2 units of
-time, some thirty times in an oscillation. Ahead of the packet displacements fall off so fast that a few beads on they are
-too small for a number and exactly zero. So the length of the chain is of no consequence as long as its last bead has not
-moved. */
+time, some thirty times in an oscillation. Ahead of the packet displacements fall off so fast that a few beads on they
+are too small for a number and exactly zero. So the length of the chain is of no consequence as long as its last bead
+has not moved. */
 constexpr double every = 0.2;
 
 template <class Look>
@@ -120,10 +120,11 @@ void strike(const Chain& chain, double v0, double h, Look look) {
 }
 
 /**
-The packet is where the energy is. Several may set out from the struck end. The foremost is at the first site, searching
-from the far end, whose energy is the largest of the eleven around it, provided that these hold at least a hundredth of the
-total. Its centre is $X = \sum n\,e_n/\sum e_n$ over these sites, Eq. (24). Here bead `n` has the number $n+1$, so that the
-first is number one; as long as the packet has not left the first five, the first stands for it. */
+The packet is where the energy is. Several may set out from the struck end. The foremost is at the first site,
+searching from the far end, whose energy is the largest of the eleven around it, provided that these hold at least a
+hundredth of the total. Its centre is $X = \sum n\,e_n/\sum e_n$ over these sites, Eq. (24). Here bead `n` has the
+number $n+1$, so that the first is number one; as long as the packet has not left the first five, the first stands for
+it. */
 Index foremost(const VectorXd& e) {
   for (Index n = e.size() - 6; n >= 5; --n) {
     const VectorXd window = e.segment(n - 5, 11);
@@ -159,9 +160,9 @@ double packet_speed(double v0, double h) {
 /**
 ## A packet that turns round
 
-In hard wells a packet slows down, turns and comes back. Now the strongest packet is followed, because on its way back it
-need not be the foremost one. Its centre swings, because the beads of the packet oscillate; the mean over 15 units of time,
-about four of their periods, takes that away. The turning point is the furthest of these means. */
+In hard wells a packet slows down, turns and comes back. Now the strongest packet is followed, because on its way back
+it need not be the foremost one. Its centre swings, because the beads of the packet oscillate; the mean over 15 units
+of time, about four of their periods, takes that away. The turning point is the furthest of these means. */
 struct Turn {
   double site = 0, time = 0;
 };
@@ -188,15 +189,16 @@ Turn turning_point(double v0, double s, double h) {
 ## A breather
 
 A breather is a motion that repeats itself, with a frequency $\omega_b$ and the period $T_b = 2\pi/\omega_b$, and is
-confined to a few beads. A bead alone oscillates with the frequency one. A contact pushes a bead back the way
-it came, as the well does, and so raises the frequency: the breathers have $\omega_b > 1$, and those near one are small.
-(At small amplitudes this holds in hard and soft wells too: the push grows with the power $3/2$, the anharmonic force with
-the power 3.) They do not radiate, since contacts without a linear part carry no small waves from bead to bead. In the tail each
-amplitude is about the power $3/2$ of the one before, a decay faster than any exponential. There are two kinds, symmetric
-about a bead (*site-centred*) or about a contact (*bond-centred*).
+confined to a few beads. A bead alone oscillates with the frequency one. A contact pushes a bead back the way it came,
+as the well does, and so raises the frequency: the breathers have $\omega_b > 1$, and those near one are small. (At
+small amplitudes this holds in hard and soft wells too: the push grows with the power $3/2$, the anharmonic force with
+the power 3.) They do not radiate, since contacts without a linear part carry no small waves from bead to bead. In the
+tail each amplitude is about the power $3/2$ of the one before, a decay faster than any exponential. There are two
+kinds, symmetric about a bead (*site-centred*) or about a contact (*bond-centred*).
 
-How does one find it? Let it start from rest, so that it is even in time. Half a period later it is its own mirror image with
-the sign changed, $y_n(t+T_b/2) = -y_{-n}(t)$. Both together say what must hold after a *quarter* of the period,
+How does one find it? Let it start from rest, so that it is even in time. Half a period later it is its own mirror
+image with the sign changed, $y_n(t+T_b/2) = -y_{-n}(t)$. Both together say what must hold after a *quarter* of the
+period,
 $$y_n + y_{-n} = 0,\qquad \dot y_n - \dot y_{-n} = 0 \qquad\text{at } t = T_b/4,$$
 as many equations as there are beads, for as many unknown positions $y_n(0)$. */
 constexpr double omega_b = 1.1, period = 2 * std::numbers::pi / omega_b;
@@ -211,10 +213,10 @@ VectorXd residual(const Chain& chain, const VectorXd& y, int steps) {
 }
 
 /**
-Small breathers obey the discrete $p$-Schrödinger (DpS) equation of section 3.1. From it the article derives a profile of known size, Eqs. (18) to
-(20): $y_n(0) = 2\epsilon\,(-1)^n\,[g(n+\frac12)+g(n-\frac12)]$ with $g(x) = (\frac3{10})^3\cos^6(x/3)$ and
-$\epsilon = (2\tau_0(\omega_b-1))^2$. It misses the breather by twelve per cent, which is close enough for Newton's
-method to converge. */
+Small breathers obey the discrete $p$-Schrödinger (DpS) equation of section 3.1. From it the article derives a profile
+of known size, Eqs. (18) to (20): $y_n(0) = 2\epsilon\,(-1)^n\,[g(n+\frac12)+g(n-\frac12)]$ with
+$g(x) = (\frac3{10})^3\cos^6(x/3)$ and $\epsilon = (2\tau_0(\omega_b-1))^2$. It misses the breather by twelve per cent,
+which is close enough for Newton's method to converge. */
 VectorXd guess(const Chain& chain) {
   const double tau_0 = 5 * std::pow(std::tgamma(0.25), 2) / (24 * std::sqrt(std::numbers::pi));
   const double eps = std::pow(2 * tau_0 * (omega_b - 1), 2);
@@ -253,11 +255,11 @@ VectorXd breather(const Chain& chain, int steps) {
 /**
 ## Is it stable?
 
-Disturb the breather a little and wait for one period: the disturbance is multiplied by a matrix, the *monodromy*, whose
-eigenvalues are the Floquet multipliers $\lambda$. One outside the unit circle means that some disturbance grows. The
-columns of the matrix are again differences. The equation is Hamiltonian, so whenever $\lambda$ is a
-multiplier, $1/\lambda$ is one too. Two multipliers are exactly $+1$, because the breather may be shifted in time, and two are very close to it,
-because it may nearly be shifted along the chain: the *pinning pair*. */
+Disturb the breather a little and wait for one period: the disturbance is multiplied by a matrix, the *monodromy*,
+whose eigenvalues are the Floquet multipliers $\lambda$. One outside the unit circle means that some disturbance
+grows. The columns of the matrix are again differences. The equation is Hamiltonian, so whenever $\lambda$ is a
+multiplier, $1/\lambda$ is one too. Two multipliers are exactly $+1$, because the breather may be shifted in time, and
+two are very close to it, because it may nearly be shifted along the chain: the *pinning pair*. */
 std::vector<std::complex<double>> multipliers(const Chain& chain, const VectorXd& y, int steps) {
   const Index n = chain.sites;
   const double small = 1e-6 * y.cwiseAbs().maxCoeff();
@@ -280,8 +282,8 @@ std::vector<std::complex<double>> multipliers(const Chain& chain, const VectorXd
 /**
 ## How many digits are right
 
-Every number is computed with a step and with half of it. What this changes is the error of the step; the turning point also
-depends on how the path is smoothed. The last column has the same number by the methods of this book.
+Every number is computed with a step and with half of it. What this changes is the error of the step; the turning
+point also depends on how the path is smoothed. The last column has the same number by the methods of this book.
 
 | number | here | the book's |
 |---|---|---|
@@ -293,8 +295,8 @@ depends on how the path is smoothed. The last column has the same number by the 
 | distance of the fifth multiplier from $+1$ | [0.229543](num:sec1_the_chain.fifth_distance) | [0.229543](num:sec33_floquet.fifth_distance) |
 | the largest distance of the four nearest to it | [0.003](num:sec1_the_chain.fourth_distance) | [0.000214282](num:sec33_floquet.fourth_distance) |
 
-So speed, amplitude and energy are right to four digits at least, the fifth multiplier to six, and the turning point to
-three in space and two in time. Of the four multipliers next to $+1$ not one digit is known. */
+So speed, amplitude and energy are right to four digits at least, the fifth multiplier to six, and the turning point
+to three in space and two in time. Of the four multipliers next to $+1$ not one digit is known. */
 void report_impacts(Report& report) {
   const double h = report.quick ? 0.1 : 0.02;
   report.facts.add("speed", compare(packet_speed(1, h), packet_speed(1, h / 2)),
@@ -370,8 +372,9 @@ Four questions of the article cannot be answered in this way, and each has chapt
 | the smallest kick that sets a breather in motion | it adds $c^2/2 \approx 10^{-11}$ to the energy; within each period Verlet's method changes it by more | impulses of contacts are exact, drift is compared with kick | `sec33_mobility`, `secA_integrators` |
 | where is a packet long after it has turned? | the motion is chaotic: late fates depend on the last digit of the start | two runs that agree, or a count over many runs | `sec34_boomeron`, `sec34_boomeron_why` |
 
-Behind all four stands one fact: the force has no second derivative where a contact opens or closes, so that integrators of
-high order lose their order, and the linearised flow suffers even more (event_corrected.hpp, tangent.hpp).
+Behind all four stands one fact: the force has no second derivative where a contact opens or closes, so that
+integrators of high order lose their order, and the linearised flow suffers even more (event_corrected.hpp,
+tangent.hpp).
 
 ## Letters
 
@@ -397,8 +400,8 @@ One meaning each where no chapter says otherwise.
    restricts the fit of the speed to sites 20 to 60.
 2. *Easy.* The same for the breather: `build/bin/sec32_newton_breathers breather --omega 1.1` gives `amplitude` =
    0.0107480. Hint: how close does this chapter come with half the step?
-3. *Harder.* Take the wells away: `build/bin/sec34_impact run --well none --velocity 1.87` gives `speed` = 0.952600. Which lines
-   of this chapter have to change for that? Hint: two, and the argument of `packet_speed`.
+3. *Harder.* Without wells: `build/bin/sec34_impact run --well none --velocity 1.87` gives `speed` = 0.952600. Which
+   lines of this chapter have to change for that? Hint: two, and the argument of `packet_speed`.
 4. *Open.* If several beads are struck at once, do they send out one packet or several? */
 void reproduce(Report& report) {
   report_impacts(report);
