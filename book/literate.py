@@ -553,8 +553,9 @@ class Bind(SphinxTransform):
         if id not in self.book.numbers:
             say.warning(f"nothing is locked or computed under '{id}'", location=found)
             return nodes.Text(found.astext())
-        text, known = found.astext(), self.book.numbers[id].shown
-        if text and text != known:
+        number = self.book.numbers[id]
+        text, known = found.astext(), number.shown
+        if text not in ("", known, number.shown_in_table):
             say.warning(f"{id} is stale: {text} stands here, {known} is locked (make refresh)", location=found)
         if id in self.book.stale:
             say.warning(f"{id} is stale: computed is another value than {known}, which is locked (make lock)", location=found)

@@ -1,6 +1,6 @@
 """Numbers in prose. Nobody types a result: `[](num:pn.omega11)` names the answer to a claim and
-`[](num:sec32_dps_profiles.norm_site)` a fact of a program, and the text of the link is the locked value. This
-file writes those texts, the tables of the pages, the costs in paper/costs.ecsv, and the files that say to others what
+`[](num:sec32_dps_profiles.norm_site)` a fact of a program, and the text of the link is the locked value, in a row of a
+table with its error. This file writes those texts, the tables of the pages, the costs in paper/costs.ecsv, and the files that say to others what
 codemeta.json says (metadata.py).
 
 The quoted values are the locked ones and not the fresh ones, because another compiler may change a digit of a
@@ -33,7 +33,8 @@ def with_numbers(text, numbers):
             raise ecsv.Fault(f"a link without brackets: {found[0]}")
         if id not in numbers:
             raise ecsv.Fault(f"nothing is locked under '{id}' (a new one: make lock)")
-        return f"[{numbers[id].shown}](num:{id})"
+        row = text[text.rfind("\n", 0, found.start()) + 1:].startswith("|")
+        return f"[{numbers[id].shown_in_table if row else numbers[id].shown}](num:{id})"
 
     return LINK.sub(renewed, text)
 

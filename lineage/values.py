@@ -58,6 +58,12 @@ class Finding:
         return "exact" if self.error == 0 else with_digits(self.error, 1)
 
     @property
+    def shown_in_table(self):
+        """Value and error, where it has one that says more than the last digit."""
+        known = self.kind != "residue" and self.error != 0 and math.isfinite(self.value) and math.isfinite(self.error)
+        return f"{self.shown} ± {self.shown_error}" if known else self.shown
+
+    @property
     def shown_unit(self):
         return f" {self.unit}" if self.unit else ""
 

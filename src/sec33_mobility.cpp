@@ -442,11 +442,11 @@ void report_integrators(Report& report, const RestingBreather& at) {
 
 | | printed | converged | what explains it |
 |---|---|---|---|
-| speed, site | $5.446\cdot10^{-4}$ | [0.000544490](num:moving.v_site) | nothing to explain |
-| speed, bond | $5.364\cdot10^{-4}$ | [0.000536296](num:moving.v_bond) | central contact stretched at $t = 0$, chosen because it fits |
-| distance after the weak kick | 2, and pinned | [2.81675](num:moving.site_below) at $t = 2.5\cdot10^5$, and on | not known |
-| $c_c$ | $6.19\cdot10^{-6}$ | [4.4518e-6](num:moving.c_threshold) | perhaps commensurate steps, or too short a run |
-| $c_c^2/2$ | $1.92\cdot10^{-11}$ | [9.909e-12](num:moving.pn_dynamic) | follows from $c_c$ |
+| speed, site | $5.446\cdot10^{-4}$ | [0.000544490 ± 3e-10](num:moving.v_site) | nothing to explain |
+| speed, bond | $5.364\cdot10^{-4}$ | [0.000536296 ± 2e-10](num:moving.v_bond) | central contact stretched at $t = 0$, chosen because it fits |
+| distance after the weak kick | 2, and pinned | [2.81675 ± 7e-6](num:moving.site_below) at $t = 2.5\cdot10^5$, and on | not known |
+| $c_c$ | $6.19\cdot10^{-6}$ | [4.4518e-6 ± 4e-10](num:moving.c_threshold) | perhaps commensurate steps, or too short a run |
+| $c_c^2/2$ | $1.92\cdot10^{-11}$ | [9.909e-12 ± 2e-15](num:moving.pn_dynamic) | follows from $c_c$ |
 
 [](finding:depinning.law) The pendulum predicts
 [4.45275e-6](num:sec33_mobility.threshold_of_pendulum_bond_stretched). With the central contact compressed the

@@ -78,9 +78,9 @@ $\cos x\cosh x = 1$.
 
 | of a clamped beam | printed | computed |
 |---|---|---|
-| stiffness, in $EI/\ell^3$ | 192 | [192.000](num:beam.stiffness) |
-| frequency $x^2$, in $(EI/\rho A)^{1/2}/\ell^2$ | 22.4 | [22.3733](num:beam.frequency) |
-| effective mass, in masses of the beam | 0.38 | [0.383567](num:beam.mass) |
+| stiffness, in $EI/\ell^3$ | 192 | [192.000 ± 1e-12](num:beam.stiffness) |
+| frequency $x^2$, in $(EI/\rho A)^{1/2}/\ell^2$ | 22.4 | [22.3733 ± 5e-10](num:beam.frequency) |
+| effective mass, in masses of the beam | 0.38 | [0.383567 ± 2e-11](num:beam.mass) |
 
 Here $EI$ is the bending stiffness and $\rho A$ the mass per length. Two beads at the middle change the shape of the
 vibration, so that one point mass for beam and beads is an approximation: the frequency of the model is

@@ -69,7 +69,7 @@ the strongest.
 
 | largest velocity | deflection | force | internal period |
 |---|---|---|---|
-| [0.493588](num:cantilever.bead_velocity) m/s | [10.9505](num:cantilever.deflection) µm | [2.86448](num:cantilever.force) N | [0.143814](num:cantilever.period) ms |
+| [0.493588 ± 4e-7](num:cantilever.bead_velocity) m/s | [10.9505 ± 7e-5](num:cantilever.deflection) µm | [2.86448 ± 4e-5](num:cantilever.force) N | [0.143814 ± 3e-7](num:cantilever.period) ms |
 | printed: 0.5 m/s | 11 µm | 2.8 N | 0.14 ms |
 
 The article prints no way of measuring the *speed*. We take $n$ over the time of the largest force at $n = 80$, where it

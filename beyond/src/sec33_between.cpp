@@ -114,9 +114,9 @@ with a breather around a bond, and [1730](num:sec33_between.chart_nodes_site) ar
 
 | | around a bond | from $\omega_b =$ | around a site | from $\omega_b =$ |
 |---|---|---|---|---|
-| fourth multiplier farther than 0.01 from $+1$ | [398](num:sec33_between.far_bond) | [1.44](num:sec33_between.far_from_bond) | [397](num:sec33_between.far_site) | [1.44](num:sec33_between.far_from_site) |
-| farther than 0.1 | [202](num:sec33_between.farther_bond) | [1.65](num:sec33_between.farther_from_bond) | [201](num:sec33_between.farther_site) | [1.65](num:sec33_between.farther_from_site) |
-| a modulus exceeds one by more than $10^{-3}$ | [823](num:sec33_between.large_bond) | [1.15](num:sec33_between.large_from_bond) | [94](num:sec33_between.large_site) | [1.16](num:sec33_between.large_from_site) |
+| fourth multiplier farther than 0.01 from $+1$ | [398](num:sec33_between.far_bond) | [1.44 ± 0.01](num:sec33_between.far_from_bond) | [397](num:sec33_between.far_site) | [1.44 ± 0.01](num:sec33_between.far_from_site) |
+| farther than 0.1 | [202](num:sec33_between.farther_bond) | [1.65 ± 0.01](num:sec33_between.farther_from_bond) | [201](num:sec33_between.farther_site) | [1.65 ± 0.01](num:sec33_between.farther_from_site) |
+| a modulus exceeds one by more than $10^{-3}$ | [823](num:sec33_between.large_bond) | [1.15 ± 0.01](num:sec33_between.large_from_bond) | [94](num:sec33_between.large_site) | [1.16 ± 0.01](num:sec33_between.large_from_site) |
 
 The largest excess is [1.06121](num:sec33_between.range_largest), around a bond at $\omega_b = 2$ and $s = 1$. Near the ends of
 soft families multipliers beside the four leave the circle too, by up to [0.0493672](num:sec33_between.range_others). Wherever

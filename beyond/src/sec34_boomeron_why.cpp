@@ -318,10 +318,10 @@ table has the furthest site by then.
 
 | $s$, $v_0$ | all waves | $d = 30$ | $20$ | $15$ | $6$ |
 |---|---|---|---|---|---|
-| 1, 1.9 | [20.0468](num:sec34_boomeron_why.apex_10_19_all) | [20.0468](num:sec34_boomeron_why.apex_10_19_30) | [20.0468](num:sec34_boomeron_why.apex_10_19_20) | [20.12](num:sec34_boomeron_why.apex_10_19_15) | [87](num:sec34_boomeron_why.apex_10_19_6) |
-| 0.8, 2.2 | [26.1075](num:sec34_boomeron_why.apex_08_22_all) | [26.1075](num:sec34_boomeron_why.apex_08_22_30) | [26.1258](num:sec34_boomeron_why.apex_08_22_20) | [27.1809](num:sec34_boomeron_why.apex_08_22_15) | [117](num:sec34_boomeron_why.apex_08_22_6) |
-| 1, 1.7 | [54.2](num:sec34_boomeron_why.apex_10_17_all) | [55.30](num:sec34_boomeron_why.apex_10_17_30) | [63.123](num:sec34_boomeron_why.apex_10_17_20) | [64.3195](num:sec34_boomeron_why.apex_10_17_15) | [191.102](num:sec34_boomeron_why.apex_10_17_6) |
-| 0.6, 2.5 | [77.3](num:sec34_boomeron_why.apex_06_25_all) | [75.10](num:sec34_boomeron_why.apex_06_25_30) | [84.241](num:sec34_boomeron_why.apex_06_25_20) | [128.34](num:sec34_boomeron_why.apex_06_25_15) | [227.63](num:sec34_boomeron_why.apex_06_25_6) |
+| 1, 1.9 | [20.0468 ± 0.0006](num:sec34_boomeron_why.apex_10_19_all) | [20.0468 ± 0.0006](num:sec34_boomeron_why.apex_10_19_30) | [20.0468 ± 0.0006](num:sec34_boomeron_why.apex_10_19_20) | [20.12 ± 0.04](num:sec34_boomeron_why.apex_10_19_15) | [87 ± 2](num:sec34_boomeron_why.apex_10_19_6) |
+| 0.8, 2.2 | [26.1075 ± 3e-6](num:sec34_boomeron_why.apex_08_22_all) | [26.1075 ± 3e-6](num:sec34_boomeron_why.apex_08_22_30) | [26.1258 ± 8e-5](num:sec34_boomeron_why.apex_08_22_20) | [27.1809 ± 0.0006](num:sec34_boomeron_why.apex_08_22_15) | [117 ± 1](num:sec34_boomeron_why.apex_08_22_6) |
+| 1, 1.7 | [54.2 ± 0.2](num:sec34_boomeron_why.apex_10_17_all) | [55.30 ± 0.03](num:sec34_boomeron_why.apex_10_17_30) | [63.123 ± 0.002](num:sec34_boomeron_why.apex_10_17_20) | [64.3195 ± 0.0008](num:sec34_boomeron_why.apex_10_17_15) | [191.102 ± 0.0001](num:sec34_boomeron_why.apex_10_17_6) |
+| 0.6, 2.5 | [77.3 ± 0.9](num:sec34_boomeron_why.apex_06_25_all) | [75.10 ± 0.02](num:sec34_boomeron_why.apex_06_25_30) | [84.241 ± 0.002](num:sec34_boomeron_why.apex_06_25_20) | [128.34 ± 0.02](num:sec34_boomeron_why.apex_06_25_15) | [227.63 ± 0.01](num:sec34_boomeron_why.apex_06_25_6) |
 
 With fifteen sites the turning point moves the more, the farther out it is; the first packet is then trapped where it would
 have turned, and the last is still on its way out. With six sites none returns in that time. (At $v_0 = 1.7$ with all waves

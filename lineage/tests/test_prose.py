@@ -20,6 +20,8 @@ class Links(unittest.TestCase):
         ought = "is [1.62e-11](num:pn.omega11), and [3](num:p.x) of [these](fig:07), as `[](num:...)` says."
         self.assertEqual(refresh.with_numbers(prose, numbers), ought)
         self.assertEqual(refresh.with_numbers(ought, numbers), ought)
+        row = "a\n| a | [](num:pn.omega11) | [](num:p.x) |\n"
+        self.assertEqual(refresh.with_numbers(row, numbers), "a\n| a | [1.62e-11 ± 1e-13](num:pn.omega11) | [3](num:p.x) |\n")
         for bad in ("[](num:pn.omega12)", "](num:p.x)", "[](num:p.x"):
             with self.assertRaises(ecsv.Fault):
                 refresh.with_numbers(bad, numbers)

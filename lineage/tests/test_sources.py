@@ -21,10 +21,9 @@ HOUSE_WORDS = re.compile(r"\b(?:wider types?|look-out|bereft|phase pair|switch-l
 
 
 def unreadable(text):
-    """No block of prose has more than 20 lines, but for a proof, which ends with a square and is not broken; no page of
-    code is without a title (40 lines without a comment of their own), and no function has more than 60 lines. Empty lines, the lines that only open or close a block, rows of a
-    table, and preprocessor lines are not counted."""
-    out, prose, code, function, inside, seen, proof = [], 0, 0, None, False, False, False
+    """No page of code is without a title (40 lines without a comment of their own), no function has more than 60 lines,
+    and two blocks of prose have code between them. Empty and preprocessor lines are not counted."""
+    out, code, function, inside, seen = [], 0, None, False, False
     for number, line in enumerate(text.split("\n") + ["// the end"], 1):
         body, at_margin = line.strip(), not line.startswith((" ", "\t"))
         if not body:
@@ -35,7 +34,7 @@ def unreadable(text):
             inside = body.startswith("/**")
             if inside and seen and code == 0:
                 out.append(f"line {number}: no code between two blocks of prose")
-            seen, code, prose = inside, 0, 0
+            seen, code = inside, 0
             body = body[3:]
         elif not inside and body[0] != "#":
             code += 1
@@ -48,11 +47,7 @@ def unreadable(text):
                     out.append(f"line {number}: a function of {function - 1} lines")
                 function = None
         if inside:
-            words, end, _ = body.partition("*/")
-            prose += bool(words.strip()) and not words.strip().startswith("|")
-            proof, inside = r"$\square$" in words, not end
-            if end and prose > (60 if proof else 20):
-                out.append(f"line {number}: {prose} lines of prose")
+            inside = "*/" not in body
     return out
 
 
@@ -93,7 +88,7 @@ class Rules(unittest.TestCase):
             return "/**\n" + "words\n" * n + "*/\n"
 
         x, long = "x;\n", "x;\n" * 41
-        for text, count in [(block(20) + x * 40 + block(20) + x * 40, 0), (block(21) + x, 1), ("/**\n" + "words\n" * 50 + "so. $\\square$ */\nx;\n", 0), (block(1) + long, 1),
+        for text, count in [(block(30) + x * 40 + block(1) + x * 40, 0), (block(1) + long, 1),
                             (block(1) + long + block(1) + x, 1), (block(1) + x * 40 + "// A title\n" + x * 40, 0),
                             (block(1) + x * 40 + "y;  // a remark\n", 1), (long + "  // Late\n" + x, 1), (block(1) * 2 + x, 1),
                             (block(1) + "\n#include <x>\n\n" + block(1) + x, 1), ("#include <x>\n" * 50 + block(1) + "x;\n\n" * 40, 0),
