@@ -4,6 +4,7 @@
 #include "lattice/orbits/floquet.hpp"
 
 #include "check.hpp"
+#include "commands/exchanges.hpp"
 #include "commands/multipliers.hpp"
 #include "lattice/algebra/eigenvalues.hpp"
 #include "lattice/gsl/random.hpp"

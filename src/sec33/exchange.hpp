@@ -53,9 +53,17 @@ struct Spectrum {
   }
 };
 
+/// A way from an orbit to its pairs, and that of floquet.hpp.
+template <class T>
+using PairsOf = Pairs<T>(const Chain&, const Orbit<T>&, const EventTolerance<T>&);
+template <class T>
+Pairs<T> pairs_by_library(const Chain& chain, const Orbit<T>& orbit,
+                          const EventTolerance<T>& tolerance);
+
 /// The pairs at the orbit of a problem, in type T, with their errors. Throws NewtonFailed.
 template <class T>
-Spectrum spectrum(const Shooting<double>& problem, const Orbit<double>& orbit);
+Spectrum spectrum(const Shooting<double>& problem, const Orbit<double>& orbit,
+                  PairsOf<T>* pairs_of_orbit = pairs_by_library<T>);
 
 /**
 The article says that four multipliers lie near $+1$, the others on the unit circle, and that these
@@ -73,6 +81,10 @@ Quadruplet quadruplet(const Spectrum& all, double omega_b);
 
 /// How many multipliers lie at the accumulation, within `close` in kappa; the first pair does not count.
 int at_edge(const std::vector<Pair>& pairs, double omega_b, double close = 1e-9);
+
+/// The breather of a longer chain near that of a shorter one, with beads at rest beyond the old ends. Throws NewtonFailed.
+Orbit<double> lengthened(const Shooting<double>& longer, const Orbit<double>& orbit,
+                         const NewtonRule<double>& how = {});
 
 /// How many multipliers ten more sites, with beads at rest, add there, within 1e-4 in kappa; `pairs` are those of `orbit`.
 int added_at_edge(Centre centre, const Spot& spot, const Orbit<double>& orbit,
@@ -130,18 +142,5 @@ Exchange refined_zero(Centre centre, const Cut& cut, Exchange found);
 /// kappa has the same sign at both ends, NewtonFailed if an orbit is not found.
 template <class T>
 Exchange exchange(Centre centre, const Cut& cut, double low, double high, Orbit<double> orbit);
-
-/**
-A breather may lose and regain its stability several times. Wells are looked at in steps of a fortieth, or so short that
-the amplitude changes by less than three per cent, from the linear one to $s = \pm1$, to where the family ends, or to where
-the article's 31 or 32 sites do not hold its tail. Two exchanges may lie between two neighbours of one sign. Then
-$|\kappa|$ is least at one of these, and the parabola through it and its neighbours tells where it comes nearest to zero in
-between; two parabolas more, each a tenth as wide, follow. */
-/// The wells between which was looked, and all exchanges there, in extended precision.
-struct InWells {
-  double from, to;
-  std::vector<Estimate> places;
-};
-InWells exchanges_in_wells(Centre centre, double omega_b);
 
 }  // namespace lattice

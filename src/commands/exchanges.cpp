@@ -1,0 +1,161 @@
+#include "commands/exchanges.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "lattice/numerics/parallel.hpp"
+#include "lattice/numerics/progress.hpp"
+
+namespace lattice {
+
+namespace {
+
+// A well that was looked at
+struct Look {
+  double s, kappa;
+  Orbit<double> orbit;
+};
+
+// Where the parabola through three looks is flat, between the outer two
+double flat_between(const Look& a, const Look& b, const Look& c) {
+  const double left = b.s - a.s, right = c.s - b.s;
+  const double up = (c.kappa - b.kappa) / right, down = (b.kappa - a.kappa) / left;
+  const double bend = (up - down) / (left + right);
+  return bend == 0
+             ? b.s
+             : std::clamp(b.s - (up * left + down * right) / (left + right) / (2 * bend), a.s, c.s);
+}
+
+}  // namespace
+
+// Where the cubic through the looks around an interval does not tell what is in its middle, it is halved
+template <class Find>
+static void look_closer(std::vector<Look>& all, Find look) {
+  for (std::size_t k = 0; k + 1 < all.size();) {
+    const double low = all[k].s, high = all[k + 1].s, s = (low + high) / 2;
+    if (std::abs(high - low) < 2e-4) {
+      ++k;
+      continue;
+    }
+    double told = 0;
+    const std::size_t end = std::min(k + 3, all.size()),
+                      begin = std::min(k ? k - 1 : 0, end - std::min<std::size_t>(4, end));
+    for (std::size_t i = begin; i < end; ++i) {
+      double weight = 1;
+      for (std::size_t j = begin; j < end; ++j)
+        if (j != i) weight *= (s - all[j].s) / (all[i].s - all[j].s);
+      told += weight * all[i].kappa;
+    }
+    const Look middle = look(s, all[k].orbit);
+    const double size = std::max(std::abs(all[k].kappa), std::abs(all[k + 1].kappa));
+    const bool known = std::abs(middle.kappa - told) < 0.1 * size;
+    all.insert(all.begin() + long(k) + 1, middle);
+    k += known ? 2 : 0;
+  }
+}
+
+// From the linear well to either end of the family, on the article's chain as long as it holds the tail. No step goes so
+// far that the breather grows by more than three per cent at once, or Newton's method may leap to another family
+static std::vector<Look> looks_along(Centre centre, const Cut& cut, int side) {
+  const auto look = [&](double s, const Orbit<double>& near) {
+    const auto problem = problem_at(centre, cut.at(s));
+    const Orbit<double> orbit = follow(problem, near);
+    return Look{s, floquet_pairs(problem.chain, orbit.start, orbit.period()).pinning(), orbit};
+  };
+  Progress progress(side > 0 ? "s up to 1" : "s down to -1", 20);
+  const Orbit<double> shorter = find_breather(problem_at(centre, {cut.fixed, 0}));
+  std::vector<Look> all{look(0, lengthened(problem_at(centre, cut.at(0)), shorter))};
+  for (double h = 0.025; h > 0.025 / 16 && std::abs(all.back().s) < 1;) {
+    const double next = std::min(std::abs(all.back().s) + h, 1.0);
+    try {
+      Look there = look(side * next, all.back().orbit);
+      const double grown = std::abs(there.orbit.amplitude / all.back().orbit.amplitude - 1);
+      if (grown < 0.03) {
+        if (sites_needed(there.orbit, 1e-17) > there.orbit.start.y.size()) break;
+        all.push_back(std::move(there));
+        progress.reach(next);
+        if (grown < 0.01) h = std::min(2 * h, 0.025);
+        continue;
+      }
+    } catch (const NewtonFailed&) {  // it ends, or the step is too long
+    }
+    h /= 2;
+  }
+  look_closer(all, look);
+  return all;
+}
+
+InWells exchanges_in_wells(Centre centre, double omega_b) {
+  const Cut cut{true, omega_b, 10};
+  std::array<std::vector<Look>, 2> sides;
+  parallel_for(2, [&](std::size_t k) { sides[k] = looks_along(centre, cut, k ? 1 : -1); });
+  std::vector<Look>&all = sides[0], &harder = sides[1];
+  std::reverse(all.begin(), all.end());
+  all.insert(all.end(), harder.begin() + 1, harder.end());
+  // Does kappa dip through zero and back beside the least of three?
+  const auto look = [&](double s, Orbit<double> near) {
+    const double kappa = quick_kappa(centre, cut.at(s), near);
+    return Look{s, kappa, std::move(near)};
+  };
+  for (std::size_t k = 1; k + 1 < all.size(); ++k) {
+    const double here = all[k].kappa;
+    const auto larger = [&](const Look& l) { return l.kappa / here >= 1; };
+    if (!larger(all[k - 1]) || !larger(all[k + 1])) continue;
+    Look left = all[k - 1], middle = all[k], right = all[k + 1];
+    for (double h = (right.s - left.s) / 2; middle.kappa * here > 0 && h > 1e-4; h /= 10) {
+      middle = look(flat_between(left, middle, right), middle.orbit);
+      left = look(middle.s - h / 10, middle.orbit), right = look(middle.s + h / 10, middle.orbit);
+    }
+    if (middle.kappa * here < 0) all.insert(all.begin() + long(k) + (middle.s > all[k].s), middle);
+  }
+  std::vector<std::array<const Look*, 2>> pairs;  // the one nearer to the linear well first
+  for (std::size_t k = 1; k < all.size(); ++k)
+    if (all[k - 1].kappa * all[k].kappa < 0) {
+      pairs.push_back({&all[k - 1], &all[k]});
+      if (all[k].s <= 0) std::swap(pairs.back()[0], pairs.back()[1]);
+    }
+  InWells out{all.front().s, all.back().s, std::vector<Estimate>(pairs.size())};
+  parallel_for("intervals of s", pairs.size(), [&](std::size_t k) {
+    // From the nearer end, where the family changes less
+    const auto& [near, far] = pairs[k];
+    const Exchange found =
+        refined_zero<Wide>(centre, cut,
+                           exchange_between(centre, cut, {near->s, near->kappa},
+                                            {far->s, far->kappa}, near->orbit, 1e-5));
+    // A zero lies where it was looked for, and has opposite signs on its sides
+    out.places[k] = found.place;
+    const double s = found.place.value, aside = std::max(4 * found.place.error, 1e-4);
+    const auto sign_at = [&](double at) { return look(at, found.orbit).kappa > 0; };
+    const bool inside = (s - near->s) * (s - far->s) < 0;
+    if (!inside || sign_at(s - aside) == sign_at(s + aside))
+      throw NewtonFailed("kappa changes its sign between s = " + std::to_string(near->s) + " and " +
+                             std::to_string(far->s) + ", and no zero is found there",
+                         {});
+  });
+  return out;
+}
+
+Table Exchanges::table() const {
+  auto [from, to, found] = exchanges_in_wells(centre, omega_b);
+  if (found.empty())
+    throw Failure("no exchange of stability between s = " + short_text(from) + " and " +
+                  short_text(to) + " at omega_b = " + short_text(omega_b));
+  const auto nearer = [](const Estimate& a, const Estimate& b) {
+    return std::abs(a.value) < std::abs(b.value);
+  };
+  std::sort(found.begin(), found.end(), nearer);
+  Answers q;
+  for (std::size_t k = 0; k < found.size(); ++k)
+    q.add_small(
+        k ? "s0_" + std::to_string(k + 1) : "s0", found[k], "",
+        "anharmonicity s at which kappa of the pinning pair changes its sign; looked for "
+        "from s = " +
+            short_text(from) + " to " + short_text(to) +
+            ", where the amplitude changes by less than three per cent from one look to the "
+            "next; two zeros between two looks may be missed");
+  return q.table;
+}
+
+}  // namespace lattice

@@ -1,0 +1,36 @@
+#pragma once
+/**
+# Where one breather exchanges its stability
+
+`sec33_floquet exchange --centre bond --omega 1.1` prints the anharmonicities $s$ between $-1$ and $1$ at which the pinning
+pair passes $+1$ (exchange.hpp), the one nearest to the linear well first. Other pairs may leave the circle elsewhere and
+are not looked at.
+
+A breather may lose and regain its stability several times. Wells are looked at in steps of a fortieth, or so short that
+the amplitude changes by less than three per cent, from the linear one to $s = \pm1$, to where the family ends, or to where
+the article's 31 or 32 sites do not hold its tail. Two exchanges may lie between two neighbours of one sign. Then
+$|\kappa|$ is least at one of these, and the parabola through it and its neighbours tells where it comes nearest to zero in
+between; two parabolas more, each a tenth as wide, follow. */
+
+#include <vector>
+
+#include "sec3/breather_options.hpp"
+#include "sec33/exchange.hpp"
+
+namespace lattice {
+
+/// The wells between which was looked, and all exchanges there, in extended precision.
+struct InWells {
+  double from, to;
+  std::vector<Estimate> places;
+};
+InWells exchanges_in_wells(Centre centre, double omega_b);
+
+/// The command. Without an exchange it fails rather than print an empty table.
+struct Exchanges : ChosenBreather {
+  static constexpr Title title{"exchange", "anharmonicity at which the pinning pair passes +1"};
+
+  Table table() const;
+};
+
+}  // namespace lattice
