@@ -51,16 +51,18 @@ using namespace lattice;
 ## The experiment
 
 Half a period of the flow and of its derivative, and the eigenvalues of $K$: first for one breather, then for those
-along a line of wells or frequencies. `problem_at` is a chain in wells of anharmonicity `s` with the equations that a breather
-has to fulfil after a quarter (site) or half (bond) of its period; `follow` solves them by Newton's method from the
-positions of a neighbouring breather. `pairs_of(K, f)` leaves out the direction of `f` and calls Eigen. */
+along a line of wells or frequencies. `problem_at` is a chain in wells of anharmonicity `s` with the equations that a
+breather has to fulfil after a quarter (site) or half (bond) of its period; `find_breather` solves them by Newton's method
+from the profile of Eqs. (18) to (20), `follow` from the positions of a neighbouring breather. The flow takes steps of
+variable length and order, to a tolerance of 128 roundings of the number type, and ends one at every contact event.
+`pairs_of(K, f)` leaves out the direction of `f` and calls Eigen. */
 constexpr double omega_b = 1.1;
 
 /// All pairs of multipliers of a breather but that of a shift in time, the nearest to +1 first.
 template <class T>
 Pairs<T> multiplier_pairs(const Chain& chain, const Orbit<T>& breather,
                           const EventTolerance<T>& tolerance) {
-  // The derivative of the flow: one column for each of the 2N small changes; it stops at every contact event
+  // The derivative of the flow: one column for each of the 2N small changes
   const Matrix<T> F = monodromy(chain, breather.start, breather.period() / T(2), tolerance);
   const Eigen::Index N = F.rows() / 2;
   const Matrix<T> B = F.topRightCorner(N, N), C = F.bottomLeftCorner(N, N);
