@@ -1,15 +1,15 @@
-// Decorated cantilevers: beam, scales, defect, budget, trapped mode, and maps computed in parts.
+// Decorated cantilevers: beam, scales, defect, and maps computed in parts.
 
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <numbers>
 
 #include "check.hpp"
 #include "report/sweep.hpp"
 #include "run.hpp"
 #include "sec35/all_scales.hpp"
-#include "sec36/defect_mode.hpp"
-#include "sec36/trapped_mode.hpp"
 
 using namespace lattice;
 namespace fs = std::filesystem;
@@ -78,61 +78,6 @@ TEST_CASE("pushes of a passing packet", "[unit][cantilever]") {
 
 namespace {
 
-/// A short array whose packet meets the defect early.
-StruckArray short_array() {
-  StruckArray blow;
-  blow.array.sites = 72;
-  blow.array.defect = 32;
-  return blow;
-}
-
-}  // namespace
-
-TEST_CASE("the energy budget closes and knows a defect from none", "[property][cantilever]") {
-  const ScatteringSetup at(short_array(), {0.1, 0.05}, 28);
-  const Fractions none = fractions(at, 1), large = fractions(at, 1.6), slight = fractions(at, 1.1);
-  for (const Fractions* f : {&none, &large, &slight}) {
-    check_close(f->reflected.value + f->near.value + f->transmitted.value, 1, 2e-9);
-    check_close(f->net_reflected.value + f->net_near.value + f->net_transmitted.value, 1, 2e-8);
-    CHECK(f->net_reflected.error < 1e-7);
-  }
-  check_close(none.net_reflected.value, 0, 1e-12);
-  CHECK(none.net_transmitted.value > 0.95);
-  CHECK(large.net_reflected.value > 0.95);
-  CHECK(slight.net_reflected.value > 0.1);
-  CHECK(slight.net_transmitted.value > 0.1);
-}
-
-TEST_CASE("the shared way to the defect changes nothing", "[property][cantilever]") {
-  const StruckArray blow = short_array();
-  const Scattering there = scatter(blow, 1.6, approach(blow, 0.05), 0.05, 28);
-  const ImpactRun run = strike(EventCorrected{0.05}, blow.impact(1.6, 28, blow.scales.time(28)));
-  const EnergyShares straight = energy_shares(blow, run.density);
-  check_close(there.later.reflected, straight.reflected, 1e-8);
-  check_close(there.later.transmitted, straight.transmitted, 1e-8);
-}
-
-TEST_CASE("the mode of a light defect is a breather", "[property][cantilever]") {
-  const CantileverArray array;
-  const Shooting<double> problem = mode_problem(array, 0.925);
-  const Orbit<double> orbit = mode_of_energy(problem, 1e-5);
-  check_close(orbit.energy, 1e-5, 0, 1e-9);
-  CHECK(orbit.residual() < 1e-12);
-  CHECK(orbit.omega > array.linear_frequency(0.925));
-  State<double> end = orbit.start;
-  const double period = 2 * 3.141592653589793 / orbit.omega;
-  evolve(EventCorrected{0.01}, problem.chain, end, period, period);
-  for (std::size_t n = 0; n < mode_sites; ++n) {
-    check_close(end.y[n], orbit.start.y[n], 1e-9);
-    check_close(end.v[n], 0, 1e-9);
-  }
-  const auto e = energy_density(problem.chain, orbit.start);
-  CHECK(e[mode_sites / 2] > 0.5 * orbit.energy);
-  CHECK(e.front() < 1e-12 * orbit.energy);
-}
-
-namespace {
-
 Sweep squares(const fs::path& folder, const std::string& parameters = "squares") {
   return {folder,
           "squares",
@@ -188,88 +133,6 @@ TEST_CASE("parts are written k/n", "[unit][cantilever]") {
     CHECK_THROWS_AS(parse_part(bad), std::invalid_argument);
 }
 
-namespace {
-
-using Numbers = std::vector<double>;
-
-const double half_turn = std::acos(-1.0);
-
-double metres(const StruckArray& blow) {
-  return std::pow(blow.scales.k / blow.scales.gamma, 2);
-}
-
-double sum_of(const Numbers& e, std::size_t from, std::size_t to) {
-  double sum = 0;
-  for (std::size_t n = from; n < to; ++n) sum += e[n];
-  return sum;
-}
-
-}  // namespace
-
-TEST_CASE("the mode of a light defect by plain formulas", "[unit][cantilever]") {
-  const CantileverArray array;
-  const Shooting<double> problem = mode_problem(array, 0.9);
-  CHECK((mode_sites == 31 && problem.chain.sites == 31));
-  for (std::size_t n = 0; n < 31; ++n)
-    check_close(problem.chain.mass_of(n), n == 15 ? array.mu(0.9) : 1, 1e-15);
-  for (std::size_t i = 0; i <= 31; ++i)
-    check_close(problem.chain.eta_of(i), i == 15 || i == 16 ? std::sqrt(1.8 / 1.9) : 1, 1e-15);
-  CHECK(problem.chain.contact.force(-1e-100) > 0);
-  const Orbit<double> orbit = mode_of_energy(problem, 2e-4);
-  check_close(orbit.energy, 2e-4, 0, 2e-10);
-  Shooting<double> there = problem;
-  there.omega = orbit.omega;
-  check_close(newton(there, orbit.x).energy, 2e-4, 0, 1e-9);
-  CHECK(orbit.start.y[15] > 0);
-  CHECK_THROWS_AS(mode_of_energy(problem, 1e-40), std::runtime_error);
-
-  Numbers mean(31, 0);
-  State<double> now = orbit.start;
-  for (int k = 0; k <= 5; ++k) {
-    const Numbers e = energy_density(problem.chain, now);
-    for (std::size_t n = 0; n < 31; ++n) mean[n] += e[n] / 6;
-    evolve(EventCorrected{0.05}, problem.chain, now, 2 * half_turn / orbit.omega / 5, 9);
-  }
-  const Numbers found = mean_density(problem, orbit, 5);
-  for (std::size_t n = 0; n < 31; ++n) check_close(found[n], mean[n], 1e-13);
-  Stay stay;
-  for (int n = 0; n < 200; ++n) stay.density.push_back(1 + 0.1 * (n % 7));
-  const Profile shares = profile(array, problem, orbit, stay, 5);
-  REQUIRE((shares.run.size() == 9 && shares.mode.size() == 9));
-  double apart = 0;
-  for (std::size_t n = 0; n < 9; ++n) {
-    const double run = stay.density[95 + n] / sum_of(stay.density, 95, 104),
-                 mode = mean[11 + n] / sum_of(mean, 11, 20);
-    check_close(shares.run[n], run, 1e-13);
-    check_close(shares.mode[n], mode, 1e-11);
-    apart += std::abs(run - mode);
-  }
-  check_close(shares.overlap(), 1 - apart / 2, 1e-11);
-
-  const StruckArray blow;
-  const Table table = trapped::mode_table(blow, shares, orbit);
-  REQUIRE(table.rows.size() == 9);
-  CHECK(table.numbers("n")[0] == 96);
-  check_close(table.numbers("run")[3], shares.run[3], 1e-15);
-  check_close(table.numbers("mode")[3], shares.mode[3], 1e-15);
-  check_close(table.numbers("y")[5], orbit.start.y[16] * metres(blow) * 1e6, 0, 1e-12);
-  CHECK(table.numbers("n")[8] == 104);
-  const auto left = trapped::mode_residuals<double>(there, orbit);
-  there.symmetry = site_centred(31);
-  const double asymmetry =
-      there.evaluate(there.reduce(orbit.start), {}, false).residual.cwiseAbs().maxCoeff();
-  CHECK(left[0] < 1e-11);
-  CHECK(left[1] > 0.03 * asymmetry / orbit.amplitude);
-  CHECK(left[1] < 30 * asymmetry / orbit.amplitude);
-}
-
-TEST_CASE("the frequency of what stays, from the first upward passage to the last",
-          "[unit][cantilever]") {
-  // At 0.5 and 4.25, with one between
-  check_close(frequency_of({{0, 1, 2, 3, 4, 5, 6}, {}, {-1, 1, -1, 1, -1, 3, 1}, {}}),
-              4 * half_turn / (4.25 - 0.5), 1e-13);
-}
-
 TEST_CASE("two beads collide, and a cradle's ratio", "[unit][cantilever]") {
   const Collision by_energy = collision_by_energy(), run = collide(0.05);
   // The integral of ds / sqrt(1 - s^(5/2)) with 1 - s = u^2
@@ -314,7 +177,7 @@ TEST_CASE("units of an array, there and back", "[unit][cantilever]") {
   check_close(s.milliseconds(s.time(2.5)), 2.5, 1e-12);
   check_close(s.time(1), 1e-3 / s.tau_c(), 0, 1e-12);
   check_close(s.hertz(s.omega(7000)), 7000, 0, 1e-12);
-  check_close(s.omega(7000), 2 * pi<double>() * 7000 * std::sqrt(s.m / s.k), 0, 1e-12);
+  check_close(s.omega(7000), 2 * std::numbers::pi * 7000 * std::sqrt(s.m / s.k), 0, 1e-12);
   check_close(s.micrometres(2), 2e6 * (s.k / s.gamma) * (s.k / s.gamma), 0, 1e-12);
   check_close(s.velocity(3), 3 * s.tau_c() / s.xi(), 0, 1e-12);
   check_close(s.per_second(2), 2 / s.tau_c(), 0, 1e-12);
@@ -326,6 +189,6 @@ TEST_CASE("units of an array, there and back", "[unit][cantilever]") {
   check_close(s.delta(2), std::pow(s.m * 4 / s.gamma, 0.4), 0, 1e-12);
   check_close(array.area_moment(), 5e-3 * 1e-9 / 12, 0, 1e-12);
   check_close(array.beam_mass(), 8e3 * 5e-3 * 1e-3 * 25e-3, 0, 1e-12);
-  check_close(array.bead_mass(1.5), 4 * pi<double>() / 3 * 2.2e3 * std::pow(1.5 * 2.38e-3, 3), 0,
-              1e-12);
+  check_close(array.bead_mass(1.5), 4 * std::numbers::pi / 3 * 2.2e3 * std::pow(1.5 * 2.38e-3, 3),
+              0, 1e-12);
 }

@@ -15,8 +15,8 @@ symmetry of the defect is then a result. */
 #include <cstddef>
 #include <vector>
 
+#include "lattice/model/cantilever.hpp"
 #include "lattice/orbits/shooting.hpp"
-#include "sec36/scattering.hpp"
 
 namespace lattice {
 
@@ -39,23 +39,5 @@ Next we need to know where the energy of the mode is: its mean over a period at 
 equal intervals. */
 std::vector<double> mean_density(const Shooting<double>& problem, const Orbit<double>& orbit,
                                  std::size_t instants);
-
-/**
-Whether what stays at the defect in a run is this mode is seen from how the energy is distributed over the
-nine sites around the defect, as shares of their sum. */
-struct Profile {
-  std::vector<double> run, mode;  ///< nine shares each
-
-  /// One if both are equal, zero if they share no site.
-  double overlap() const {
-    double apart = 0;
-    for (std::size_t i = 0; i < run.size(); ++i) apart += std::abs(run[i] - mode[i]);
-    return 1 - apart / 2;
-  }
-};
-
-/// The shares in a run (`stay`) and in the mode, averaged over `instants` instants of a period.
-Profile profile(const CantileverArray& array, const Shooting<double>& problem,
-                const Orbit<double>& orbit, const Stay& stay, std::size_t instants);
 
 }  // namespace lattice

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numbers>
-#include <numeric>
 #include <stdexcept>
 
 #include "lattice/integrators/event_corrected.hpp"
@@ -52,20 +51,6 @@ std::vector<double> mean_density(const Shooting<double>& problem, const Orbit<do
            for (std::size_t n = 0; n < mode_sites; ++n) mean[n] += e[n] / (parts + 1);
          });
   return mean;
-}
-
-// Cut the nine sites around the defect out of the run and of the mode, as shares of their sum
-Profile profile(const CantileverArray& array, const Shooting<double>& problem,
-                const Orbit<double>& orbit, const Stay& stay, std::size_t instants) {
-  const auto piece = [](const std::vector<double>& all, std::size_t middle) {
-    std::vector<double> part(all.begin() + std::ptrdiff_t(middle) - 4,
-                             all.begin() + std::ptrdiff_t(middle) + 5);
-    const double sum = std::accumulate(part.begin(), part.end(), 0.0);
-    for (double& x : part) x /= sum;
-    return part;
-  };
-  return {piece(stay.density, array.defect - 1),
-          piece(mean_density(problem, orbit, instants), mode_sites / 2)};
 }
 
 }  // namespace lattice

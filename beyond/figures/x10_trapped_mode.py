@@ -4,8 +4,8 @@ import draw
 import matplotlib.pyplot as plt
 
 data, out = draw.arguments()
-times = draw.read(f"{data}/sec36_cantilever_defect/trapping.ecsv")
-mode = draw.read(f"{data}/sec36_cantilever_defect/trapped_mode.ecsv")
+times = draw.read(f"{data}/sec36_trapped_mode/trapping.ecsv")
+mode = draw.read(f"{data}/sec36_trapped_mode/trapped_mode.ecsv")
 CURVES = [(0.925, "#009E73", "-"), (0.8, "#56B4E9", (0, (5, 1.5))), (1.0, "#000000", ":"),
           (1.1, "#E69F00", "-."), (1.6, "#D55E00", "--")]
 
