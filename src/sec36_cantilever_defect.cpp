@@ -176,12 +176,12 @@ radii.
 
 | share | article | here |
 |---|---|---|
-| not arrived after 75 ms, of all energy | | [](num:sec36_cantilever_defect.left_behind) |
-| reflected at 1.6 radii, of what arrives | almost total | [](num:sec36_cantilever_defect.net_reflected_16) |
-| the least reflected at 1.6 to 2.5 radii | almost total | [](num:sec36_cantilever_defect.total_reflection_least) |
-| reflected at 1.1 radii | partial | [](num:sec36_cantilever_defect.net_reflected_11) |
-| transmitted at 1.1 radii | significant | [](num:sec36_cantilever_defect.net_transmitted_11) |
-| largest error of the budget at any radius | | [](num:sec36_cantilever_defect.budget_worst) | */
+| not arrived after 75 ms, of all energy | | [0.566749 ± 4e-11](num:sec36_cantilever_defect.left_behind) |
+| reflected at 1.6 radii, of what arrives | almost total | [0.996536 ± 1e-8](num:sec36_cantilever_defect.net_reflected_16) |
+| the least reflected at 1.6 to 2.5 radii | almost total | [0.996536 ± 1e-8](num:sec36_cantilever_defect.total_reflection_least) |
+| reflected at 1.1 radii | partial | [0.703713 ± 8e-9](num:sec36_cantilever_defect.net_reflected_11) |
+| transmitted at 1.1 radii | significant | [0.294426 ± 6e-9](num:sec36_cantilever_defect.net_transmitted_11) |
+| largest error of the budget at any radius | | [4e-10 ± 4e-10](num:sec36_cantilever_defect.budget_worst) | */
 void report_shares(Report& report, const ScatteringSetup& setup) {
   const Fractions large = fractions(setup, 1.6), slight = fractions(setup, 1.1);
   report.facts.add("net_reflected_16", large.net_reflected, "share of what arrives");
@@ -276,11 +276,11 @@ this one has a hundred beams more.
 
 | share of the energy | article | here |
 |---|---|---|
-| before the defect at 75 ms, 1.6 radii | small | [](num:cantilever.trapped) |
-| the same without a defect | | [](num:sec36_cantilever_defect.before_75_without) |
-| of the former, left at 100 ms | loosely trapped | [](num:sec36_cantilever_defect.kept_before_16) |
-| around the defect, left at 100 ms of that at 75 ms, 1.6 radii | | [](num:sec36_cantilever_defect.kept_16) |
-| the same, 0.925 radii | | [](num:sec36_cantilever_defect.kept_0925) | */
+| before the defect at 75 ms, 1.6 radii | small | [0.00389406 ± 2e-11](num:cantilever.trapped) |
+| the same without a defect | | [0.00147795 ± 2e-11](num:sec36_cantilever_defect.before_75_without) |
+| of the former, left at 100 ms | loosely trapped | [0.866036 ± 1e-8](num:sec36_cantilever_defect.kept_before_16) |
+| around the defect, left at 100 ms of that at 75 ms, 1.6 radii | | [0.726684 ± 7e-8](num:sec36_cantilever_defect.kept_16) |
+| the same, 0.925 radii | | [0.997443 ± 3e-8](num:sec36_cantilever_defect.kept_0925) | */
 struct Stay {
   std::array<double, 2> near{}, before{};  // at 75 and at 100 ms
 };
@@ -332,13 +332,13 @@ and after the strongest.
 
 | quantity | article | here |
 |---|---|---|
-| largest velocity, m/s | 0.5 | [](num:cantilever.bead_velocity) |
-| deflection, µm | 11 | [](num:cantilever.deflection) |
-| force, N | 2.8 | [](num:cantilever.force) |
-| internal period, ms | 0.14 | [](num:cantilever.period) |
-| linear period over internal one | 1.1 | [](num:cantilever.frequency) |
-| speed, 80 sites over the time of the largest force, sites/s | 2030 | [](num:cantilever.speed) |
-| duration, force above a thousandth of its maximum, ms | 3.8 | [](num:cantilever.duration) | */
+| largest velocity, m/s | 0.5 | [0.493588 ± 4e-7](num:cantilever.bead_velocity) |
+| deflection, µm | 11 | [10.9505 ± 7e-5](num:cantilever.deflection) |
+| force, N | 2.8 | [2.86448 ± 4e-5](num:cantilever.force) |
+| internal period, ms | 0.14 | [0.143814 ± 3e-7](num:cantilever.period) |
+| linear period over internal one | 1.1 | [1.10181 ± 3e-6](num:cantilever.frequency) |
+| speed, 80 sites over the time of the largest force, sites/s | 2030 | [2029.93 ± 4e-5](num:cantilever.speed) |
+| duration, force above a thousandth of its maximum, ms | 3.8 | [3.78752 ± 7e-5](num:cantilever.duration) | */
 constexpr std::size_t watched_site = 80;
 
 using WatchedRuns = std::array<WatchedRun, 2>;
@@ -371,14 +371,14 @@ say in section 3.4 which sites a packet occupies.
 
 | other readings | here |
 |---|---|
-| speed, if the way begins at the struck beam | [](num:sec36_cantilever_defect.speed_79) |
-| slope of $X(t)$ between sites 10 and 40 | [](num:sec36_cantilever_defect.speed_10_to_40) |
-| between 20 and 40 | [](num:sec36_cantilever_defect.speed_20_to_40) |
-| between 20 and 100 | [](num:sec36_cantilever_defect.speed_20_to_100) |
-| between 75 and 85 | [](num:sec36_cantilever_defect.speed_75_to_85) |
-| duration above one half of the force | [](num:sec36_cantilever_defect.duration_half) |
-| above a hundredth | [](num:sec36_cantilever_defect.duration_hundredth) |
-| above a two-thousandth | [](num:sec36_cantilever_defect.duration_two_thousandth) | */
+| speed, if the way begins at the struck beam | [2004.56 ± 4e-5](num:sec36_cantilever_defect.speed_79) |
+| slope of $X(t)$ between sites 10 and 40 | [2073.54 ± 0.01](num:sec36_cantilever_defect.speed_10_to_40) |
+| between 20 and 40 | [2029.69 ± 0.01](num:sec36_cantilever_defect.speed_20_to_40) |
+| between 20 and 100 | [1964.07 ± 0.003](num:sec36_cantilever_defect.speed_20_to_100) |
+| between 75 and 85 | [1937.33 ± 0.002](num:sec36_cantilever_defect.speed_75_to_85) |
+| duration above one half of the force | [1.17055 ± 7e-5](num:sec36_cantilever_defect.duration_half) |
+| above a hundredth | [3.06486 ± 5e-5](num:sec36_cantilever_defect.duration_hundredth) |
+| above a two-thousandth | [3.94122 ± 5e-5](num:sec36_cantilever_defect.duration_two_thousandth) | */
 void report_packet(Report& report, const StruckArray& blow, const WatchedRuns& runs) {
   // Read off at n = 80
   const auto add = [&](const char* name, double Pulse::*of, double unit, const char* text) {
@@ -426,8 +426,8 @@ void report_packet(Report& report, const StruckArray& blow, const WatchedRuns& r
 
 What the packet leaves behind is, the article says, a fairly extended wave train. Just before the packet meets the
 defect we take the sites up to ten behind its largest one, as in section 3.4. They hold
-[](num:sec36_cantilever_defect.wavetrain_share) of the energy, and by their participation number
-$(\sum e_n)^2/\sum e_n^2$ [](num:cantilever.wavetrain) of them share it. */
+[0.562407](num:sec36_cantilever_defect.wavetrain_share) of the energy, and by their participation number
+$(\sum e_n)^2/\sum e_n^2$ [32.1373](num:cantilever.wavetrain) of them share it. */
 void report_wave_train(Report& report, const ScatteringSetup& setup) {
   const auto in_train = [&](double (*of)(const std::vector<double>&)) {
     const auto train = [&](const std::vector<double>& density) {
@@ -448,9 +448,9 @@ void report_wave_train(Report& report, const ScatteringSetup& setup) {
 The article infers from $\lambda \approx 0.29$ that the DpS equation, Eq. (12), is valid in the homogeneous part of the
 array. We strike the DpS chain, Eq. (25), with $\epsilon = \lambda^{5/2}/2$ and measure its packet as that of the array:
 the largest deflection $2\epsilon\,|A_{80}|$, and the speed between sites 20 and 60. It deflects the beam by a fraction
-of [](num:cantilever.dps_valid) more than the array does, and is faster by
-[](num:sec36_cantilever_defect.dps_speed_apart). Both are of the order $\epsilon^{1/2}$ of the terms that the equation
-leaves out (`sec31_dps_limit`). So yes, to this accuracy. */
+of [0.149806](num:cantilever.dps_valid) more than the array does, and is faster by
+[0.11218](num:sec36_cantilever_defect.dps_speed_apart). Both are of the order $\epsilon^{1/2}$ of the terms that the
+equation leaves out (`sec31_dps_limit`). So yes, to this accuracy. */
 void report_dps(Report& report, const StruckArray& blow, const WatchedRuns& runs) {
   const double eps = blow.struck_velocity() / 2, tau = 320;
   const Dps dps{150};
@@ -489,12 +489,12 @@ frequency hardly changes (`sec5_experiment`).
 
 | quantity | article | here |
 |---|---|---|
-| diameter of beads | 1 cm | a factor of [](num:sec36_cantilever_defect.range_diameter) |
-| load, the strongest push at $n = 80$ | 1 N | a factor of [](num:outlook.ranges) |
-| width of a beam | 1 cm | a factor of [](num:sec36_cantilever_defect.range_width) |
-| period of weak breathers, ms | 0.15 | [](num:outlook.small_period) |
-| sites in 10 ms | 20 | [](num:outlook.travel_10ms) |
-| oscillations in 10 ms | 70 | [](num:outlook.periods_10ms) | */
+| diameter of beads | 1 cm | a factor of [2.10084](num:sec36_cantilever_defect.range_diameter) |
+| load, the strongest push at $n = 80$ | 1 N | a factor of [2.86448 ± 4e-5](num:outlook.ranges) |
+| width of a beam | 1 cm | a factor of [2](num:sec36_cantilever_defect.range_width) |
+| period of weak breathers, ms | 0.15 | [0.158456](num:outlook.small_period) |
+| sites in 10 ms | 20 | [19.2641 ± 0.0001](num:outlook.travel_10ms) |
+| oscillations in 10 ms | 70 | [69.5343 ± 0.0002](num:outlook.periods_10ms) | */
 void report_experiment(Report& report, const StruckArray& blow, const WatchedRuns& runs) {
   const auto apart = [](const Estimate& a, double printed) {
     return a.value < printed ? quotient(exact(printed), a) : quotient(a, exact(printed));
@@ -564,8 +564,8 @@ void reproduce(Report& report) {
    `net_transmitted` = 9.8594e-9, five decades less than at 1 m/s. Hint: the defect alone has the frequency 0.67. How
    much its contacts raise this falls with the amplitude, while its distance from the packet's stays.
 4. *Harder.* Which radius keeps most? `build/bin/sec36_cantilever_defect run --ratio 0.925` gives `net_near` = 0.10858;
-   on the map [](num:sec36_cantilever_defect.most_trapped_at) keeps most; try 0.935. Hint: the own frequency of 0.925,
-   1.044, lies between that of its neighbours and the packet's 1.1.
+   on the map [0.94](num:sec36_cantilever_defect.most_trapped_at) keeps most; try 0.935. Hint: the own frequency of
+   0.925, 1.044, lies between that of its neighbours and the packet's 1.1.
 5. *Open.* Which radius reflects best if two neighbouring beams are changed? Is the swing of the trapped mode from side
    to side one of its Floquet multipliers?
 
