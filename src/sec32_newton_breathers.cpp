@@ -1,23 +1,32 @@
 /**
 # 3.2 Static breathers of the chain
 
-Section 3.2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) computes breathers: motions of the chain that repeat
-themselves and stay where they are. Neighbours swing against each other, a few beads carry nearly all the energy, and
-the rest of the chain is almost at rest. There are two kinds. Around a *site* one bead swings against both of its
-neighbours; around a *bond* two neighbours swing against each other.
+A breather is a motion of the chain that repeats itself and stays where it is: a few beads carry nearly all the energy,
+and neighbours swing against each other. Around a *site* one bead swings against both of its neighbours; around a *bond*
+two neighbours swing against each other. Section 3.2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) finds both by
+Newton's method. It says that an approximate profile is excellent at small amplitude; that the tails fall off
+super-exponentially; that a breather looks the same after a hundred periods; that amplitude, energy and asymmetry grow
+with the frequency; and that both kinds have indistinguishable energies. Is this true, and how well is a breather known?
 
 ![Bond-centred breathers, of the DpS equation and of the chain, and their quasi-continuum approximation.](fig:02)
 
-The article finds both by Newton's method, with a residual of $1.5\cdot10^{-9}$ and a last variation of
-$1.7\cdot10^{-11}$, from an approximate profile that is excellent at small amplitude. Their tails fall off
-super-exponentially, and a site-centred one looks the same after a hundred periods. With the frequency the amplitude,
-the energy and the asymmetry around a site grow, the energies of both kinds are indistinguishable, and both exist in
-wells of every anharmonicity $s \in [-1,1]$. Are these statements true, and how good can the breathers be made? How much
-energy separates the two kinds is the question of the next chapter. */
+## Model
 
+The beads sit in the wells of Eq. (10), mostly linear ones ($s = 0$), and push on their neighbours, Eqs. (6) and (9):
+$$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},
+  \qquad y_n(t+T_b) = y_n(t),\quad T_b = 2\pi/\omega_b,$$
+with free ends, dimensionless. A breather starts from rest, so the positions $y_n(0)$ are the unknowns. What starts at
+rest is at rest again after half a period. A mirror image of the chain must also change the sign of all positions,
+$y_n \to -y_{-n}$: contacts push and never pull, and a mirror image alone would turn every overlap into a gap. Around a
+bond the breather is its own image, so the right half of the chain tells all, and its velocities must vanish after half
+a period. Around a site the image is the breather half a period later. As the breather runs backward from there as it
+runs forward, image and breather meet at a quarter:
+$$\dot y_n(T_b/2) = 0 \quad\text{(bond)},\qquad
+  y_n+y_{-n} = 0,\quad \dot y_n-\dot y_{-n} = 0 \quad\text{at } t = T_b/4 \quad\text{(site)}.$$ */
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,135 +34,490 @@ energy separates the two kinds is the question of the next chapter. */
 #include "commands/one_breather.hpp"
 #include "lattice/diagnostics/observe.hpp"
 #include "lattice/gsl/random.hpp"
+#include "lattice/model/dps.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/standing/stationary.hpp"
 #include "report/program.hpp"
 #include "sec3/branches.hpp"
-#include "sec3/continuum.hpp"
-#include "sec32/full_map.hpp"
-#include "sec32/tail.hpp"
 
 using namespace lattice;
 
 /**
-## Model
+## The experiment
 
-The beads sit in the wells of Eq. (10), mostly linear ones ($s = 0$), and push on their neighbours,
-$$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},
-  \qquad y_n(t+T_b) = y_n(t),\quad T_b = 2\pi/\omega_b,$$
-with free ends (Eqs. (6) and (9)), dimensionless. A breather starts from rest, and its unknowns are the positions at
-$t = 0$. In the program `omega_b` is $\omega_b$, `Orbit::start` the breather at $t = 0$, and `Orbit::energy` its energy
-$\mathcal H$, Eq. (6). Most is shown on one breather. */
-constexpr double omega_b = 1.1;
+These are as many conditions $R(y) = 0$ as unknowns. Here is the breather around a site at $\omega_b = 1.1$, on 31 beads
+like the article's: a guess, a quarter of a period, and Newton's method, $y \leftarrow y - DR(y)^{-1}R(y)$. The
+linearised equations of motion give $DR$: the columns of `change` say what becomes of a small change of one $y_k(0)$.
+`flow` takes steps of variable length and order, to a tolerance of 128 roundings relative to the largest bead, and ends
+one at every *contact event*, the opening or closing of a contact (event_driven.hpp). */
+using Index = Eigen::Index;
+constexpr Index N = 31;
+constexpr double omega_b = 1.1, T_b = 2 * std::numbers::pi / omega_b;
+const Chain chain{.sites = N, .contact = Hertz{.floor = 0}};  // even the faintest contact pushes
 
-/**
-## Method: a quarter of a period
-
-We guess the positions from Eqs. (18) to (20) and integrate over a part of a period, after which the symmetry of the
-breather makes as many demands $R(y) = 0$ as there are unknowns. Newton's method corrects the guess,
-$y \leftarrow y - DR(y)^{-1}R(y)$, with the exact derivative $DR$ from the linearised equations of motion.
-
-Which demands? What starts at rest is at rest again after half a period. A mirror image of the chain must also change
-the sign of all positions, $y_n \to -y_{-n}$: contacts push and never pull, and a mirror image alone would turn every
-overlap into a gap. Around a bond the breather is its own image, so the right half of the chain tells all, and its
-velocities must vanish after half a period. Around a site the image is the breather half a period later. As the breather
-runs backward from there as it runs forward, image and breather meet at a quarter:
-$$\dot y_n(T_b/2) = 0 \quad\text{(bond)},\qquad
-  y_n+y_{-n} = 0,\quad \dot y_n-\dot y_{-n} = 0 \quad\text{at } t = T_b/4 \quad\text{(site)}.$$
-The integrator ends a step at every *contact event*, the opening or closing of a contact, because a step across it would
-spoil the orbit at $10^{-9}$ and its derivative much earlier (event_driven.hpp). Every number is computed at two
-tolerances or in two precisions, and the difference is its error. */
-Orbit<double> article_breather(const NewtonRule<double>& rule) {
-  const Shooting<double> problem = problem_of(Centre::site, omega_b);
-  return newton(problem, problem.reduce(ansatz(Centre::site, omega_b, problem.chain.sites)), rule);
-}
-
-std::string name_of(Centre centre) {
-  return centre == Centre::site ? "site" : "bond";
-}
-
-/**
-## Convergence
-
-The article's residual is the distance after a whole period, relative to the start, without any symmetry. For our
-breather, which was found on a quarter of one, it is [4e-14](num:newton.residual) after
-[4](num:sec32_newton_breathers.newton_iterations) steps, and the last variation is [7e-14](num:newton.variation).
-
-How did the article get its larger numbers? We also solve its equations, the whole period map in the sense of least
-squares (sec32/full_map.hpp). These equations are ill-conditioned: the
-condition number is [1.75392e6](num:sec32_newton_breathers.condition_full), against
-[22.3356](num:sec32_newton_breathers.condition_site) of the symmetric equations. The least singular vector is nearly a
-shift along the chain, the *pinning mode* of section 3.3; its angle with the discrete gradient $y_{n+1}-y_{n-1}$ has the
-cosine [0.987389](num:sec32_newton_breathers.softest_along_gradient). After ten steps the residual is
-[1e-14](num:sec32_newton_breathers.full_residual), but Newton's method still demands a step of
-[8e-9](num:sec32_newton_breathers.full_step). After five, the article's number, the residual is
-[3.6091e-10](num:sec32_newton_breathers.full_residual_5) and the step
-[5.63924e-5](num:sec32_newton_breathers.full_step_5). An iteration that takes no step along the pinning mode cannot mend
-a guess that is shifted a little: it stops at a residual of
-[2.00689e-9](num:sec32_newton_breathers.pinned_residual_5), with a last step of
-[2e-14](num:sec32_newton_breathers.pinned_step_5). Each of the printed numbers lies between those of the two iterations;
-what the article did with this mode, and how accurately it integrated, it does not say. */
-void report_convergence(Report& report) {
-  // The symmetric equations at two tolerances
-  const auto problem = problem_of(Centre::site, omega_b);
-  const Orbit<double> orbit = article_breather(rule<double>(0)),
-                      coarse = article_breather(rule<double>(1));
-  report.facts.add("residual", compare(distance_after_period<double>(problem, orbit.start),
-                                       double(distance_after_period<Wide>(problem, orbit.start))));
-  report.facts.add("variation", compare(coarse.variation(), orbit.variation()));
-  report.facts.add("newton_iterations", exact(double(orbit.iterations())));
-  const auto symmetric = [&](const Orbit<double>& o) {
-    return condition_of(problem.evaluate(o.x, {}).jacobian).condition;
+/// The continuum limit of small breathers, Eqs. (18) to (20).
+Vector<double> guess() {
+  const double eps = std::pow(2 * tau_0() * (omega_b - 1), 2);  // tau_0 = 1.545, below Eq. (12)
+  const auto g = [](double x) {
+    const double c = std::cos(x / 3), c3 = c * c * c;
+    return std::abs(x) < 1.5 * std::numbers::pi ? 0.027 * c3 * c3 : 0.0;  // (3/10)^3 cos^6(x/3)
   };
-  report.facts.add("condition_site", compare(symmetric(coarse), symmetric(orbit)));
-
-  // The full map after nine and after ten steps: the difference shows how much of its result is wandering
-  const FullMap full = solve_full_map(omega_b, 10), before = solve_full_map(omega_b, 9);
-  const auto last = [&](double Iteration::*what) {
-    return compare(before.history.back().*what, full.history.back().*what);
-  };
-  const Vector<double> sideways = gradient(orbit.start.y);
-  report.facts.add("condition_full", compare(before.soft.condition, full.soft.condition));
-  report.facts.add("softest_along_gradient", compare(alignment(before.soft.softest, sideways),
-                                                     alignment(full.soft.softest, sideways)));
-  report.facts.add("full_residual", last(&Iteration::residual), "relative to amplitude");
-  report.facts.add("full_step", last(&Iteration::step), "relative to amplitude");
-
-  // After five steps, as in the article, in all directions and without the pinning mode
-  for (const auto& [name, rank] : {std::pair{"full", 0.0}, {"pinned", 1e-5}}) {
-    std::array<History, 2> at;
-    for (const int coarser : {0, 1}) {
-      NewtonRule<double> how = rule<double>(coarser);
-      how.rank = rank;
-      at[coarser] = solve_full_map(omega_b, 5, how).history;
-    }
-    report.facts.add(name + std::string("_residual_5"),
-                     compare(at[1][5].residual, at[0][5].residual), "relative to amplitude");
-    report.facts.add(name + std::string("_step_5"), compare(at[1][4].step, at[0][4].step),
-                     "relative to amplitude");
+  Vector<double> y(N);
+  for (Index i = 0; i < N; ++i) {
+    const Index n = i - N / 2;
+    y[i] = 2 * eps * (n % 2 == 0 ? 1 : -1) * (g(double(n) + 0.5) + g(double(n) - 0.5));
   }
+  return y;
+}
 
-  // Both start from the same profile, so their histories share one table
+template <class T>
+State<T> at_rest(const Vector<double>& y) {
+  State<T> state{std::size_t(y.size())};
+  for (std::size_t n = 0; n < state.y.size(); ++n) state.y[n] += T(y[Index(n)]);
+  return state;
+}
+
+/// R(y), what must vanish after a quarter of the period, and DR(y).
+std::pair<Vector<double>, Matrix<double>> conditions(const Vector<double>& y,
+                                                     const EventTolerance<double>& tolerance) {
+  State<double> state = at_rest<double>(y);
+  Tangent<double> change(N, N);  // the changes of N positions, then of N velocities
+  if (!is_accurate(flow(chain, state, T_b / 4, tolerance, &change), tolerance))
+    throw Failure("the flow misses its tolerance or a contact event");
+  Vector<double> R(N);
+  Matrix<double> DR(N, N);
+  for (Index n = 0, image = N - 1; n < N; ++n, --image) {
+    const bool right = n >= N / 2;
+    R[n] = right ? state.y[n] + state.y[image] : state.v[n] - state.v[image];
+    for (Index k = 0; k < N; ++k)
+      DR(n, k) = right ? change(n, k) + change(image, k) : change(N + n, k) - change(N + image, k);
+  }
+  return {R, DR};
+}
+
+struct Breather {
+  Vector<double> y;  // positions at t = 0
+  History history;   // residual and step of each iteration, relative to the largest position
+};
+
+/// Newton's method, until rounding keeps the residual from falling further.
+Breather breather(const EventTolerance<double>& tolerance) {
+  Vector<double> y = guess(), before = y;
+  History history;
+  for (double last = HUGE_VAL; history.size() < 30;) {
+    const auto [R, DR] = conditions(y, tolerance);
+    const double residual = sup(R) / sup(y);
+    // Where it is at rounding and does not fall by a factor of four: the better of the last two points
+    const bool done = last <= 64 * tolerance.tolerance && residual >= last / 4;
+    if (done && residual >= last) return {before, history};
+    history.push_back({residual, 0});
+    if (done) return {y, history};
+    // DR step = R, each bead measured in its own size, since the tail falls double-exponentially
+    const Sizes<double> sizes = problem_of(Centre::site, omega_b).sizes(y, true);
+    const Vector<double> step = solve_scaled<double>(DR, R, sizes, 0);
+    history.back().step = sup(step) / sup(y);
+    before = y, last = residual, y -= step;
+  }
+  throw NewtonFailed("no breather at omega_b = 1.1", history);
+}
+
+/**
+Everything is computed at two tolerances, 128 and 2048 roundings, or in two precisions, and the difference is the error.
+The library's `newton` does the same operations for any chain, symmetry and precision, and gives the same bits here; the
+run stops if the two breathers differ by $10^{-13}$. It finds all other breathers of this chapter (`find_breather`),
+from the same guess up to $\omega_b = 1.1$ and along the frequency beyond (continuation.hpp), and refuses a motion in
+which neighbours swing in phase. An independent program (`tests/second`), with another integrator, finds the same
+breathers at 1.1, and so does the Verlet method of sec1_the_chain.cpp, to four digits.
+
+## How well Newton's method converges
+
+The article measures the distance after a whole period, relative to the start, without any symmetry. For our breather,
+which was found on a quarter of one, this is [4e-14](num:newton.residual).
+
+How did the article get its larger numbers? We also solve its equations, the return of all positions and velocities
+after the whole period: twice as many as unknowns, solved by least squares. They are ill-conditioned. Their least
+singular vector is nearly a shift along the chain, the *pinning mode* of section 3.3, along which the method still steps
+to and fro when the residual is at rounding. If we forbid all steps along this mode, it cannot mend a guess that is
+shifted a little, and stops at a larger residual with a small last step. Each of the printed numbers lies between those
+of these two iterations. What the article did with this mode, and how accurately it integrated, it does not say. The
+table `newton_history` has all iterations.
+
+| at $\omega_b = 1.1$, relative to the amplitude | residual | last step | condition of $DR$ |
+|---|---|---|---|
+| article, after five steps | $1.5\cdot10^{-9}$ | $1.7\cdot10^{-11}$ | |
+| a quarter of the period, [4](num:sec32_newton_breathers.newton_iterations) steps | [4e-14](num:newton.residual) | [7e-14](num:newton.variation) | [22.3356 ± 1e-12](num:sec32_newton_breathers.condition_site) |
+| the whole period, five steps | [3.6091e-10 ± 2e-14](num:sec32_newton_breathers.full_residual_5) | [5.63924e-5 ± 4e-10](num:sec32_newton_breathers.full_step_5) | |
+| five steps, none along the pinning mode | [2.00689e-9 ± 3e-14](num:sec32_newton_breathers.pinned_residual_5) | [2e-14](num:sec32_newton_breathers.pinned_step_5) | |
+| the whole period, ten steps | [1e-14](num:sec32_newton_breathers.full_residual) | [8e-9](num:sec32_newton_breathers.full_step) | [1.75392e6 ± 0.09](num:sec32_newton_breathers.condition_full) | */
+const auto tolerance_of = [](int coarser) { return rule<double>(coarser).events; };
+
+/// The article's equations: what each step finds, and the condition number at the end. Directions are left alone whose
+/// singular value is below `rank`, relative to the largest.
+std::pair<History, double> by_least_squares(int steps, double rank = 0, int coarser = 0) {
+  Shooting<double> problem = problem_of(Centre::site, omega_b);
+  problem.symmetry = returning(problem.chain.sites);
+  Vector<double> y = guess();
+  History history;
+  for (int k = 0;; ++k) {
+    const auto here = problem.evaluate(y, tolerance_of(coarser));
+    const Vector<double> step =
+        solve_scaled<double>(here.jacobian, here.residual, problem.sizes(y, false), rank);
+    history.push_back({sup(here.residual) / sup(y), sup(step) / sup(y)});
+    if (k == steps) return {history, condition_of(here.jacobian).condition};
+    y -= step;
+  }
+}
+
+/// The article's residual, in precision T.
+template <class T>
+double distance_after_period(const Vector<double>& y) {
+  const State<T> start = at_rest<T>(y);
+  State<T> end = start;
+  flow(chain, end, T(2) * pi<T>() / T(omega_b));
+  return double(largest_difference(end, start) / largest(start));
+}
+
+Breather report_convergence(Report& report) {
+  const auto add = [&](const std::string& name, double coarse, double fine) {
+    report.facts.add(name, compare(coarse, fine), "relative to amplitude");
+  };
+  // A quarter of the period, at two tolerances, and beside the library
+  const Breather fine = breather(tolerance_of(0)), coarse = breather(tolerance_of(1));
+  const Vector<double> other = find_breather(problem_of(Centre::site, omega_b)).x;
+  if (!(sup<double>(fine.y - other) < 1e-13 * sup(fine.y)))
+    throw Failure("the library finds another breather");
+  const auto last_step = [](const History& h) {
+    return h.back().step > 0 ? h.back().step : (h.end() - 2)->step;
+  };
+  const auto condition = [](const Breather& b) {
+    return condition_of(conditions(b.y, {}).second).condition;
+  };
+  report.facts.add("residual", compare(distance_after_period<double>(fine.y),
+                                       distance_after_period<Wide>(fine.y)));
+  report.facts.add("variation", compare(last_step(coarse.history), last_step(fine.history)));
+  report.facts.add("newton_iterations", exact(double(fine.history.size() - 1)));
+  report.facts.add("condition_site", compare(condition(coarse), condition(fine)));
+
+  // The whole period: ten steps and nine, and five as in the article, with and without the pinning mode
+  const auto [full, condition_full] = by_least_squares(10);
+  const auto [before, condition_before] = by_least_squares(9);
+  report.facts.add("condition_full", compare(condition_before, condition_full));
+  add("full_residual", before.back().residual, full.back().residual);
+  add("full_step", before.back().step, full.back().step);
+  for (const auto& [name, rank] : {std::pair{std::string("full"), 0.0}, {"pinned", 1e-5}}) {
+    const History rough = by_least_squares(5, rank, 1).first,
+                  good = by_least_squares(5, rank).first;
+    add(name + "_residual_5", rough[5].residual, good[5].residual);
+    add(name + "_step_5", rough[4].step, good[4].step);
+  }
   Table& table = report.table(
       "newton_history", {label("equations", "symmetric or full period map"),
                          count("iteration", "number of Newton steps made"),
                          number("residual", "of the equations solved, relative to the amplitude"),
                          number("step", "of the next iteration, relative to the amplitude")});
-  for (const auto& [name, history] :
-       {std::pair{"symmetric", orbit.history}, {"full", full.history}})
+  for (const auto& [name, history] : {std::pair{"symmetric", fine.history}, {"full", full}})
     for (std::size_t k = 0; k < history.size(); ++k)
       table.add({name, k, history[k].residual, history[k].step});
+  return fine;
 }
 
 /**
-## Symmetry
+## Profiles (figures 2 and 3)
+
+How good is the approximation of Eqs. (18) to (20)? Both figures show the stationary DpS breather, which is the limit of
+small amplitude, and the breathers of the chain at $\omega_b = 1.01$ and $1.1$, each with its approximation.
+
+![Site-centred breathers and their quasi-continuum approximation.](fig:03)
+
+Two errors add up. The continuum differs from the DpS breather even in the limit, and the DpS equation differs from the
+chain. At 1.01 the second takes a little off the first; at 1.1 it nearly doubles the sum. So the approximation is good
+to a twentieth where the article calls it excellent, and worse at 1.1, as it says.
+
+| largest difference over the amplitude | around a site | around a bond |
+|---|---|---|
+| in the limit | [0.0574512 ± 1e-16](num:dps.qc_site) | [0.0614325 ± 7e-17](num:dps.qc_bond) |
+| at $\omega_b = 1.01$ | [0.0511267 ± 2e-13](num:sec32_newton_breathers.continuum_101_site) | [0.0475461 ± 7e-13](num:sec32_newton_breathers.continuum_101_bond) |
+| at $\omega_b = 1.1$ | [0.117550 ± 3e-13](num:sec32_newton_breathers.continuum_110_site) | [0.0977687 ± 6e-14](num:sec32_newton_breathers.continuum_110_bond) | */
+std::string name_of(Centre centre) {
+  return centre == Centre::site ? "site" : "bond";
+}
+
+void report_profiles(Report& report) {
+  for (Centre centre : both_centres) {
+    // Three breathers, each with its approximation, site by site
+    Table& table =
+        report.table(name_of(centre) + "_profiles",
+                     {count("n", "site", "site"), number("u", "stationary DpS breather, mu = 1"),
+                      number("u_continuum", "its quasi-continuum approximation"),
+                      number("y_101", "positions at t = 0, omega_b = 1.01"),
+                      number("y_101_continuum", "their quasi-continuum approximation"),
+                      number("y_110", "positions at t = 0, omega_b = 1.1"),
+                      number("y_110_continuum", "their quasi-continuum approximation")});
+    const std::size_t sites = sites_of(centre);
+    const auto y = [&](double omega) { return find_breather(problem_of(centre, omega)).start.y; };
+    const auto near = [&](double omega) { return ansatz(centre, omega, sites).y; };
+    const auto y_101 = y(1.01), near_101 = near(1.01), y_110 = y(1.1), near_110 = near(1.1);
+    const auto u = stationary<double>(centre, 1, sites).u;
+    for (std::size_t i = 0; i < sites; ++i) {
+      const long n = site_number(i, sites);
+      table.add(
+          {n, u[i], quasi_continuum(centre, n), y_101[i], near_101[i], y_110[i], near_110[i]});
+    }
+
+    // How far each approximation is off, at two tolerances
+    for (const auto& [name, omega] : {std::pair{"continuum_101_", 1.01}, {"continuum_110_", 1.1}}) {
+      const auto off = [&](int coarser) {
+        const auto orbit =
+            find_breather(problem_of(centre, omega), Phase::compressed, rule<double>(coarser));
+        return largest_difference(orbit.start, ansatz(centre, omega, sites)) / orbit.amplitude;
+      };
+      report.facts.add(name + name_of(centre), compare(off(1), off(0)), "relative to amplitude");
+    }
+  }
+}
+
+/**
+## A hundred periods (figure 4)
+
+The site-centred breather is weakly unstable (section 3.3), so rounding errors must grow. A second run with another
+tolerance measures their growth: the difference of the two is the error of the first. The article finds the positions
+visually equal after a hundred periods; they have moved by [3e-12](num:newton.persistence) of the amplitude.
+
+![The breather at the start and after a hundred periods.](fig:04) */
+void report_persistence(Report& report, const Breather& breather) {
+  const State<double> start = at_rest<double>(breather.y);
+  std::array<State<double>, 2> end{start, start};
+  parallel_for(2, [&](std::size_t k) {
+    for (int period = 0; period < (report.quick ? 10 : 100); ++period)
+      flow(chain, end[k], T_b, tolerance_of(int(k)));
+  });
+  const double moved = largest_difference(end[0], start) / largest(start);
+  const double error = largest_difference(end[0], end[1]) / largest(start);
+  report.facts.add("persistence", {moved, error}, "relative to amplitude");
+
+  Table& table = report.table("persistence",
+                              {count("n", "site", "site"), number("y_start", "positions at t = 0"),
+                               estimate("y_end", "positions after 100 periods")});
+  for (std::size_t i = 0; i < start.y.size(); ++i) {
+    const Estimate late{end[0].y[i], std::abs(end[0].y[i] - end[1].y[i])};
+    table.add({site_number(i, start.y.size()), start.y[i], late});
+  }
+}
+
+/**
+## The tail (figure 5)
+
+How fast do the breathers decay? A bead far out is pushed by its inner neighbour alone, with the power $3/2$ of the
+neighbour's displacement, so that $\ln|y_{n+1}|/\ln|y_n| \to 3/2$: the decay is double-exponential. Newton's method
+follows it to the end of the number format, $10^{-308}$ in double precision and much farther in extended precision, if
+every site must converge relative to its own size (`scaled_rule`). Where both exist their difference is the error.
+
+![The tail of the site-centred breather.](fig:05)
+
+The figure tests the law by eye: moduli on one side and, on the other, the straight line that the law demands of
+$\ln(-\ln|y_n|)$. At the last site where it can be formed the exponent is
+[1.4999](num:sec32_newton_breathers.tail_exponent), with its change from the site before as its error. An exponential
+tail would have the exponent one. */
+/// |y_n(0)| of a breather on so many sites, at index n + 51; zero beyond the end of the chain.
+template <class T>
+std::vector<T> sizes_of_tail(std::size_t sites) {
+  const auto problem = breather_problem<double>(Centre::site, omega_b, 0, sites);
+  const auto orbit = newton(in_precision<T>(problem), find_breather(problem), scaled_rule<T>());
+  std::vector<T> size(103, T(0));
+  for (std::size_t i = 0; i < sites; ++i) size[51 + i - sites / 2] = std::abs(orbit.start.y[i]);
+  return size;
+}
+
+void report_tail(Report& report) {
+  // The article's 99 beads in double precision, fewer in extended precision, and the exponent there
+  const std::vector<double> size = sizes_of_tail<double>(99);
+  const std::vector<Wide> wide = sizes_of_tail<Wide>(63);
+  const double none = std::nan("");
+  const auto exponent = [&](long n) {
+    const Wide inner = wide[51 + n], outer = wide[n < 0 ? 50 + n : 52 + n];
+    return inner > 0 && outer > 0 ? double(std::log(outer) / std::log(inner)) : none;
+  };
+  long last = 0;
+  while (wide[52 + last] > 0) ++last;
+  report.facts.add("tail_exponent", compare(exponent(last - 2), exponent(last - 1)));
+
+  // Site by site, with the law |y_(n+1)| ~ |y_n|^(3/2) from the last site inwards
+  Table& table = report.table(
+      "tail", {count("n", "site", "site"),
+               estimate("size", "|y_n(0)| in double precision; nan where it has underflown", "",
+                        "difference from extended precision; nan where size is"),
+               number("exponent", "ln |y_(n+1)| / ln |y_n| away from the centre"),
+               number("double_log", "ln(-ln |y_n(0)|) in extended precision"),
+               number("law", "the same by the law 3/2 from the outermost site inwards")});
+  const double end = double(std::log(wide[51 + last]));
+  for (long n = -49; n <= 49; ++n) {
+    const double y = size[51 + n];
+    const Wide same = wide[51 + n];
+    const bool known = y > 1e-300 && same > 0;
+    table.add({n, known ? Estimate{y, std::abs(double(y - same))} : Estimate{none, none},
+               exponent(n), same > 0 ? double(std::log(-std::log(same))) : none,
+               std::log(-end) + double(std::abs(n) - last) * std::log(1.5)});
+  }
+}
+
+/**
+## The branches (figure 6)
+
+Both families are followed by arclength from $\omega_b = 1.001$ to $2$ (continuation.hpp). Amplitude and energy grow
+from each frequency of the figure to the next, and so does the asymmetry around a site, where the breather is its own
+mirror image only in the limit of small amplitude. The energies of both kinds differ by a millionth, most at the lowest
+frequency: towards $\omega_b = 1$ this difference must tend to that of the DpS norms.
+
+![Amplitude and energy of both families.](fig:06)
+
+| quantity | article | here |
+|---|---|---|
+| relative difference of the amplitudes, at most | visible | [0.130228 ± 1e-12](num:newton.amplitude_differs) |
+| relative difference of the energies, at most | indistinguishable | [1.18591e-6 ± 5e-11](num:newton.energy_equal) |
+| of the norms in the limit, bond minus site | | [-1.33110e-6 ± 1e-19](num:sec32_dps_profiles.norm_gap_relative) |
+| least growth of amplitude or energy, as a ratio | above one | [1.03676 ± 1e-12](num:sec32_newton_breathers.least_growth) |
+| least growth of the asymmetry | above one | [1.00852 ± 1e-13](num:sec32_newton_breathers.asymmetry_least_growth) |
+| asymmetry at 1.001 | | [0.000515165 ± 7e-14](num:sec32_newton_breathers.asymmetry_1001) |
+| asymmetry at 2 | | [0.463687 ± 2e-14](num:sec32_newton_breathers.asymmetry_200) | */
+/// The largest |y_n(0) - y_-n(0)|, relative to the largest |y_n(0)|.
+double asymmetry(const Orbit<double>& orbit) {
+  double most = 0;
+  for (std::size_t n = 0, last = orbit.start.y.size() - 1; n < last - n; ++n)
+    most = std::max(most, std::abs(orbit.start.y[n] - orbit.start.y[last - n]));
+  return most / orbit.amplitude;
+}
+
+void report_branches(Report& report) {
+  // Both families, frequency by frequency
+  std::vector<double> omegas = pair_frequencies(0, report.quick ? 6 : 80);
+  omegas.insert(omegas.begin(), 1.001);
+  const BreatherPairs pairs = breather_pairs_at(0, omegas, measure_in<double>);
+  Table& table = report.table(
+      "branches", {number("omega", "frequency"), number("amplitude_bond", "largest |y_n(0)|"),
+                   number("amplitude_site", "largest |y_n(0)|"),
+                   estimate("energy_bond", "energy, bond-centred"),
+                   estimate("energy_site", "energy, site-centred")});
+  Estimate energies{}, amplitudes{};
+  std::array<std::vector<Estimate>, 4> growing;
+  for (const BreatherPair& r : pairs) {
+    const auto& [site, bond] = r.energy;
+    table.add({r.omega, r.amplitude[1].value, r.amplitude[0].value, bond, site});
+    const Estimate ratio = quotient(r.amplitude[0], r.amplitude[1]);
+    amplitudes = larger(amplitudes, {std::abs(ratio.value - 1), ratio.error});
+    const Estimate apart = quotient(r.equal_frequency, bond);
+    energies = larger(energies, {std::abs(apart.value), apart.error});
+    const Estimate now[] = {r.amplitude[0], r.energy[0], r.amplitude[1], r.energy[1]};
+    for (std::size_t k = 0; k < growing.size(); ++k) growing[k].push_back(now[k]);
+  }
+  report.facts.add("largest_amplitude_difference", amplitudes, "relative");
+  report.facts.add("largest_energy_difference", energies, "relative");
+  Estimate growth{HUGE_VAL};
+  for (const auto& values : growing) growth = smaller(growth, least_ratio(values));
+  report.facts.add("least_growth", growth);
+
+  // The asymmetry around a site, from orbits at two tolerances
+  std::vector<Estimate> asymmetries(pairs.size());
+  parallel_for(pairs.size(), [&](std::size_t i) {
+    const Orbit<double>& orbit = pairs[i].orbit[0];
+    const Vector<double> beside = orbit.x * 1.000001;
+    const auto problem = problem_of(Centre::site, pairs[i].omega);
+    asymmetries[i] = compare(asymmetry(newton(problem, beside, rule<double>(1))), asymmetry(orbit));
+  });
+  report.facts.add("asymmetry_least_growth", least_ratio(asymmetries));
+  report.facts.add("asymmetry_1001", asymmetries.front());
+  report.facts.add("asymmetry_200", asymmetries.back());
+}
+
+/**
+## The width at small amplitude
+
+A breather of the DpS equation keeps its width when its amplitude goes to zero, whereas one of the discrete nonlinear
+Schrödinger equation broadens like $(\omega_b-1)^{-1/2}$. The article's section 1 says that those of the chain nearly
+keep it, too. As width we take the number of sites on which the displacements live, $(\sum y_n^2)^2/\sum y_n^4$ at
+$t = 0$. From 1.001 to 1.05 the amplitude grows about 2500-fold and the width by a twentieth at most; a width like
+$(\omega_b-1)^{-1/2}$ would change by a factor of seven.
+
+| width, in sites | around a site | around a bond |
+|---|---|---|
+| at $\omega_b = 1.001$ | [2.96507 ± 5e-11](num:sec32_newton_breathers.width_1001_site) | [2.97330 ± 5e-11](num:sec32_newton_breathers.width_1001_bond) |
+| at $\omega_b = 1.05$ | [3.05955 ± 8e-14](num:sec32_newton_breathers.width_105_site) | [3.12164 ± 3e-13](num:sec32_newton_breathers.width_105_bond) |
+| its relative change, at most | [0.0498881 ± 2e-11](num:chain.width_constant) | | */
+void report_width(Report& report) {
+  const std::vector<double> omegas{1.001, 1.002, 1.005, 1.01, 1.02, 1.03, 1.04, 1.05};
+  Estimate change{};
+  for (Centre centre : both_centres) {
+    std::vector<Estimate> width(omegas.size());
+    parallel_for(omegas.size(), [&](std::size_t k) {
+      const auto with = [&](int coarser) {
+        const auto problem = problem_of(centre, omegas[k]);
+        auto y = find_breather(problem, Phase::compressed, rule<double>(coarser)).start.y;
+        for (double& y_n : y) y_n *= y_n;
+        return participation(y);
+      };
+      width[k] = compare(with(1), with(0));
+    });
+    Estimate least = width[0], most = width[0];
+    for (const Estimate& w : width) least = smaller(least, w), most = larger(most, w);
+    const Estimate ratio = quotient(most, least);
+    change = larger(change, {ratio.value - 1, ratio.error});
+    report.facts.add("width_1001_" + name_of(centre), width.front(), "site");
+    report.facts.add("width_105_" + name_of(centre), width.back(), "site");
+  }
+  report.facts.add("width_change", change, "relative");
+}
+
+/**
+## Other wells
+
+For $s \in [-1, 1]$ the article finds both families, without showing them. We follow them from rest in four more wells,
+$s = \pm1$ and $\pm\frac12$, in tenths of the frequency: through $\omega_b = 2$ in the hard ones, to a fold in the soft
+ones, where the branch turns back in frequency. In all of them both families begin at rest: the exponent of the
+amplitude in $\omega_b-1$, between 1.0005 and 1.001, is two within its change from the next pair of frequencies.
+
+| quantity | around a site | around a bond |
+|---|---|---|
+| fold at $s = -1$ | [1.61967 ± 2e-11](num:sec32_newton_breathers.end_s_minus_1_site) | [1.61972 ± 1e-11](num:sec32_newton_breathers.end_s_minus_1_bond) |
+| fold at $s = -1/2$ | [1.72385 ± 2e-11](num:sec32_newton_breathers.end_s_minus_05_site) | [1.72391 ± 2e-11](num:sec32_newton_breathers.end_s_minus_05_bond) |
+| exponent minus two, largest modulus | [0.0008 ± 0.004](num:sec32_newton_breathers.growth_exponent_off) | | */
+void report_other_wells(Report& report) {
+  std::vector<std::pair<double, std::string>> wells{{1, "1"}};
+  if (!report.quick)
+    wells.insert(wells.begin(), {{-1, "minus_1"}, {-0.5, "minus_05"}, {0.5, "05"}});
+  std::vector<double> omegas{1.0005, 1.001, 1.01};
+  for (int k = 1; k <= 10; ++k) omegas.push_back(1 + k / 10.0);
+  std::vector<Estimate> exponents(2 * wells.size()), ends(2 * wells.size(), exact(2));
+  parallel_for("other wells", ends.size(), [&](std::size_t i) {
+    const Centre centre = both_centres[i % 2];
+    const double s = wells[i / 2].first;
+    const std::vector<Orbit<double>> orbits = breathers_at(centre, s, omegas);
+    exponents[i] = compare(growth_exponent(orbits.at(1), orbits.at(2)),
+                           growth_exponent(orbits.at(0), orbits.at(1)));
+    if (orbits.size() < omegas.size())
+      ends[i] = fold_of(problem_of(centre, orbits.back().omega, s), orbits.back());
+  });
+  Estimate off{};
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    if (!ends[i].is_exact)
+      report.facts.add("end_s_" + wells[i / 2].second + "_" + name_of(both_centres[i % 2]),
+                       ends[i]);
+    off = larger(off, {std::abs(exponents[i].value - 2), exponents[i].error});
+  }
+  report.facts.add("growth_exponent_off", off);
+}
+
+/**
+## Are the breathers really symmetric?
 
 We impose both symmetries, so finding them in the result proves nothing. We therefore look for the breathers without
 them: all positions are unknown, the start is shaken at random by a thousandth (a recorded seed), and we demand only
-that the chain comes to rest at $T_b/2$. If the breathers have their symmetries by nature, the symmetries come back: the
-images under $y_{1-n} = -y_n$ and $y_n(t) = -y_{-n}(t+T_b/2)$ then agree with the orbit far better than the guess did.
-What is left is rounding times the condition number of these equations, and shrinks with the precision; a breather
-without symmetry would keep the thousandth. */
+that the chain comes to rest at $T_b/2$. A breather without symmetry would keep the thousandth. Instead the symmetries
+$y_{1-n} = -y_n$ and $y_n(t) = -y_{-n}(t+T_b/2)$ come back. What is left of the thousandth is rounding times the
+condition number of these equations, and shrinks with the precision.
+
+| largest violation, relative to the amplitude | here |
+|---|---|
+| in extended precision (a 64-bit mantissa) | [5e-11](num:sec32_newton_breathers.broken_symmetry) |
+| as a fraction of that in double precision | [0.007](num:sec32_newton_breathers.broken_symmetry_share) | */
 template <class T>
 double broken_symmetry(Centre centre) {
   auto problem = in_precision<T>(problem_of(centre, omega_b));
@@ -170,7 +534,6 @@ double broken_symmetry(Centre centre) {
   return double(most / orbit.amplitude);
 }
 
-// What is left in extended precision, and as a share of what is left in double precision
 void report_symmetry(Report& report) {
   Estimate broken{}, share{};
   for (Centre centre : both_centres) {
@@ -183,298 +546,12 @@ void report_symmetry(Report& report) {
 }
 
 /**
-## Profiles (figures 02 and 03)
-
-How good is the quasi-continuum approximation for the chain itself? The figures have three panels each: the stationary
-DpS breather, and the breathers of the chain at $\omega_b = 1.01$ and $1.1$, each with its approximation.
-
-![Site-centred breathers and their quasi-continuum approximation.](fig:03)
-
-Two errors add up. The continuum differs from the DpS breather even in the limit, by
-[0.0574512](num:sec32_newton_breathers.continuum_limit_site) around a site and
-[0.0614325](num:sec32_newton_breathers.continuum_limit_bond) around a bond. The DpS equation differs from the chain: at
-$1.01$ this takes a little off the first error, at $1.1$ it has made the sum far larger. */
-Estimate approximation_error(Centre centre, double omega_b) {
-  const auto problem = problem_of(centre, omega_b);
-  const auto off = [&](int coarser) {
-    const auto orbit = find_breather(problem, Phase::compressed, rule<double>(coarser));
-    const State<double> near = ansatz(centre, omega_b, problem.chain.sites);
-    return largest_difference(orbit.start, near) / orbit.amplitude;
-  };
-  return compare(off(1), off(0));
-}
-
-/**
-The article calls the approximation excellent at $1.01$ and worse at $1.1$. At $1.01$ the difference is
-[0.0511267](num:sec32_newton_breathers.continuum_101_site) of the amplitude around a site and
-[0.0475461](num:sec32_newton_breathers.continuum_101_bond) around a bond, at $1.1$ it is
-[0.117550](num:sec32_newton_breathers.continuum_110_site) and
-[0.0977687](num:sec32_newton_breathers.continuum_110_bond). */
-void report_profiles(Report& report) {
-  for (Centre centre : both_centres) {
-    // Three breathers, each with its approximation, site by site
-    Table& table =
-        report.table(name_of(centre) + "_profiles",
-                     {count("n", "site", "site"), number("u", "stationary DpS breather, mu = 1"),
-                      number("u_continuum", "its quasi-continuum approximation"),
-                      number("y_101", "positions at t = 0, omega_b = 1.01"),
-                      number("y_101_continuum", "their quasi-continuum approximation"),
-                      number("y_110", "positions at t = 0, omega_b = 1.1"),
-                      number("y_110_continuum", "their quasi-continuum approximation")});
-    const std::size_t sites = sites_of(centre);
-    const auto y_101 = find_breather(problem_of(centre, 1.01)).start.y,
-               y_110 = find_breather(problem_of(centre, 1.1)).start.y,
-               near_101 = ansatz(centre, 1.01, sites).y, near_110 = ansatz(centre, 1.1, sites).y,
-               u = stationary<double>(centre, 1, sites).u;
-    for (std::size_t i = 0; i < sites; ++i) {
-      const long n = site_number(i, sites);
-      table.add(
-          {n, u[i], quasi_continuum(centre, n), y_101[i], near_101[i], y_110[i], near_110[i]});
-    }
-
-    // How far each approximation is off, in the limit and at the two frequencies
-    const auto limit = [&]<class T>(T one) {
-      return double(continuum_difference(stationary<T>(centre, one, sites)));
-    };
-    report.facts.add("continuum_101_" + name_of(centre), approximation_error(centre, 1.01),
-                     "relative to amplitude");
-    report.facts.add("continuum_110_" + name_of(centre), approximation_error(centre, 1.1),
-                     "relative to amplitude");
-    report.facts.add("continuum_limit_" + name_of(centre), compare(limit(1.0), limit(Wide(1))),
-                     "relative to amplitude");
-  }
-}
-
-/**
-## A hundred periods (figure 04)
-
-The site-centred breather is weakly unstable (section 3.3), so rounding errors must grow. A second run with another
-tolerance measures their growth: the difference of the two is the error of the first. The article finds the positions
-visually equal after a hundred periods; they have moved by [3e-12](num:newton.persistence) of the amplitude.
-
-![The breather at the start and after a hundred periods.](fig:04) */
-void report_persistence(Report& report) {
-  const auto problem = problem_of(Centre::site, omega_b);
-  const State<double> start = find_breather(problem).start;
-  std::array<State<double>, 2> end{start, start};
-  parallel_for(2, [&](std::size_t k) {
-    for (int period = 0; period < (report.quick ? 10 : 100); ++period)
-      flow(problem.chain, end[k], problem.period(), rule<double>(int(k)).events);
-  });
-  const double moved = largest_difference(end[0], start) / largest(start);
-  const double error = largest_difference(end[0], end[1]) / largest(start);
-  report.facts.add("persistence", {moved, error}, "relative to amplitude");
-
-  Table& table = report.table("persistence",
-                              {count("n", "site", "site"), number("y_start", "positions at t = 0"),
-                               estimate("y_end", "positions after 100 periods")});
-  for (std::size_t i = 0; i < start.y.size(); ++i) {
-    const Estimate late{end[0].y[i], std::abs(end[0].y[i] - end[1].y[i])};
-    table.add({site_number(i, start.y.size()), start.y[i], late});
-  }
-}
-
-/**
-## The tail (figure 05)
-
-How fast do the breathers decay? A bead far out is pushed by its inner neighbour alone, with the power $3/2$ of the
-neighbour's displacement, so that $\ln|y_{n+1}|/\ln|y_n| \to 3/2$: the decay is double-exponential. Newton's method
-follows it to the end of the number format (sec32/tail.hpp), in double precision to site
-[14](num:sec32_newton_breathers.tail_last_double), in extended precision to site
-[21](num:sec32_newton_breathers.tail_last_wide).
-
-![The tail of the site-centred breather.](fig:05)
-
-At the last place where it can be formed the exponent is [1.4999](num:sec32_newton_breathers.tail_exponent), with its
-change since the place before as its error; an exponential tail would have the exponent one. The figure tests the law by
-eye: moduli on one side and, on the other, the straight line that it demands of $\ln(-\ln|y_n|)$. */
-void report_tail(Report& report) {
-  // Where both precisions end, and the exponent there
-  const Tail tail(omega_b);
-  long last = 0, last_wide = 0;
-  while (tail.wide_size(last_wide + 1) > 0) ++last_wide;
-  while (tail.size(last + 1) > 1e-300) ++last;
-  report.facts.add("tail_exponent",
-                   compare(tail.exponent(last_wide - 2), tail.exponent(last_wide - 1)));
-  report.facts.add("tail_last_double", exact(double(last)), "site");
-  report.facts.add("tail_last_wide", exact(double(last_wide)), "site");
-
-  report_tail_table(report, tail, last_wide);
-}
-
-/**
-## The branches (figure 06)
-
-Both families are followed by arclength from $\omega_b = 1.001$ to $2$ (continuation.hpp). At one frequency their
-amplitudes differ by up to the fraction [0.130228](num:newton.amplitude_differs); their energies, which the article
-finds indistinguishable, by [1.18591e-6](num:newton.energy_equal), at
-[1.001](num:sec32_newton_breathers.largest_energy_difference_at). Towards $\omega_b = 1$ this must tend to the relative
-difference of the DpS norms, bond minus site, of [-1.33110e-6](num:sec32_dps_profiles.norm_gap_relative).
-
-![Amplitude and energy of both families.](fig:06)
-
-The site-centred breather is its own mirror image only in the limit of small amplitude. Its asymmetry is the largest
-$|y_n(0)-y_{-n}(0)|$ relative to the largest $|y_n(0)|$. */
-double asymmetry(const Orbit<double>& orbit) {
-  double most = 0;
-  for (std::size_t n = 0, last = orbit.start.y.size() - 1; n < last - n; ++n)
-    most = std::max(most, std::abs(orbit.start.y[n] - orbit.start.y[last - n]));
-  return most / orbit.amplitude;
-}
-
-/**
-The article says of three quantities that they increase with $\omega_b$: the amplitude and the energy of both families,
-and this asymmetry. All do, from each frequency of the figure to the next. The asymmetry is
-[0.000515165](num:sec32_newton_breathers.asymmetry_1001) at $1.001$ and
-[0.463687](num:sec32_newton_breathers.asymmetry_200) at 2. */
-void report_branches(Report& report) {
-  // Both families, frequency by frequency
-  std::vector<double> omegas = pair_frequencies(0, report.quick ? 6 : 80);
-  omegas.insert(omegas.begin(), 1.001);
-  const BreatherPairs pairs = breather_pairs_at(0, omegas, measure_in<double>);
-  Table& table = report.table(
-      "branches", {number("omega", "frequency"), number("amplitude_bond", "largest |y_n(0)|"),
-                   number("amplitude_site", "largest |y_n(0)|"),
-                   estimate("energy_bond", "energy, bond-centred"),
-                   estimate("energy_site", "energy, site-centred")});
-  Estimate apart{}, where{}, amplitudes{};
-  for (const BreatherPair& r : pairs) {
-    const auto& [site, bond] = r.energy;
-    table.add({r.omega, r.amplitude[1].value, r.amplitude[0].value, bond, site});
-    const Estimate ratio = quotient(r.amplitude[0], r.amplitude[1]);
-    amplitudes = larger(amplitudes, {std::abs(ratio.value - 1), ratio.error});
-    const Estimate gap = quotient(r.equal_frequency, bond);
-    if (std::abs(gap.value) > apart.value)
-      apart = {std::abs(gap.value), gap.error}, where = exact(r.omega);
-  }
-  report.facts.add("largest_amplitude_difference", amplitudes, "relative");
-  report.facts.add("largest_energy_difference", apart, "relative");
-  report.facts.add("largest_energy_difference_at", where);
-
-  // Amplitude and energy grow with the frequency
-  Estimate growth{HUGE_VAL};
-  for (std::size_t k : {0U, 1U}) {
-    std::vector<Estimate> amplitude, energy;
-    for (const BreatherPair& r : pairs) {
-      amplitude.push_back(r.amplitude[k]);
-      energy.push_back(r.energy[k]);
-    }
-    growth = smaller(growth, smaller(least_ratio(amplitude), least_ratio(energy)));
-  }
-  report.facts.add("least_growth", growth);
-
-  // So does the asymmetry around a site, from orbits at two tolerances
-  std::vector<Estimate> asymmetries(pairs.size());
-  parallel_for(pairs.size(), [&](std::size_t i) {
-    const Orbit<double>& orbit = pairs[i].orbit[0];
-    const Vector<double> beside = orbit.x * 1.000001;
-    const auto problem = problem_of(Centre::site, pairs[i].omega);
-    asymmetries[i] = compare(asymmetry(newton(problem, beside, rule<double>(1))), asymmetry(orbit));
-  });
-  report.facts.add("asymmetry_least_growth", least_ratio(asymmetries));
-  report.facts.add("asymmetry_1001", asymmetries.front());
-  report.facts.add("asymmetry_200", asymmetries.back());
-}
-
-/**
-## The width
-
-A breather of the DpS equation keeps its width when its amplitude goes to zero, whereas one of the discrete nonlinear
-Schrödinger equation broadens like $(\omega_b-1)^{-1/2}$. The article's section 1 says that those of the chain nearly
-keep it, too. As width we take the number of sites on which the displacements live, $(\sum y_n^2)^2/\sum y_n^4$ at
-$t = 0$. Around a site it is [2.96314](num:sec32_newton_breathers.width_limit_site) in the limit,
-[2.96507](num:sec32_newton_breathers.width_1001_site) at $\omega_b = 1.001$ and
-[3.05955](num:sec32_newton_breathers.width_105_site) at 1.05; around a bond
-[2.97033](num:sec32_newton_breathers.width_limit_bond), [2.97330](num:sec32_newton_breathers.width_1001_bond) and
-[3.12164](num:sec32_newton_breathers.width_105_bond). In this range the amplitude grows about 2500-fold and the width by
-a fraction of [0.0498881](num:chain.width_constant) at most; a width like $(\omega_b-1)^{-1/2}$ would change by a factor
-of seven. */
-template <class Profile>
-double sites_filled(const Profile& y) {
-  std::vector<double> squares;
-  for (const double y_n : y) squares.push_back(y_n * y_n);
-  return participation(squares);
-}
-
-void report_width(Report& report) {
-  const std::vector<double> omegas{1.001, 1.002, 1.005, 1.01, 1.02, 1.03, 1.04, 1.05};
-  Estimate change{};
-  for (Centre centre : both_centres) {
-    std::vector<Estimate> width(omegas.size());
-    parallel_for(omegas.size(), [&](std::size_t k) {
-      const auto at = [&](int coarser) {
-        const auto problem = problem_of(centre, omegas[k]);
-        return sites_filled(
-            find_breather(problem, Phase::compressed, rule<double>(coarser)).start.y);
-      };
-      width[k] = compare(at(1), at(0));
-    });
-    Estimate least = width[0], most = width[0];
-    for (const Estimate& w : width) least = smaller(least, w), most = larger(most, w);
-    const Estimate ratio = quotient(most, least);
-    change = larger(change, {ratio.value - 1, ratio.error});
-
-    const std::string around = name_of(centre);
-    const auto& limit = stationary<double>(centre, 1, sites_of(centre)).u;
-    const auto& wide = stationary<Wide>(centre, 1, sites_of(centre)).u;
-    report.facts.add(
-        "width_limit_" + around,
-        compare(sites_filled(limit), sites_filled(std::vector<double>(wide.begin(), wide.end()))),
-        "site");
-    report.facts.add("width_1001_" + around, width.front(), "site");
-    report.facts.add("width_105_" + around, width.back(), "site");
-  }
-  report.facts.add("width_change", change, "relative");
-}
-
-/**
-## Other wells
-
-For $s \in [-1, 1]$ the article finds both families, without showing them. We follow them from rest in four more wells,
-$s = \pm1$ and $\pm\frac12$, as far as they go: through $\omega_b = 2$, or to a fold. In all of them both families
-begin at rest, with an amplitude like $(\omega_b-1)^2$. In the soft ones they end before $\omega_b = 2$: at $s = -1$
-they fold at [1.61967](num:sec32_newton_breathers.end_s_minus_1_site) around a site and
-[1.61972](num:sec32_newton_breathers.end_s_minus_1_bond) around a bond, at $s = -1/2$ at
-[1.72385](num:sec32_newton_breathers.end_s_minus_05_site) and
-[1.72391](num:sec32_newton_breathers.end_s_minus_05_bond). */
-void report_other_wells(Report& report) {
-  std::vector<std::pair<double, std::string>> wells{{1, "1"}};
-  if (!report.quick)
-    wells.insert(wells.begin(), {{-1, "minus_1"}, {-0.5, "minus_05"}, {0.5, "05"}});
-  std::vector<FamilyExtent> families(2 * wells.size());
-  parallel_for("other wells", families.size(), [&](std::size_t i) {
-    families[i] = family_from_rest(both_centres[i % 2], wells[i / 2].first);
-  });
-
-  Estimate off{};
-  for (std::size_t i = 0; i < families.size(); ++i) {
-    const auto& [exponent, end] = families[i];
-    if (!end.is_exact)
-      report.facts.add("end_s_" + wells[i / 2].second + "_" + name_of(both_centres[i % 2]), end);
-    off = larger(off, {std::abs(exponent.value - 2), exponent.error});
-  }
-  report.facts.add("growth_exponent_off", off);
-}
-
-/**
 ## Differences and limits
 
-The article counts five iterations of its Gauss-Newton method. Ours continues until rounding stops it. The article's
-chain lengths are 31 and 99 around a site; around a bond we take one bead more. We follow no family through its fold.
-`sec32_newton_breathers breather` computes a breather with your own parameters (commands/one_breather.hpp). */
-void reproduce(Report& report) {
-  report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
-  report_convergence(report);
-  report_symmetry(report);
-  report_profiles(report);
-  report_persistence(report);
-  report_tail(report);
-  report_branches(report);
-  report_width(report);
-  report_other_wells(report);
-}
+The article counts five iterations of its Gauss-Newton method; ours continues until rounding stops it. Its chains have
+31 and 99 beads around a site; around a bond we take one more. It does not say how far in frequency it followed the
+families of anharmonic wells. We follow none through its fold.
 
-/**
 ## Try it
 
 1. *Easy.* How does the amplitude grow with $\omega_b - 1$?
@@ -491,7 +568,21 @@ void reproduce(Report& report) {
    `build/bin/sec32_newton_breathers breather --contact power --alpha 2 --omega 1.1` gives `amplitude` = 0.0998154.
    Hint: the shift of the frequency goes like the contact force over the displacement, amplitude$^{\alpha-1}$; try
    `--omega 1.05`.
-5. *Open.* Are there breathers around two neighbouring sites that swing in phase? */
+5. *Open.* Are there breathers around two neighbouring sites that swing in phase?
+
+The command `breather` computes a breather with your own parameters (commands/one_breather.hpp). */
+void reproduce(Report& report) {
+  report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
+  const Breather breather = report_convergence(report);
+  report_symmetry(report);
+  report_profiles(report);
+  report_persistence(report, breather);
+  report_tail(report);
+  report_branches(report);
+  report_width(report);
+  report_other_wells(report);
+}
+
 int main(int argc, char** argv) {
   return run({"sec32_newton_breathers", "3.2", "Static breathers of the chain (section 3.2)",
               reproduce, commands<OneBreather>()},

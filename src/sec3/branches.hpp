@@ -29,20 +29,6 @@ inline double growth_exponent(const Orbit<double>& lower, const Orbit<double>& u
          std::log((upper.omega - 1) / (lower.omega - 1));
 }
 
-/// The energy by which an exact site-centred breather at omega_b = 1.1 + detuning differs from that at 1.1, scaled to
-/// the detuning at which the period map of 1.1 leaves it with `residual`, relative to its largest displacement.
-inline double hidden_energy(double residual, double detuning) {
-  auto problem = problem_of(Centre::site, 1.1);
-  const Orbit<double> orbit = find_breather(problem);
-  problem.omega += detuning;
-  const Orbit<double> other = newton(problem, orbit.x);
-  problem.omega = 1.1;
-  State<double> end = other.start;
-  flow(problem.chain, end, problem.period());
-  const double left = largest_difference(end, other.start) / largest(other.start);
-  return std::abs(other.energy - orbit.energy) * residual / left;
-}
-
 /// The smallest ratio of neighbours: above one if the modulus grows at every step and the sign stays; nan for less than
 /// two values.
 inline Estimate least_ratio(const std::vector<Estimate>& values) {
@@ -88,25 +74,6 @@ inline Estimate mean_size(const std::vector<Estimate>& values) {
     return Estimate{sum.value / count, sum.error / count};
   };
   return compare(mean(2), mean(1));
-}
-
-/**
-How a family begins and how far it goes follows from its breathers in tenths of the frequency, with three steps close
-to one before. */
-struct FamilyExtent {
-  Estimate exponent, end;  ///< of the amplitude near omega_b = 1; the last frequency, two at most
-};
-
-/// Throws NewtonFailed if not even the first breather is found.
-inline FamilyExtent family_from_rest(Centre centre, double s) {
-  std::vector<double> omegas{1.0005, 1.001, 1.01};
-  for (int k = 1; k <= 10; ++k) omegas.push_back(1 + k / 10.0);
-  const std::vector<Orbit<double>> orbits = breathers_at(centre, s, omegas);
-  const Orbit<double>& last = orbits.back();
-  return {compare(growth_exponent(orbits.at(1), orbits.at(2)),
-                  growth_exponent(orbits.at(0), orbits.at(1))),
-          orbits.size() == omegas.size() ? exact(omegas.back())
-                                         : fold_of(problem_of(centre, last.omega, s), last)};
 }
 
 }  // namespace lattice
