@@ -45,15 +45,9 @@ sec32_newton_breathers.cpp; energy and area are those of the orbit that it integ
 barrier at equal frequency. Then the frequency of the breather around a site is changed until its area is that of the
 other. Its derivatives along the family, `x_omega` and `energy_omega`, come from the same linear equations as Newton's
 steps. What is left of the difference in area becomes energy by $d\mathcal H = d\mathcal A/T_b$. */
+/// At one tolerance of the flow: 128 roundings of the type T, or 16 times that if `coarser`.
 template <class T>
-struct Comparison {
-  Orbit<T> site, bond;
-  T equal_frequency, equal_area;  // E_site - E_bond
-};
-
-/// At one tolerance of the flow, 128 roundings of the type T, or 16 times that if `coarser`.
-template <class T>
-Comparison<T> compare_breathers(const BreatherPair& pair, int coarser) {
+Measured<T> compare_breathers(const BreatherPair& pair, int coarser) {
   // Two breathers of one frequency; the coarser run begins beside the orbit and has to find it again
   const auto problem = [&](int k) {
     return in_precision<T>(problem_of(both_centres[k], pair.omega, pair.s));
@@ -79,30 +73,19 @@ Comparison<T> compare_breathers(const BreatherPair& pair, int coarser) {
     missing = bond.area - moved.area;
     neglected = magnitude(T(missing * missing / (T(4) * pi<T>() * area_omega)));
   }
-  return {site, bond, site.energy - bond.energy,
-          moved.energy + missing / shifted.period() - bond.energy};
+  const T equal_frequency = site.energy - bond.energy,
+          equal_area = moved.energy + missing / shifted.period() - bond.energy;
+  return {{site, bond}, {equal_frequency, equal_area, shifted.omega}};
 }
 
 /**
 The two energies agree to six digits and more, so each must be known to twelve if the barrier is to have six. The error
-is the difference of the two tolerances plus 2048 roundings of the energy (`agree`), since the difference alone may be
+is the difference of the two tolerances plus 2048 roundings of the energy (`assess`), since the difference alone may be
 small by chance. Where it exceeds three parts in a thousand of a barrier, we repeat the computation with 64-bit
 mantissas. */
 template <class T>
 void measure_at_two_tolerances(BreatherPair& pair) {
-  const auto rough = compare_breathers<T>(pair, 1), fine = compare_breathers<T>(pair, 0);
-  const auto size = [&](const Orbit<T>& b) {  // near omega_b = 1 a rounding of the frequency counts
-    return std::max(b.energy, T(pair.omega) * magnitude(b.energy_omega) / T(64));
-  };
-  const auto both = [&](T Orbit<T>::*what, auto size_of) {
-    return std::array{agree(rough.site.*what, fine.site.*what, size_of(fine.site)),
-                      agree(rough.bond.*what, fine.bond.*what, size_of(fine.bond))};
-  };
-  pair.energy = both(&Orbit<T>::energy, size);
-  pair.amplitude = both(&Orbit<T>::amplitude, [](const Orbit<T>& b) { return b.amplitude; });
-  pair.equal_frequency = agree(rough.equal_frequency, fine.equal_frequency, size(fine.bond));
-  pair.equal_area = agree<T>(rough.equal_area, fine.equal_area, fine.bond.energy / T(4));
-  pair.wide = sizeof(T) > sizeof(double);
+  assess<T>(pair, compare_breathers<T>(pair, 1), compare_breathers<T>(pair, 0));
 }
 
 void measure_barriers(BreatherPair& pair) {

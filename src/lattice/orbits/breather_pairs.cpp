@@ -11,14 +11,16 @@ namespace lattice {
 
 // Both breathers of a pair and the barrier between them, at one tolerance
 template <class T>
-Measured<T>::Measured(const BreatherPair& pair, int coarser) {
+Measured<T> measured(const BreatherPair& pair, int coarser) {
   const NewtonRule<T> how = rule<T>(coarser);
+  Measured<T> out;
   for (int k : {0, 1}) {
     Orbit<double> guess = pair.orbit[k];
     if (coarser) guess.x *= 1.000001;
-    orbit[k] = newton(in_precision<T>(pair.problem(k)), guess, how);
+    out.orbit[k] = newton(in_precision<T>(pair.problem(k)), guess, how);
   }
-  gap = barrier(in_precision<T>(pair.problem(0)), orbit[0], orbit[1], how);
+  out.gap = barrier(in_precision<T>(pair.problem(0)), out.orbit[0], out.orbit[1], how);
+  return out;
 }
 
 // Two resolutions side by side: the finer one gives the value, their difference the error
@@ -53,12 +55,12 @@ void assess(BreatherPair& pair, const Measured<T>& coarse, const Measured<T>& fi
 // Two tolerances for a value with its error, a single one for a step of a search
 template <class T>
 void measure_in(BreatherPair& pair) {
-  assess<T>(pair, {pair, 1}, {pair, 0});
+  assess<T>(pair, measured<T>(pair, 1), measured<T>(pair, 0));
 }
 
 template <class T>
 void measure_once(BreatherPair& pair, int coarser) {
-  const Measured<T> only(pair, coarser);
+  const auto only = measured<T>(pair, coarser);
   assess<T>(pair, only, only);
 }
 
@@ -169,7 +171,7 @@ Estimate frequency_of_zero(const BreatherPair& left, const BreatherPair& right,
 }
 
 #define LATTICE_INSTANCES(T)                                                      \
-  template struct Measured<T>;                                                    \
+  template Measured<T> measured<T>(const BreatherPair&, int);                     \
   template void assess<T>(BreatherPair&, const Measured<T>&, const Measured<T>&); \
   template void measure_in<T>(BreatherPair&);                                     \
   template void measure_once<T>(BreatherPair&, int);

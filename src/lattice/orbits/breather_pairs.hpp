@@ -72,10 +72,10 @@ template <class T>
 struct Measured {
   std::array<Orbit<T>, 2> orbit;
   Barrier<T> gap;
-
-  /// Throws NewtonFailed.
-  Measured(const BreatherPair& pair, int coarser);
 };
+/// Throws NewtonFailed.
+template <class T>
+Measured<T> measured(const BreatherPair& pair, int coarser);
 
 /**
 The difference of the two is the error, but it may be small by chance. Comparison with quadruple precision
