@@ -30,7 +30,7 @@ from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective
 
 from lineage import ecsv, inventory, markdown as md, tex
-from lineage.chapters import explained_by, read_commands, read_costs, run_of, shown_cost
+from lineage.chapters import article_tests, explained_by, read_commands, read_costs, run_of, shown_cost
 from lineage.claims import (KINDS, OBTAINED, agrees, by_name, in_plain, meanings, program_of, programs_of, read_claims, read_facts,
                             read_findings, read_literature, read_second, read_verdicts, said as filled, with_kind,
                             with_sentences)
@@ -110,7 +110,7 @@ class Book:
         self.stale |= {id for id, c in self.claims.items() if c["answer"] in self.stale}
         self.verdicts = joined(lambda volume: read_verdicts(volume, self.build / "report"), every)
         self.literature = joined(read_literature, every)
-        self.lines, near = {}, {}
+        self.tests, self.lines, near = article_tests(self.root), {}, {}
         for chapter in self.chapters:
             needed = [self.by_include[i] for i in chapter.includes if i in self.by_include]
             halves = [i for i in (s.included[:-4] + ".cpp" for s in needed) if i in self.by_include]
@@ -255,7 +255,8 @@ class Book:
         program, words = program_of(claim), set(re.findall(r"\w+", claim["where"]))
         chapter = md.link(program + ".html", "chapter") if program in self.by_page else ""
         figures = [self.figure_link(f) for f, row in self.figures.items() if row["label"] in words]
-        links = ", ".join(filter(None, [self.line_link(id), chapter, *figures, self.speaks(id, program)]))
+        test = f"test `article.cpp:{self.tests[id]}`" if id in self.tests else ""
+        links = ", ".join(filter(None, [self.line_link(id), chapter, *figures, self.speaks(id, program), test]))
         return [f"{md.place(id)}{md.name(id)} {md.spelled(claim['quantity'])} ({md.plain(where)})", article,
                 here + self.second_mark(id), said, links + self.alone_mark(id)]
 
@@ -324,7 +325,22 @@ class Book:
     def figures_page(self):
         cells = [f'<a href="fig-{id}.html"><img src="figures/{self.stem(id)}.svg" alt="{escape(row["caption"])}" loading="lazy">'
                  f"<span><b>{spoken(id)}.</b> {escape(row['caption'])}</span></a>" for id, row in self.figures.items()]
-        return f'\n<div class="gallery">{"".join(cells)}</div>\n'
+        return f'\n<div class="gallery">{"".join(cells)}</div>\n\n## Where they are computed\n' + md.table(
+            ["figure", "section", "chapter and line of each table", "statements that name it"],
+            [[self.figure_link(id), row["section"], self.table_links(row), self.naming(row["label"])] for id, row in self.figures.items()])
+
+    def table_links(self, row):
+        """Where a chapter begins each table of a figure."""
+        chapter = self.by_page[row["program"]]
+        lines = [next((k for k, line in enumerate(chapter.text.split("\n"), 1) if f'"{name}"' in line), 0) for name in row["data"].split()]
+        return self.page_link(chapter.page) + "".join(
+            ", " + md.link(f"{chapter.page}.html#L-{line}", f"line {line}") for line in sorted(set(lines)) if line)
+
+    def naming(self, label):
+        """The statements of the article that name a figure, with their tests."""
+        ids = [id for id, claim in self.claims.items() if label and label in re.findall(r"\w+", claim["where"])]
+        return ", ".join(md.link(f"published.html#{id}", id) + (f" (test `article.cpp:{self.tests[id]}`)" if id in self.tests else "")
+                         for id in ids)
 
     def equations_page(self):
         return "".join(f"\n{md.place(f'eq-{n}')}\n\n## ({n}) {row['name']}\n\n$$\n{row['tex']} \\tag{{{n}}}\n$$\n\n"

@@ -11,8 +11,8 @@ import re
 from pathlib import Path
 
 from . import codecheck, ecsv, metadata, modules
-from .chapters import costs_text, explained_by, read_commands, renewed_costs, run_of, shown_cost
-from .claims import by_name, check_quotations, in_plain, meanings, read_claims, read_findings, read_verdicts, said
+from .chapters import article_tests, costs_text, explained_by, read_commands, renewed_costs, run_of, shown_cost
+from .claims import by_name, check_quotations, in_plain, meanings, program_of, programs_of, read_claims, read_findings, read_verdicts, said
 from .lock import read_lock, sources
 from .volumes import article, below, joined
 
@@ -89,6 +89,21 @@ def tally_rows(claims, verdicts):
             *(f"| {word} | {said.count(word)} | {text} |" for word, text in meanings().items() if word in said)]
 
 
+def index_rows(root, claims, figures):
+    """Every chapter with its figures, how many statements it answers, and the lines of tests/article.cpp that assert
+    printed numbers of them."""
+    tests = article_tests(root)
+    yield "| section | chapter | figures | statements | tests of printed numbers |"
+    yield "|---|---|---|---|---|"
+    for program in programs_of(root):
+        answered = [id for id, claim in claims.items() if program_of(claim) == program]
+        lines = sorted({tests[id] for id in answered if id in tests})
+        section = re.match(r"/\*\*\n# (\w[\w.]*)", ecsv.text_of(Path(root) / f"src/{program}.cpp"))[1]
+        shown = ", ".join(id.lstrip("0") for id, row in figures.items() if row["program"] == program)
+        links = ", ".join(f"[line {line}](tests/article.cpp#L{line})" for line in lines)
+        yield f"| {section} | [`{program}`](src/{program}.cpp) | {shown} | {len(answered) or ''} | {links} |"
+
+
 def command_of(figure):
     """How a reader asks for a figure: `make fig07`, `make x03`."""
     return "make " + (figure if figure.startswith("x") else "fig" + figure)
@@ -114,7 +129,8 @@ def minute_rows(root):
 def generated_tables(root, claims, numbers, costs):
     """Every table that a page may show, by the name in its marks."""
     judged, verdicts = Path(root) == article(root), read_verdicts(root)
-    return {"gallery": gallery_rows(read_figures(root)), "found": found_rows(read_findings(root), numbers),
+    figures = read_figures(root)
+    return {"gallery": gallery_rows(figures), "index": list(index_rows(root, claims, figures)) if judged else None, "found": found_rows(read_findings(root), numbers),
             "modules": modules.drawing(root), "minutes": minute_rows(root),
             "summary": tally_rows(claims, verdicts) if judged else None,
             "discrepant": list(discrepancy_rows(claims, numbers, verdicts, costs, read_commands(root))) if judged else None}

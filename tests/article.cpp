@@ -179,7 +179,7 @@ TEST_CASE("a number agrees with the print, differs from it, or is not known well
 // ## 3.1 The DpS equation
 
 TEST_CASE("3.1: the time constant tau_0 is 1.545, in closed form and from the push of a contact",
-          "[article]") {
+          "[article][dps.tau0]") {
   // 1 / tau_0 is what a push has at the frequency of the wells; trapezoids over the half period of the push
   const auto by_quadrature = [](int n) {
     double sum = 0;
@@ -194,14 +194,16 @@ TEST_CASE("3.1: the time constant tau_0 is 1.545, in closed form and from the pu
   check_close(by_quadrature(2000), tau_0(), 1e-9);
 }
 
-TEST_CASE("3.1: the DpS approximation of an impact errs by the order 3/2 in epsilon", "[article]") {
+TEST_CASE("3.1: the DpS approximation of an impact errs by the order 3/2 in epsilon",
+          "[article][dps.error_order]") {
   const auto error = [](double eps) { return refined_deviations({dps_impact(16)}, eps, {1})[0]; };
   CHECK(agrees(order_between(1e-5, error(1e-5), 1e-6, error(1e-6)), 1.5, Abs{0.03}));
 }
 
 // ## 3.2 Static breathers
 
-TEST_CASE("3.2: a stationary DpS breather grows as mu^2 and keeps its width", "[article]") {
+TEST_CASE("3.2: a stationary DpS breather grows as mu^2 and keeps its width",
+          "[article][dps.scaling]") {
   for (Centre centre : both_centres) {
     const auto exponent = [&]<class T>(T mu) {
       const auto of = [&](T m) {
@@ -221,7 +223,8 @@ TEST_CASE("3.2: a stationary DpS breather grows as mu^2 and keeps its width", "[
   }
 }
 
-TEST_CASE("3.2: the quasi-continuum profile obeys its equation and ends at 3 pi / 2", "[article]") {
+TEST_CASE("3.2: the quasi-continuum profile obeys its equation and ends at 3 pi / 2",
+          "[article][dps.qc_support]") {
   // Where the library's profile becomes zero, by bisection
   double inside = 0, outside = 10;
   for (int k = 0; k < 100; ++k) {
@@ -245,7 +248,7 @@ TEST_CASE("3.2: the quasi-continuum profile obeys its equation and ends at 3 pi 
 }
 
 TEST_CASE("3.2: the quasi-continuum profile is good at omega_b = 1.01 and worse at 1.1",
-          "[article]") {
+          "[article][newton.qc_small]") {
   for (Centre centre : both_centres) {
     const auto off = [&](double omega) {
       const auto with = [&](int coarser) {
@@ -265,7 +268,7 @@ TEST_CASE("3.2: the quasi-continuum profile is good at omega_b = 1.01 and worse 
 
 TEST_CASE(
     "3.2: five Newton steps leave less than the printed residual 1.5e-9 and last step 1.7e-11",
-    "[article]") {
+    "[article][newton.residual][newton.variation]") {
   const Shooting<double> problem = problem_of(Centre::site, 1.1);
   const auto found = [&](int coarser) {
     return newton(problem, problem.reduce(ansatz(Centre::site, 1.1, 31)), rule<double>(coarser));
@@ -285,7 +288,7 @@ TEST_CASE(
 }
 
 TEST_CASE("3.2: after a hundred periods the breather of omega_b = 1.1 looks as at the start",
-          "[article]") {
+          "[article][newton.persistence]") {
   const auto problem = problem_of(Centre::site, 1.1);
   const State<double> start = find_breather(problem).start;
   const auto moved = [&](int coarser) {
@@ -298,7 +301,7 @@ TEST_CASE("3.2: after a hundred periods the breather of omega_b = 1.1 looks as a
 }
 
 TEST_CASE("3.2: the tail falls super-exponentially, with the exponent 3/2 from site to site",
-          "[article]") {
+          "[article][newton.decay]") {
   const auto problem = breather_problem<double>(Centre::site, 1.1, 0, 63);
   const auto orbit =
       newton(in_precision<Wide>(problem), find_breather(problem), scaled_rule<Wide>());
@@ -314,7 +317,7 @@ TEST_CASE("3.2: the tail falls super-exponentially, with the exponent 3/2 from s
 }
 
 TEST_CASE("3.2: the energies of both centres are indistinguishable, their amplitudes are not",
-          "[article]") {
+          "[article][newton.energy_equal][newton.amplitude_differs]") {
   for (double omega : {1.01, 1.3, 2.0}) {
     const BreatherPair pair = pair_at(omega, 0);
     const Estimate energies = relative_distance(pair.energy[0], pair.energy[1].value),
@@ -327,7 +330,7 @@ TEST_CASE("3.2: the energies of both centres are indistinguishable, their amplit
 TEST_CASE(
     "3.2: E_PN at omega_b = 1.1 and s = 0 is 1.624e-11, not the printed 1.77e-11, "
     "but the printed residual covers the difference",
-    "[article]") {
+    "[article][pn.omega11]") {
   const Estimate barrier = size_of(pair_at(1.1, 0).equal_frequency);
   CHECK(differs(barrier, 1.77e-11, Rel{5e-3}, "8 per cent, in all precisions"));
   CHECK(remains(barrier, 1.62422e-11, Rel{1e-4}));
@@ -347,13 +350,13 @@ TEST_CASE(
 }
 
 TEST_CASE("3.2: E_PN at omega_b = 1.01 is of the order 1e-14 to 1e-15 in all three wells",
-          "[article]") {
+          "[article][pn.small]") {
   for (double s : {-1.0 / 6, 0.0, 1.0})
     CHECK(agrees(size_of(pair_at(1.01, s).equal_frequency), std::sqrt(1e-14 * 1e-15), Factor{10}));
 }
 
 TEST_CASE("3.2: E_PN at omega_b = 1.5 is the printed 1e-4 for s = 1 and not for s = -1/6",
-          "[article]") {
+          "[article][pn.omega15]") {
   const Estimate soft = size_of(pair_at(1.5, -1.0 / 6).equal_frequency);
   CHECK(differs(soft, 1e-4, Factor{10}, "7.6e-8; s = 1 gives the print"));
   CHECK(agrees(size_of(pair_at(1.5, 1).equal_frequency), 1e-4, Rel{0.2}));
@@ -361,14 +364,16 @@ TEST_CASE("3.2: E_PN at omega_b = 1.5 is the printed 1e-4 for s = 1 and not for 
 
 // ## 3.3 Stability and mobility
 
-TEST_CASE("3.3: the bond-centred DpS breather is spectrally stable at mu = 1 and 10", "[article]") {
+TEST_CASE("3.3: the bond-centred DpS breather is spectrally stable at mu = 1 and 10",
+          "[article][dps.bond_stable]") {
   for (double mu : {1.0, 10.0}) {
     const Margin found = margin_of<long double>(Centre::bond, mu, 32);
     CHECK(stands("stable", {below("margin", found.safe(), 0)}));
   }
 }
 
-TEST_CASE("3.3: the site-centred DpS breather is unstable, at a rate linear in mu", "[article]") {
+TEST_CASE("3.3: the site-centred DpS breather is unstable, at a rate linear in mu",
+          "[article][dps.site_growth]") {
   const double slope = margin_of<long double>(Centre::site, 1, 31).exponent.value;
   for (double mu : {1e-2, 0.5, 10.0}) {
     const Margin found = margin_of<long double>(Centre::site, mu, 31);
@@ -380,7 +385,7 @@ TEST_CASE("3.3: the site-centred DpS breather is unstable, at a rate linear in m
 TEST_CASE(
     "3.3: at omega_b = 1.1 four multipliers lie near +1 and the others accumulate at "
     "exp(+-2 pi i / omega_b)",
-    "[article]") {
+    "[article][floquet.spectrum]") {
   for (Centre centre : both_centres) {
     const auto around = [&](std::size_t more) {
       const auto problem = problem_at(centre, {}, more);
@@ -399,7 +404,7 @@ TEST_CASE(
 TEST_CASE(
     "3.3: at s = 0 the site-centred breather is unstable, by less than 1e-3, and the "
     "bond-centred one stable",
-    "[article]") {
+    "[article][floquet.harmonic][floquet.instability_size]") {
   const Spectrum site = spectrum_at(Centre::site, 0), bond = spectrum_at(Centre::bond, 0);
   const int others = quadruplet(site, 1.1).off_circle + quadruplet(bond, 1.1).off_circle;
   CHECK(stands("site weakly unstable, bond stable",
@@ -408,7 +413,8 @@ TEST_CASE(
   CHECK(agrees(excess(site.pairs), 1e-3, AtMost{}));
 }
 
-TEST_CASE("3.3: the pinning mode is very close to the discrete gradient", "[article]") {
+TEST_CASE("3.3: the pinning mode is very close to the discrete gradient",
+          "[article][pinning.gradient]") {
   for (Centre centre : both_centres) {
     const auto problem = problem_at(centre, {});
     const Orbit<double> orbit = find_breather(problem);
@@ -420,7 +426,7 @@ TEST_CASE("3.3: the pinning mode is very close to the discrete gradient", "[arti
 TEST_CASE(
     "3.3: both breathers exchange their stability at s_0 = 0.1525, neither at 0.26 around a "
     "bond nor at 0.05 around a site",
-    "[article]") {
+    "[article][floquet.s0_bond][floquet.s0_site]") {
   for (Centre centre : both_centres) {
     // Unstable below around a site, above around a bond
     const double sign = centre == Centre::site ? 1 : -1;
@@ -445,7 +451,7 @@ TEST_CASE(
 TEST_CASE(
     "3.3: a kick c = 2e-4 has the energy c^2/2 = 2e-8, and moves the site-centred breather at "
     "5.446e-4 and the bond-centred one at 5.364e-4",
-    "[article]") {
+    "[article][moving.kick_energy][moving.v_site][moving.v_bond]") {
   const auto at_rest = [](Centre c) { return resting_breather(c, Phase::stretched, 1.1, 40); };
   const RestingBreather site = at_rest(Centre::site), bond = at_rest(Centre::bond);
   const auto speed = [](const RestingBreather& at) {
@@ -466,7 +472,7 @@ TEST_CASE(
 TEST_CASE(
     "3.3: the bond-centred breather is freed beyond c_c = 4.45e-6, not the printed 6.19e-6, "
     "from which 1.92e-11 follows",
-    "[article]") {
+    "[article][moving.c_threshold][moving.pn_dynamic]") {
   const RestingBreather at = resting_breather(Centre::bond, Phase::stretched, 1.1, 22);
   const Prediction guess = predict_threshold(at, pair_at(1.1, 0).equal_area);
   CHECK(remains(guess.threshold, 4.452e-6, Rel{1e-3}));
@@ -489,7 +495,7 @@ TEST_CASE(
 TEST_CASE(
     "3.3: a kick c = 3e-6 leaves the bond-centred breather pinned, while the site-centred one "
     "passes two sites and still moves at t = 2.5e5",
-    "[article]") {
+    "[article][moving.site_below][moving.bond_pinned]") {
   for (Phase phase : {Phase::stretched, Phase::compressed}) {
     const RestingBreather at = resting_breather(Centre::bond, phase, 1.1, 22);
     const auto farthest = [&](double step) {
@@ -519,7 +525,7 @@ TEST_CASE(
 TEST_CASE(
     "3.4: an impact of 2 epsilon makes a packet on 7 sites; in one snapshot it is 9e-4 high in the "
     "chain and 13e-4 by the DpS equation, in which it is slightly faster",
-    "[article]") {
+    "[article][impact.amp_full][impact.amp_dps][impact.speed_order][impact.support]") {
   const double eps = 0.9548e-3, tau = 250, time = tau / std::sqrt(eps);
   CHECK(agrees(exact(breather_eps(1.01)), eps, Rel{1e-3}));
   CHECK(agrees(exact(time), 8090, Rel{1e-3}));
@@ -582,7 +588,7 @@ TEST_CASE(
 TEST_CASE(
     "3.4: speed and peak of a packet do not depend on s at small impacts, and soft wells lower "
     "both at larger ones",
-    "[article]") {
+    "[article][impact.ampvel][impact.slower]") {
   const auto packet = [](double s, double velocity) {
     const auto runs = refined(1e-6, [&](const EventCorrected& method) {
       return strike(method, {.velocity = velocity,
@@ -607,7 +613,7 @@ TEST_CASE(
 }
 
 TEST_CASE("3.4: with s = -0.7 an impact of 0.94 leaves a surface mode, with s = 0 it does not",
-          "[article]") {
+          "[article][impact.surface_mode]") {
   const auto shares = [](double s) {
     const auto runs = refined(1e-6, [&](const EventCorrected& method) {
       return strike(method,
@@ -626,7 +632,7 @@ TEST_CASE("3.4: with s = -0.7 an impact of 0.94 leaves a surface mode, with s = 
 }
 
 TEST_CASE("3.4: soft wells let a bead go above a threshold, which must pay for the rim",
-          "[article]") {
+          "[article][impact.blowup]") {
   const auto escapes = [](double velocity) {
     std::array<bool, 2> gone{};
     for (int k : {0, 1})
@@ -644,7 +650,7 @@ TEST_CASE("3.4: soft wells let a bead go above a threshold, which must pay for t
 TEST_CASE(
     "3.4: with s = 1 a packet turns round at v_0 = 1.9 and not by t = 1000 at 1.5; with s = 0 it "
     "goes on",
-    "[article]") {
+    "[article][boomeron.reversal][boomeron.moderate]") {
   const auto paths = [](const Impact& impact) {
     return std::array{strike(EventCorrected{0.1}, impact).path,
                       strike(EventCorrected{0.05}, impact).path};
@@ -670,7 +676,7 @@ TEST_CASE(
 
 TEST_CASE(
     "3.4: in pendulum wells a strong impact sends a kink and ejects beads, a weak one does not",
-    "[article]") {
+    "[article][impact.kink]") {
   const auto moved_on = [](double velocity, double step) {
     const Impact impact{velocity, {50, Pendulum{}}, 400, 100, may_move, false};
     const auto y = strike(EventCorrected{step}, impact).end.y;
@@ -686,7 +692,7 @@ TEST_CASE(
 
 TEST_CASE(
     "3.5: two beads touch for 2.43 tau_h and are compressed by 0.829 delta, not the printed 0.76",
-    "[article]") {
+    "[article][scale.contact_time][scale.max_compression]") {
   const Collision coarse = collide(0.1), fine = collide(0.05);
   const Estimate compression = compare(coarse.compression, fine.compression);
   CHECK(agrees(compare(coarse.contact_time, fine.contact_time), 2.43, Abs{1e-2}));
@@ -700,7 +706,7 @@ TEST_CASE(
 }
 
 TEST_CASE("3.5: the cradle's lambda^(5/2) is 1.75e19, with g = 10 and the rounded contact time",
-          "[article]") {
+          "[article][scale.cradle]") {
   CHECK(agrees(exact(cradle(10, 2.43)), 1.75e19, Rel{1e-2}));
   CHECK(differs(exact(cradle(9.81, collision_by_energy().contact_time)), 1.75e19, Rel{1e-2},
                 "g = 9.81 and all digits"));
@@ -709,7 +715,7 @@ TEST_CASE("3.5: the cradle's lambda^(5/2) is 1.75e19, with g = 10 and the rounde
 // ## 3.6 Cantilevers
 
 TEST_CASE("3.6: a clamped beam has the stiffness 192, the frequency 22.4 and 0.38 of its mass",
-          "[article]") {
+          "[article][beam.stiffness][beam.frequency][beam.mass]") {
   const auto of = [](auto quantity) {
     return compare(quantity(ClampedBeam{100}), quantity(ClampedBeam{200}));
   };
@@ -723,7 +729,8 @@ TEST_CASE("3.6: a clamped beam has the stiffness 192, the frequency 22.4 and 0.3
   check_close(ClampedBeam{}.wavenumber(), clamped_root(), 1e-9);
 }
 
-TEST_CASE("3.6: the array has tau_h = 0.047 ms, tau_c = 0.025 ms and lambda = 0.29", "[article]") {
+TEST_CASE("3.6: the array has tau_h = 0.047 ms, tau_c = 0.025 ms and lambda = 0.29",
+          "[article][cantilever.tau_h][cantilever.tau_c][cantilever.lambda]") {
   const Scales scales = CantileverArray{}.scales();
   CHECK(agrees(exact(1e3 * scales.tau_h(1)), 0.047, Abs{5e-4}));
   CHECK(agrees(exact(1e3 * scales.tau_c()), 0.025, Abs{5e-4}));
@@ -738,7 +745,9 @@ TEST_CASE("3.6: the array has tau_h = 0.047 ms, tau_c = 0.025 ms and lambda = 0.
 TEST_CASE(
     "3.6: at n = 80 the packet has 2030 sites/s, 0.5 m/s, 11 um, 2.8 N, 0.14 ms and 3.8 ms, "
     "and goes on for 20 sites and 70 oscillations in 10 ms",
-    "[article]") {
+    "[article][cantilever.speed][cantilever.bead_velocity][cantilever.deflection][cantilever.force]"
+    "[cantilever.period][cantilever.duration][cantilever.frequency][outlook.travel_10ms][outlook."
+    "periods_10ms]") {
   const StruckArray blow{};
   const std::array<WatchedRun, 2> runs{pass(blow, 80, 60, {0.2, 0.1}),
                                        pass(blow, 80, 60, {0.1, 0.05})};
@@ -782,7 +791,7 @@ TEST_CASE(
 }
 
 TEST_CASE("3.6: beads of 1.6 radii reflect the packet almost totally, beads of 1.1 radii in part",
-          "[article]") {
+          "[article][cantilever.reflect16][cantilever.partial11]") {
   // Straight through, with the defect in place from the impact on; the chapter's runs share the way there
   const StruckArray blow{};
   const auto before_and_behind = [&](double ratio, double step) {
@@ -814,7 +823,8 @@ TEST_CASE("3.6: beads of 1.6 radii reflect the packet almost totally, beads of 1
 
 // ## 4 Precompression
 
-TEST_CASE("4.1: at d = 1/2 the contact has v_1 = 1.06, v_2 = -0.53 and v_3 = -0.17", "[article]") {
+TEST_CASE("4.1: at d = 1/2 the contact has v_1 = 1.06, v_2 = -0.53 and v_3 = -0.17",
+          "[article][pre.v1][pre.v2][pre.v3]") {
   const auto v = contact_series(0.5);
   CHECK(agrees(exact(v.v1), 1.06, Abs{5e-3}));
   CHECK(agrees(exact(v.v2), -0.53, Abs{5e-3}));
@@ -828,7 +838,7 @@ TEST_CASE("4.1: at d = 1/2 the contact has v_1 = 1.06, v_2 = -0.53 and v_3 = -0.
 }
 
 TEST_CASE("4.1: Phi changes its sign at q_c with cos q_c = v_1 (1 - cos q_c)^2, in all three wells",
-          "[article]") {
+          "[article][pre.inflection]") {
   const double v1 = contact_series(0.5).v1, q_c = inflection(v1), x = 1 - std::cos(q_c);
   CHECK(agrees(exact(v1 * x * x), std::cos(q_c), Rel{1e-10}));
   for (double s : {-1.0 / 6, 0.0, 1.0})
@@ -836,7 +846,7 @@ TEST_CASE("4.1: Phi changes its sign at q_c with cos q_c = v_1 (1 - cos q_c)^2, 
 }
 
 TEST_CASE("4.1: waves are unstable at q = 0 for s < 0 and at q = pi for 16 v_3 + s > 0",
-          "[article]") {
+          "[article][pre.edges]") {
   const double threshold = -16 * contact_series(0.5).v3;
   const BandEdges at = band_edges(0.5, threshold);
   CHECK(stands("conditions at the edges",
@@ -844,7 +854,8 @@ TEST_CASE("4.1: waves are unstable at q = 0 for s < 0 and at q = pi for 16 v_3 +
                 below("stable side", at.stable_side, 1e-12)}));
 }
 
-TEST_CASE("4.1: the printed beta is that of exact waves, by frequency and by growth", "[article]") {
+TEST_CASE("4.1: the printed beta is that of exact waves, by frequency and by growth",
+          "[article][pre.beta]") {
   // The frequency of a wave of amplitude a is omega^2 + 2 beta (a / 2)^2
   for (double s : {-1.0 / 6, 0.0, 1.0}) {
     const double q = 0.8, v1 = contact_series(0.5).v1, omega = phonon(q, v1).omega;
@@ -860,7 +871,7 @@ TEST_CASE("4.1: the printed beta is that of exact waves, by frequency and by gro
 
 TEST_CASE(
     "4.2: Phi is much smaller for s = 0, and its bands lie below q_c for s <= 0, above for s = 1",
-    "[article]") {
+    "[article][pre.phi]") {
   const std::array wells{-1.0 / 6, 0.0, 1.0};
   std::array<double, 3> coarse{}, fine{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -884,7 +895,7 @@ TEST_CASE(
 
 TEST_CASE(
     "4.2: a phonon of q = pi/4 on a ring of 200 beads has become a travelling breather at 6619",
-    "[article]") {
+    "[article][pre.mi_run]") {
   const Formed wave = formed(modulate({}, 6619, 0.4), modulate({}, 6619, 0.2));
   CHECK(stands("a travelling breather moving right",
                {above("peak over mean", wave.peak_over_mean, 5),
