@@ -136,7 +136,7 @@ class Here(unittest.TestCase):
         """The index of the README and the book leads from a claim to the line of its test."""
         tests, lines = chapters.article_tests(ROOT), ecsv.text_of(ROOT / "tests/article.cpp").split("\n")
         self.assertEqual(sorted(set(tests) - set(read_claims(ROOT))), [])
-        self.assertGreater(len(tests), 60)
+        self.assertGreater(len(tests), 50)
         self.assertTrue(all("TEST_CASE" in lines[line - 1] for line in tests.values()))
 
     def test_every_figure_has_its_script_program_and_tables(self):
