@@ -3,10 +3,10 @@
 # One impact on a compressed chain
 
 `sec4_precompression_mi impact` strikes a chain with wells of any name; the contact, whose compression is the subject,
-stays. The named wells all have the phonons of the harmonic one, on which the length of the chain rests. Contacts may go on
-opening for ever, so the event-corrected method goes all the way, with steps that are halved until the end states of two
-runs agree to `tolerance`. It fails if they do not, or if a bead runs away before the end, because then there is no packet
-to report. */
+stays. The named wells all have the phonons of the harmonic one, on which the length of the chain rests. Contacts may go
+on opening for ever, so the event-corrected method goes all the way, with steps that are halved until the end states of
+two runs agree to `tolerance`. It fails if they do not, or if a bead runs away before the end, because then there is no
+packet to report. */
 
 #include "report/model_options.hpp"
 #include "report/program.hpp"

@@ -24,8 +24,9 @@ Estimate in_two_precisions(Formula formula) {
 }
 
 /**
-Both factors of $\Phi$ can change sign, so the unstable wavenumbers may be one interval, or several, or none. None is lost
-if we know all zeros. That of $\omega_2$ has a closed form, and with $x = 1-\cos q$ those of $\beta$ are the zeros of
+Both factors of $\Phi$ can change sign, so the unstable wavenumbers may be one interval, or several, or none. None is
+lost if we know all zeros. That of $\omega_2$ has a closed form, and with $x = 1-\cos q$ those of $\beta$ are the zeros
+of
 $$\tfrac{2d}9\,(4v_1x^2+3)\,\beta = -x^4 + x^3 + \bigl(2sd^{3/2}-\tfrac14d^{-1/2}\bigr)x^2 + sd,$$
 of which three stationary points are known, one of them at $x = 0$. */
 /// Wavenumbers from `from` to `to`, in 1/site.

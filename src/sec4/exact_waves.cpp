@@ -27,8 +27,8 @@ double PlaneWave::slope(double theta) const {
   return sum;
 }
 
-// One step of Newton's method, with the equation at as many points as there are harmonics; its size, relative to the
-// amplitude. The amplitude b_1 is given, so the first column belongs to the frequency and the others to b_2, b_3, ...
+// One step of Newton's method, with the equation at as many points as there are harmonics; its relative size. The
+// amplitude b_1 is given, so the first column belongs to the frequency and the others to b_2, b_3, ...
 static double improve(PlaneWave& wave, const Well& well, const Contact& contact) {
   const Index count = Index(wave.b.size());
   Eigen::MatrixXd jacobian(count, count);
@@ -56,6 +56,7 @@ static double improve(PlaneWave& wave, const Well& well, const Contact& contact)
   return std::abs(step[0]) + step.tail(count - 1).cwiseAbs().maxCoeff() / std::abs(wave.b[0]);
 }
 
+// From the phonon on, until the steps are rounding
 PlaneWave plane_wave(const Well& well, const Contact& contact, double q, double a,
                      std::size_t harmonics) {
   PlaneWave wave{q, 0, std::vector<double>(harmonics, 0.0)};
@@ -79,8 +80,8 @@ State<double> on_ring(const PlaneWave& wave, std::size_t sites) {
   return state;
 }
 
-// On an odd number of points of theta derivative and shift are full matrices, exact for every harmonic that the grid can
-// hold. With w = (lambda - omega d/dtheta) p as a second unknown the problem becomes linear in lambda
+// On an odd number of points derivative and shift are full matrices, exact for every harmonic that the grid can hold.
+// With w = (lambda - omega d/dtheta) p as a second unknown the problem becomes linear in lambda
 static MatrixXcd linearisation(const PlaneWave& wave, const Well& well, const Contact& contact,
                                double modulation) {
   using namespace std::complex_literals;
@@ -187,6 +188,7 @@ double measured_frequency(const Method& method, const Chain& ring, const PlaneWa
   return -turned / time;
 }
 
+// Two steps in time, and two pairs of amplitudes for each
 Estimate measured_beta(const Chain& ring, double q, double omega) {
   const auto from = [&](double step) {
     return at_zero_amplitude(0.04, [&](double a) {
@@ -217,6 +219,7 @@ double measured_growth(const Method& method, const Chain& ring, const PlaneWave&
   return fit_line(times, logs).slope;
 }
 
+// A whole number of wavelengths
 Soliton::Soliton(const PhaseOfWave& of, std::size_t wavelength, double epsilon)
     : phonon(of),
       eps(epsilon),

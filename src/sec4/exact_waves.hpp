@@ -8,7 +8,8 @@ $$\omega^2\varphi'' + W'(\varphi) = V'(r) - V'(r^-), \qquad
   r(\theta) = \varphi(\theta+q) - \varphi(\theta),\quad r^-(\theta) = r(\theta-q).$$
 For an even well $\theta\to-\theta$, $\varphi\to-\varphi$ leaves this equation unchanged, so we look for odd waves
 $\varphi = \sum_k b_k \sin k\theta$ with $b_1 = a$ given and the frequency unknown. As long as all contacts stay closed
-everything is analytic, and the series converges geometrically. Nothing here knows of $\beta$. */
+everything is analytic, and the series converges geometrically. Its frequency and the growth of its disturbances know
+nothing of $\beta$. */
 
 #include <cstddef>
 #include <vector>
@@ -30,8 +31,8 @@ struct PlaneWave {
   double relative(double theta) const { return profile(theta + q) - profile(theta); }
 };
 
-/// The exact wave of wavenumber `q` and amplitude `a`, by Newton's method from the phonon. Throws std::runtime_error if
-/// that does not converge or if the wave opens a contact, since the series would no longer converge geometrically.
+/// The exact wave of wavenumber `q` and amplitude `a`, by Newton's method from the phonon. Throws std::runtime_error
+/// if that does not converge or if the wave opens a contact, since the series would no longer converge geometrically.
 PlaneWave plane_wave(const Well& well, const Contact& contact, double q, double a,
                      std::size_t harmonics = 12);
 /// The wave at t = 0 on a ring that holds a whole number of wavelengths; the first site is n = 1.
@@ -57,8 +58,8 @@ Estimate at_zero_amplitude(double a, Of of) {
 }
 
 /**
-By the NLS equation the fastest modulation grows at the rate $|h||A|^2$, so the eigenvalue times $\omega|\omega_2|/|A|^2$
-is a measured $\Phi$ if it is positive; otherwise the eigenvalues are imaginary. */
+By the NLS equation the fastest modulation grows at the rate $|h||A|^2$, so the eigenvalue times
+$\omega|\omega_2|/|A|^2$ is a measured $\Phi$ if it is positive; otherwise the eigenvalues are imaginary. */
 struct PhaseOfWave {
   double q, d, s;  ///< wavenumber, compression, anharmonicity
 
@@ -71,8 +72,9 @@ struct PhaseOfWave {
 };
 
 /**
-At the edges of the band $\Phi(0) = -\frac32 s$ and $\Phi(\pi) = \frac32(s-s_\pi)$ with a threshold $s_\pi$. Both are tested
-over a range of wells, and by exact waves of amplitude 0.005 for $s$ at 0.05 on either side, with 6 and with 12 harmonics. */
+At the edges of the band $\Phi(0) = -\frac32 s$ and $\Phi(\pi) = \frac32(s-s_\pi)$ with a threshold $s_\pi$. Both are
+tested over a range of wells, and by exact waves of amplitude 0.005 for $s$ at 0.05 on either side, with 6 and with 12
+harmonics. */
 struct BandEdges {
   Estimate formula,  ///< by how much the identities are missed
       growth,  ///< by which fraction the growth on the unstable side is not that of the NLS equation
@@ -89,16 +91,16 @@ double measured_frequency(const Method& method, const Chain& ring, const PlaneWa
                           double periods);
 /// beta at zero amplitude from runs with two steps; `omega` is the linear frequency.
 Estimate measured_beta(const Chain& ring, double q, double omega);
-/// The rate at which a modulation of relative size 1e-6 with `turns` periods on the ring grows in a run: the slope of the
-/// logarithm of the side band from four to eight times 1 / `expected`, when the decaying part is gone.
+/// The rate at which a modulation of relative size 1e-6 with `turns` periods on the ring grows in a run: the slope of
+/// the logarithm of the side band from four to eight times 1 / `expected`, when the decaying part is gone.
 double measured_growth(const Method& method, const Chain& ring, const PlaneWave& wave, int turns,
                        double expected);
 
 /**
-A wave that varies at order one is the soliton of Eq. (38). What its ansatz omits, above all the second harmonic, is of size
-$\epsilon^2$ on $O(1/\epsilon)$ sites, so that the error in $\ell^2$ should be $(\epsilon^{-1}\,\epsilon^4)^{1/2} =
-\epsilon^{3/2}$, and that of any bead $\epsilon^2$. The ring has a whole number of wavelengths, $28/\epsilon$ sites or a
-little more, so that at the far side $\mathrm{sech}\,\xi < 2\cdot10^{-6}$. */
+A wave that varies at order one is the soliton of Eq. (38). What its ansatz omits, above all the second harmonic, is of
+size $\epsilon^2$ on $O(1/\epsilon)$ sites, so that the error in $\ell^2$ should be
+$(\epsilon^{-1}\,\epsilon^4)^{1/2} = \epsilon^{3/2}$, and that of any bead $\epsilon^2$. The ring has a whole number of
+wavelengths, $28/\epsilon$ sites or a little more, so that at the far side $\mathrm{sech}\,\xi < 2\cdot10^{-6}$. */
 struct Soliton {
   PhaseOfWave phonon;        ///< its carrier
   double eps;                ///< of the ansatz

@@ -39,8 +39,8 @@ template <class T>
 T inflection(T v1);
 
 /**
-Where does $\beta$ of Eq. (36) come from? Insert $A e^{i\theta} + A_2 e^{2i\theta} + c.c.$ with $\theta = qn - \omega t$.
-The quadratic part of the contact force drives the second harmonic,
+Where does $\beta$ of Eq. (36) come from? Insert $A e^{i\theta} + A_2 e^{2i\theta} + c.c.$ with
+$\theta = qn - \omega t$. The quadratic part of the contact force drives the second harmonic,
 $$A_2 = \frac{4i\,v_2\sin q\,(1-\cos q)}{3 + 4v_1(1-\cos q)^2}\,A^2,$$
 whose product with the first returns to the frequency $\omega$, together with the cubic parts of contact and well. (The
 quadratic part also has a mean, but it is the same in every contact and so moves no bead.) At $e^{i\theta}$ the terms
@@ -63,8 +63,8 @@ Coefficients<T> coefficients(T q, T d, T s);
 
 /**
 On the wave $y_n = a\sin(qn-\omega t)$, that is $|A| = a/2$ with $\epsilon = 1$, a modulation of wavenumber $Q$ grows at
-the rate $\sigma$ with $\sigma^2 = \tfrac12|\omega''|Q^2\,\bigl(2|h||A|^2 - \tfrac12|\omega''|Q^2\bigr)$, which is at most
-$|h||A|^2$. */
+the rate $\sigma$ with $\sigma^2 = \tfrac12|\omega''|Q^2\,\bigl(2|h||A|^2 - \tfrac12|\omega''|Q^2\bigr)$, which is at
+most $|h||A|^2$. */
 /// The growth rate sigma of a wave of amplitude `a` at this wavenumber, zero if the wave is stable.
 double nls_growth(const Coefficients<double>& at, double a, double modulation);
 /// The modulation that grows fastest, at the rate |h| a^2 / 4; only where phi > 0.
@@ -73,8 +73,8 @@ double fastest_modulation(const Coefficients<double>& at, double a);
 /// The unstable wavenumbers that fit on a ring, one in `every`, from the largest phi on.
 std::vector<double> unstable_on_ring(double d, double s, std::size_t sites, std::size_t every = 1);
 
-/// The zero of phi between `low` and `high`, by bisection, which does not use the closed form of the inflection. Throws
-/// std::invalid_argument if phi has the same sign at both.
+/// The zero of phi between `low` and `high`, by bisection, which does not use the closed form of the inflection.
+/// Throws std::invalid_argument if phi has the same sign at both.
 double sign_change_of_phi(double d, double s, double low, double high);
 
 /// The largest value of phi on a grid of `points` + 1 wavenumbers from 0 to pi, or zero if all are negative.

@@ -79,6 +79,7 @@ Formed formed(const WatchedRing& coarse, const WatchedRing& fine) {
           both(packet_width)};
 }
 
+// Two steps side by side, as long as they give the same state
 RingPair side_by_side(const Chain& ring, const State<double>& start, double longest,
                       const std::array<double, 2>& steps, double patience) {
   std::array<State<double>, 2> state{start, start};
@@ -104,6 +105,7 @@ RingPair side_by_side(const Chain& ring, const State<double>& start, double long
   return out;
 }
 
+// What is read from a pair
 Estimate RingPair::gathering() const {
   return {gathered, interval};
 }

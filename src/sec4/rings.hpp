@@ -43,16 +43,17 @@ struct WatchedRing {
 };
 WatchedRing watch_packet(const Method& method, const Chain& ring, State<double> state);
 
-/// What has become of the wave, from two runs: largest density over the mean, share of the sites that share the energy,
-/// speed of the centre with the error of its fit, and width of the packet.
+/// What has become of the wave, from two runs: largest density over the mean, share of the sites that share the
+/// energy, speed of the centre with the error of its fit, and width of the packet.
 struct Formed {
   Estimate peak_over_mean, share_of_sites, speed, width;
 };
 Formed formed(const WatchedRing& coarse, const WatchedRing& fine);
 
 /**
-Two runs are looked at every 50 units of time, and stop when their relative distance has reached a tenth: later statements
-would be merely statistical. If they have not parted by `longest`, `agree` is how long they were watched, and exact. */
+Two runs are looked at every 50 units of time, and stop when their relative distance has reached a tenth: later
+statements would be merely statistical. If they have not parted by `longest`, `agree` is how long they were watched, and
+exact. */
 /// Two runs side by side, the finer one second.
 struct RingPair {
   std::vector<std::array<RingSample, 2>> samples{};
@@ -70,14 +71,16 @@ struct RingPair {
   /// Whether there is a packet of five times the mean density, on a quarter of the ring, that moves to the right.
   bool travels() const;
 };
-/// Goes on until the runs part, until `longest`, or until `patience` times the time that it takes the energy to gather.
+/// Goes on until the runs part, until `longest`, or until `patience` times the time that it takes the energy to
+/// gather.
 RingPair side_by_side(const Chain& ring, const State<double>& start, double longest,
                       const std::array<double, 2>& steps,
                       double patience = std::numeric_limits<double>::infinity());
 
 /**
 A pulse splits when the second window holds half of the first or more, in both runs, after the pulse has gone round the
-ring once as one. This could be a pulse that spreads; so later the energy is to be gathered and shared in the same way. */
+ring once as one. This could be a pulse that spreads; so later the energy is to be gathered and shared in the same
+way. */
 struct PulseSplits {
   Estimate one_pulse_for;        ///< the longest time for which it was one pulse before
   Estimate splits_at, apart_at;  ///< nan if it does not
