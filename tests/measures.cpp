@@ -12,7 +12,7 @@
 #include "sec3/branches.hpp"
 #include "sec33/dps_motion.hpp"
 #include "sec33/exchange.hpp"
-#include "sec4/instability.hpp"
+#include "sec4/exact_waves.hpp"
 
 using namespace lattice;
 

@@ -6,9 +6,10 @@
 
 #include "check_potential.hpp"
 #include "lattice/gsl/reference.hpp"
+#include "lattice/impact/impact.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "run.hpp"
-#include "sec4/compressed_impact.hpp"
+#include "sec4/packets.hpp"
 
 using namespace lattice;
 

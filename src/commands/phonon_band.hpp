@@ -2,17 +2,18 @@
 /**
 # The phonon band and its instability, for any compression and well
 
-`sec4_precompression_mi band` prints the edges of the band (dispersion.hpp), its inflection, and the intervals of
+`sec4_precompression_mi band` prints the edges of the band (phonons.hpp), its inflection, and the intervals of
 wavenumbers whose phonons are modulationally unstable; `coefficients` evaluates everything that the NLS equation
-(nls.hpp) says about one wavenumber.
+(phonons.hpp) says about one wavenumber.
 
 Values of formulas have no step to halve, but they have rounding errors: we evaluate in `double` and in `long double`
 and take the difference as the error. */
 
 #include <numbers>
+#include <vector>
 
 #include "report/program.hpp"
-#include "sec4/nls.hpp"
+#include "sec4/phonons.hpp"
 
 namespace lattice {
 
@@ -21,6 +22,21 @@ template <class Formula>
 Estimate in_two_precisions(Formula formula) {
   return compare(double(formula(double(0))), double(formula(static_cast<long double>(0))));
 }
+
+/**
+Both factors of $\Phi$ can change sign, so the unstable wavenumbers may be one interval, or several, or none. None is
+lost if we know all zeros. That of $\omega_2$ has a closed form, and with $x = 1-\cos q$ those of $\beta$ are the zeros
+of
+$$\tfrac{2d}9\,(4v_1x^2+3)\,\beta = -x^4 + x^3 + \bigl(2sd^{3/2}-\tfrac14d^{-1/2}\bigr)x^2 + sd,$$
+of which three stationary points are known, one of them at $x = 0$. */
+/// Wavenumbers from `from` to `to`, in 1/site.
+template <class T>
+struct Wavenumbers {
+  T from, to;
+};
+/// The intervals between 0 and pi in which phi is positive.
+template <class T>
+std::vector<Wavenumbers<T>> unstable_wavenumbers(T d, T s);
 
 /**
 The ranges exclude values at which a formula loses its digits or a run its meaning. */

@@ -78,7 +78,7 @@ struct Hertz {
 
 /**
 If neighbours are pressed together by $d$ at rest, small motions leave the contacts closed, and the chain carries
-linear waves (dispersion.hpp). The potential is that of Eq. (33):
+linear waves (phonons.hpp). The potential is that of Eq. (33):
 $V(r) = \frac25 (d-r)_+^{5/2} + d^{3/2} r - \frac25 d^{5/2}$. The linear term subtracts the constant force of the
 precompression, which cancels on every bead inside the chain, so that $V(0) = V'(0) = 0$. The contact now opens at
 $r = d$ instead of $r = 0$. */

@@ -1,34 +1,19 @@
-#include "sec4/modulation.hpp"
-
-#include "lattice/numerics/progress.hpp"
-#include "sec4/nls.hpp"
+#include "sec4/rings.hpp"
 
 #include <algorithm>
 
+#include "lattice/diagnostics/observe.hpp"
+#include "lattice/impact/impact.hpp"
+#include "lattice/integrators/refinement.hpp"
+#include "lattice/numerics/line_fit.hpp"
+#include "lattice/numerics/progress.hpp"
+
 namespace lattice {
 
-// Follow the packet's centre for sixty units of time
-static Modulated look_closely(const Splitting& method, const Chain& ring, State<double> state) {
-  Modulated out{std::move(state)};
-  const auto look = [&](const State<double>& now) {
-    out.density = energy_density(ring, now);
-    out.t.push_back(now.t);
-    out.centre.push_back(packet_sample(now.t, out.density).centre);
-  };
-  out.drift = evolve(method, ring, out.end, 60, 1, look).energy_drift;
-  out.shown = snapshot(ring, out.end);
-  return out;
-}
+static constexpr double interval = 50;  // between two looks at a pair of runs
 
-// Let the modulation grow, then look closely during the last part of the run
-Modulated modulate(const ModulatedPhonon& phonon, double time, double step) {
-  const Chain ring = phonon.ring();
-  const Splitting method{blanes_moan_6_14(), step};
-  State<double> state = phonon.start();
-  const Run wait = evolve(method, ring, state, time - 60, 60);
-  Modulated out = look_closely(method, ring, std::move(state));
-  out.drift = std::max(wait.energy_drift, out.drift);
-  return out;
+static double peak_over_mean(const std::vector<double>& e) {
+  return *std::max_element(e.begin(), e.end()) / (total(e) / double(e.size()));
 }
 
 // Averaged over five sites; from the top down to half of its height, on either side, between two sites
@@ -69,12 +54,35 @@ RingSample ring_sample(const Chain& ring, const State<double>& state) {
       packet_width(e)};
 }
 
+WatchedRing watch_packet(const Method& method, const Chain& ring, State<double> state) {
+  WatchedRing out{std::move(state)};
+  const auto look = [&](const State<double>& now) {
+    out.density = energy_density(ring, now);
+    out.t.push_back(now.t);
+    out.centre.push_back(packet_sample(now.t, out.density).centre);
+  };
+  out.drift = evolve(method, ring, out.end, 60, 1, look).energy_drift;
+  out.shown = snapshot(ring, out.end);
+  return out;
+}
+
+// The slope of the centre's path is its speed
+Formed formed(const WatchedRing& coarse, const WatchedRing& fine) {
+  const auto both = [&](auto of) { return compare(of(coarse.density), of(fine.density)); };
+  const auto share = [](const std::vector<double>& e) {
+    return participation(e) / double(e.size());
+  };
+  const Line rough = fit_line(coarse.t, coarse.centre), best = fit_line(fine.t, fine.centre);
+  return {both(peak_over_mean),
+          both(share),
+          {best.slope, best.slope_error + std::abs(best.slope - rough.slope)},
+          both(packet_width)};
+}
+
 // Two steps side by side, as long as they give the same state
-RingPair run_ring_pair(const ModulatedPhonon& phonon, double longest,
-                       const std::array<double, 2>& steps, double patience) {
-  const double interval = 50;
-  const Chain ring = phonon.ring();
-  std::array<State<double>, 2> state{phonon.start(), phonon.start()};
+RingPair side_by_side(const Chain& ring, const State<double>& start, double longest,
+                      const std::array<double, 2>& steps, double patience) {
+  std::array<State<double>, 2> state{start, start};
   RingPair out;
   const auto method = [&](std::size_t k) { return Splitting{blanes_moan_6_14(), steps[k]}; };
   bool together = true;
@@ -91,19 +99,19 @@ RingPair run_ring_pair(const ModulatedPhonon& phonon, double longest,
     out.samples.push_back(seen);
     if (!std::isnan(out.gathered) || !seen[0].gathered || !seen[1].gathered) continue;
     out.gathered = seen[1].t;
-    for (std::size_t k : {0, 1}) out.packet[k] = look_closely(method(k), ring, state[k]);
+    for (std::size_t k : {0, 1}) out.packet[k] = watch_packet(method(k), ring, state[k]);
   }
   out.agree = together ? exact(state[1].t) : Estimate{state[1].t, interval};
   return out;
 }
 
-// What is narrowest and highest on the way
-Estimate RingPair::narrowest() const {
-  const auto narrower = [](const auto& a, const auto& b) {
-    return a[1].participation < b[1].participation;
-  };
-  const auto& at = *std::min_element(samples.begin(), samples.end(), narrower);
-  return compare(at[0].participation, at[1].participation);
+// What is read from a pair
+Estimate RingPair::gathering() const {
+  return {gathered, interval};
+}
+
+Formed RingPair::formed() const {
+  return lattice::formed(packet[0], packet[1]);
 }
 
 Estimate RingPair::width() const {
@@ -122,32 +130,12 @@ Estimate RingPair::highest() const {
   return compare(at[0].peak_over_mean, at[1].peak_over_mean);
 }
 
-// By the wavenumbers that fit on the ring
-std::vector<double> unstable_band(const ModulatedPhonon& phonon, std::size_t every) {
-  const auto phi = [&](double q) { return coefficients(q, phonon.d, phonon.s).phi; };
-  std::vector<double> band;
-  for (std::size_t k = every; 2 * k < phonon.sites; k += every) {
-    const double q = 2 * std::numbers::pi * double(k) / double(phonon.sites);
-    if (phi(q) > 0) band.push_back(q);
-  }
-  std::stable_sort(band.begin(), band.end(), [&](double a, double b) { return phi(a) > phi(b); });
-  return band;
-}
-
-// The state of the wave at the end, in numbers; the slope of the centre's path is its speed
-Formed formed(const Modulated& coarse, const Modulated& fine) {
-  const auto both = [&](auto of) { return compare(of(coarse.density), of(fine.density)); };
-  const auto peak = [](const std::vector<double>& e) {
-    return *std::max_element(e.begin(), e.end()) / (total(e) / double(e.size()));
-  };
-  const auto share = [](const std::vector<double>& e) {
-    return participation(e) / double(e.size());
-  };
-  const Line rough = fit_line(coarse.t, coarse.centre), best = fit_line(fine.t, fine.centre);
-  return {both(peak),
-          both(share),
-          {best.slope, best.slope_error + std::abs(best.slope - rough.slope)},
-          both(packet_width)};
+bool RingPair::travels() const {
+  if (std::isnan(gathered)) return false;
+  const Formed p = formed();
+  return p.peak_over_mean.value - p.peak_over_mean.error > 5 &&
+         p.width.value + p.width.error < double(packet[1].density.size()) / 4 &&
+         p.speed.value > p.speed.error;
 }
 
 // One pulse on its way round the ring, then two, and in the end two that stand apart
@@ -166,7 +154,6 @@ PulseSplits pulse_splits(const RingPair& pair, double round) {
     if (!std::isnan(split) && std::isnan(apart) && two && coarse.gathered && fine.gathered)
       apart = fine.t;
   }
-  const double interval = 50;
   return {{alone, interval}, {split, interval}, {apart, interval}};
 }
 

@@ -1,0 +1,124 @@
+#pragma once
+/**
+# Waves of finite amplitude, against the NLS equation
+
+A phonon (phonons.hpp) is a wave of vanishing amplitude. There are also waves of finite amplitude that keep their form:
+$y_n(t) = \varphi(\theta)$ with $\theta = qn - \omega t$ is a solution if $\varphi$ has the period $2\pi$ and
+$$\omega^2\varphi'' + W'(\varphi) = V'(r) - V'(r^-), \qquad
+  r(\theta) = \varphi(\theta+q) - \varphi(\theta),\quad r^-(\theta) = r(\theta-q).$$
+For an even well $\theta\to-\theta$, $\varphi\to-\varphi$ leaves this equation unchanged, so we look for odd waves
+$\varphi = \sum_k b_k \sin k\theta$ with $b_1 = a$ given and the frequency unknown. As long as all contacts stay closed
+everything is analytic, and the series converges geometrically. Its frequency and the growth of its disturbances know
+nothing of $\beta$. */
+
+#include <cstddef>
+#include <vector>
+
+#include "lattice/integrators/integrate.hpp"
+#include "lattice/numerics/estimate.hpp"
+#include "sec4/phonons.hpp"
+
+namespace lattice {
+
+/// An exact wave: wavenumber, frequency, and the coefficients of sin(k theta), k = 1, 2, ...
+struct PlaneWave {
+  double q = 0, omega = 0;
+  std::vector<double> b{};
+
+  double profile(double theta) const;  ///< phi(theta)
+  double slope(double theta) const;    ///< its derivative
+  /// r(theta).
+  double relative(double theta) const { return profile(theta + q) - profile(theta); }
+};
+
+/// The exact wave of wavenumber `q` and amplitude `a`, by Newton's method from the phonon. Throws std::runtime_error
+/// if that does not converge or if the wave opens a contact, since the series would no longer converge geometrically.
+PlaneWave plane_wave(const Well& well, const Contact& contact, double q, double a,
+                     std::size_t harmonics = 12);
+/// The wave at t = 0 on a ring that holds a whole number of wavelengths; the first site is n = 1.
+State<double> on_ring(const PlaneWave& wave, std::size_t sites);
+
+/**
+A small disturbance $e^{iQn + \lambda t}p(\theta)$ of such a wave obeys a linear equation with coefficients of period
+$2\pi$. With the shift $S p = p(\theta+q)$ and $B = e^{iQ}S - 1$ it is
+$$(\lambda - \omega\partial_\theta)^2 p = -W''(\varphi)\,p - B^\dagger V''(r)\,B\,p,$$
+an eigenvalue problem on a grid of $\theta$. The growth rate is the largest real part of $\lambda$. */
+/// The growth rate, 1 per unit of time, of the fastest disturbance of wavenumber Q, `modulation`.
+double growth_rate(const PlaneWave& wave, const Well& well, const Contact& contact,
+                   double modulation);
+
+/**
+To compare with the NLS equation we need the limit $a \to 0$. A quantity that is even in $a$ has an expansion in $a^2$:
+two amplitudes remove the first correction, and the next pair gives the error. */
+/// The value at zero amplitude of a quantity `of(a)` with an expansion in a^2, from a, a/2 and a/4.
+template <class Of>
+Estimate at_zero_amplitude(double a, Of of) {
+  const double x = of(a), y = of(a / 2), z = of(a / 4);
+  return compare((4 * y - x) / 3, (4 * z - y) / 3);
+}
+
+/**
+By the NLS equation the fastest modulation grows at the rate $|h||A|^2$, so the eigenvalue times
+$\omega|\omega_2|/|A|^2$ is a measured $\Phi$ if it is positive; otherwise the eigenvalues are imaginary. */
+struct PhaseOfWave {
+  double q, d, s;  ///< wavenumber, compression, anharmonicity
+
+  /// What the NLS equation says.
+  Coefficients<double> nls() const { return coefficients(q, d, s); }
+  /// Growth rate of a modulation of the exact wave of amplitude `a`.
+  double growth(double a, double modulation, std::size_t harmonics = 12) const;
+  /// Phi from the growth at the amplitudes a, a/2 and a/4.
+  Estimate phi_from_growth(double a) const;
+};
+
+/**
+At the edges of the band $\Phi(0) = -\frac32 s$ and $\Phi(\pi) = \frac32(s-s_\pi)$ with a threshold $s_\pi$. Both are
+tested over a range of wells, and by exact waves of amplitude 0.005 for $s$ at 0.05 on either side, with 6 and with 12
+harmonics. */
+struct BandEdges {
+  Estimate formula,  ///< by how much the identities are missed
+      growth,  ///< by which fraction the growth on the unstable side is not that of the NLS equation
+      stable_side;  ///< the largest growth on the other side
+};
+/// For the threshold at q = pi in a chain of compression `d`.
+BandEdges band_edges(double d, double threshold);
+
+/**
+In a run on a ring the phase of the wave's own Fourier component turns by $-\omega$ per unit of time. From the shift of
+this frequency follows $\beta$: by the NLS equation $\omega_{nl}^2 = \omega^2 + 2\beta|A|^2$, and $|A| = a/2$. */
+/// The mean frequency of the wave in a run over this number of periods.
+double measured_frequency(const Method& method, const Chain& ring, const PlaneWave& wave,
+                          double periods);
+/// beta at zero amplitude from runs with two steps; `omega` is the linear frequency.
+Estimate measured_beta(const Chain& ring, double q, double omega);
+/// The rate at which a modulation of relative size 1e-6 with `turns` periods on the ring grows in a run: the slope of
+/// the logarithm of the side band from four to eight times 1 / `expected`, when the decaying part is gone.
+double measured_growth(const Method& method, const Chain& ring, const PlaneWave& wave, int turns,
+                       double expected);
+
+/**
+A wave that varies at order one is the soliton of Eq. (38). What its ansatz omits, above all the second harmonic, is of
+size $\epsilon^2$ on $O(1/\epsilon)$ sites, so that the error in $\ell^2$ should be
+$(\epsilon^{-1}\,\epsilon^4)^{1/2} = \epsilon^{3/2}$, and that of any bead $\epsilon^2$. The ring has a whole number of
+wavelengths, $28/\epsilon$ sites or a little more, so that at the far side $\mathrm{sech}\,\xi < 2\cdot10^{-6}$. */
+struct Soliton {
+  PhaseOfWave phonon;        ///< its carrier
+  double eps;                ///< of the ansatz
+  Coefficients<double> nls;  ///< of Eq. (36) for this carrier
+  std::size_t sites;         ///< of the ring
+  /// `wavelength` is that of the carrier in sites.
+  Soliton(const PhaseOfWave& of, std::size_t wavelength, double epsilon);
+
+  Chain ring() const;
+  /// Displacements and velocities of the ansatz at time `t`.
+  State<double> at(double t) const;
+};
+/// The largest distance of the chain from the ansatz, with which it starts, on its way.
+struct AnsatzError {
+  double l2 = 0;       ///< of displacements and velocities together
+  double largest = 0;  ///< of any displacement or velocity
+};
+/// Up to the time `tau` / eps^2, in steps of at most `step`, looked at so often.
+AnsatzError ansatz_error(const Soliton& soliton, double tau, double step, std::size_t looks);
+
+}  // namespace lattice
