@@ -159,10 +159,10 @@ void report_profile(Report& report, Centre centre, const std::string& name) {
 ## The support of the approximation
 
 The forces of both breathers alternate in sign with a smooth envelope, $w_n = (-1)^n f(n)$. Replacing $f(n\pm1)$ by
-three terms of a Taylor series gives Eq. (17), $F'' = -4F + F|F|^{-1/3}$. Its last term has an infinite slope at $F = 0$,
-which lets a solution reach zero and stay there. Multiplied by $F'$ and integrated with $F = F' = 0$ at the edge it
-becomes $F'^2 = \frac65F^{5/3} - 4F^2$. So $F$ is largest at $F^{1/3} = \frac3{10}$, and the half-width of the support is
-the integral of $dF/|F'|$ from zero to there. The printed $g$ is that solution, as one sees by inserting it.
+three terms of a Taylor series gives Eq. (17), $F'' = -4F + F|F|^{-1/3}$. Its last term has an infinite slope at
+$F = 0$, which lets a solution reach zero and stay there. Multiplied by $F'$ and integrated with $F = F' = 0$ at the
+edge it becomes $F'^2 = \frac65F^{5/3} - 4F^2$. So $F$ is largest at $F^{1/3} = \frac3{10}$, and the half-width of the
+support is the integral of $dF/|F'|$ from zero to there. The printed $g$ is that solution, as one sees by inserting it.
 
 With $F = z^3$ the integrand behaves like an inverse square root at both ends. GSL has the Gauss rule for exactly that
 weight, named after Chebyshev. We divide the integrand by the weight; 8 and 16 nodes give the error. */
@@ -383,8 +383,9 @@ void reproduce(Report& report) {
 3. *Harder.* Are the two energies as close for contacts of another exponent?
    `build/bin/sec32_barrier barrier --omega 1.01 --contact power --alpha 2` gives `equal_frequency` = 3.79482e-8. Hint:
    divide by the energy that `breather` prints with the same options, and compare with the gap of the norms for spheres.
-4. *Open.* The norms are almost equal for the exponent 3/2, more nearly so below it, and at none of the exponents from 1.1 to 4
-   that were computed equal (`secB_other_numbers`). Is there an argument why the one around a bond is smaller?
+4. *Open.* The norms are almost equal for the exponent 3/2 and even closer below it, but at none of the computed
+   exponents from 1.1 to 4 are they equal (`secB_other_numbers`). Is there an argument why the one around a bond is
+   smaller?
 5. *Open.* The strains obey a two-dimensional map. Which breathers with two or more humps follow from its stable and
    unstable manifolds? */
 int main(int argc, char** argv) {
