@@ -330,11 +330,13 @@ class Book:
             [[self.figure_link(id), row["section"], self.table_links(row), self.naming(row["label"])] for id, row in self.figures.items()])
 
     def table_links(self, row):
-        """Where a chapter begins each table of a figure."""
-        chapter = self.by_page[row["program"]]
-        lines = [next((k for k, line in enumerate(chapter.text.split("\n"), 1) if f'"{name}"' in line), 0) for name in row["data"].split()]
-        return self.page_link(chapter.page) + "".join(
-            ", " + md.link(f"{chapter.page}.html#L-{line}", f"line {line}") for line in sorted(set(lines)) if line)
+        """Where a chapter begins each table of a figure: the line with the longest piece of its name in quotation marks."""
+        chapter, lines = self.by_page[row["program"]], set()
+        for name in row["data"].split():
+            said = [(len(word), -k) for k, line in enumerate(chapter.text.split("\n"), 1)
+                    for word in re.findall(r'"(\w{5,})"', line) if name.startswith(word) or name.endswith(word)]
+            lines |= {-max(said)[1]} if said else set()
+        return ", ".join([self.page_link(chapter.page), *(md.link(f"{chapter.page}.html#L-{k}", f"line {k}") for k in sorted(lines))])
 
     def naming(self, label):
         """The statements of the article that name a figure, with their tests."""
