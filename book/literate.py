@@ -334,7 +334,7 @@ class Book:
         chapter, lines = self.by_page[row["program"]], set()
         for name in row["data"].split():
             said = [(len(word), -k) for k, line in enumerate(chapter.text.split("\n"), 1)
-                    for word in re.findall(r'"(\w{5,})"', line) if name.startswith(word) or name.endswith(word)]
+                    for word in re.findall(r'"(\w{4,})"', line) if name.startswith(word) or name.endswith(word)]
             lines |= {-max(said)[1]} if said else set()
         return ", ".join([self.page_link(chapter.page), *(md.link(f"{chapter.page}.html#L-{k}", f"line {k}") for k in sorted(lines))])
 
