@@ -51,6 +51,11 @@ def unreadable(text):
     return out
 
 
+def in_sentences(text):
+    """How many numbers a chapter quotes outside of the rows of tables."""
+    return sum(line.count("](num:") for line in text.split("\n") if not line.startswith("|"))
+
+
 def misquoted(text):
     """Citations of an equation by anything but a number that the article has."""
     return re.findall(r"\bEqs?\.\s+[a-z]\w*", text) + [
@@ -94,6 +99,9 @@ class Rules(unittest.TestCase):
                             (block(1) + "\n#include <x>\n\n" + block(1) + x, 1), ("#include <x>\n" * 50 + block(1) + "x;\n\n" * 40, 0),
                             ("/** one line */\nx;\n/** another\n * line */\ny;\n", 0), ("/** one line */\n/** another */\ny;\n", 1)]:
             self.assertEqual(len(unreadable(text)), count, text)
+
+    def test_numbers_in_sentences_are_counted(self):
+        self.assertEqual(in_sentences("It is [1](num:a.b), [2](num:a.c).\n| row | [3](num:a.d) |\n"), 2)
 
     def test_a_long_function_is_seen(self):
         def function(head, count):
@@ -167,6 +175,11 @@ class Here(unittest.TestCase):
         for path, text in self.texts.items():
             self.none(f"{path}: {id}" for id in re.findall(r"\]\(fig:(\w+)\)", text) if id not in figures)
             self.none(f"{path}: {id}" for id in claim.findall(text) if id not in claims)
+
+    def test_few_numbers_stand_in_sentences(self):
+        """At most fourteen in a chapter of the article; the others are rows of tables."""
+        self.none(f"{path}: {count} numbers in prose" for path, text in self.texts.items()
+                  if VOLUME == ROOT and re.match(r"src/sec\w+\.cpp$", path) and (count := in_sentences(text)) > 14)
 
     def test_the_sources_keep_their_shape(self):
         self.none(f"{path}: {what}" for path, text in self.texts.items() for what in unreadable(text))
