@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "check.hpp"
+#include "dps_run.hpp"
 #include "lattice/gsl/random.hpp"
-#include "sec33/dps_motion.hpp"
 
 using namespace lattice;
 
@@ -102,19 +102,9 @@ TEST_CASE("exponents are proportional to the frequency", "[property][dps]") {
 }
 
 TEST_CASE("growing and decaying directions", "[property][dps]") {
-  const PinnedBreather site(Centre::site, 10, 25);
-  const auto rate = [&](double sign) {
-    Field v = site.u;
-    site.pair.add({1e-5, sign * 1e-5 / site.pair.push}, v);
-    double first = 0, last = 0;
-    follow_breather(site, v, 60, {1e-12, 0.1}, [&](double t, Field w) {
-      for (std::size_t i = 0; i < w.size(); ++i) w[i] -= site.u[i];
-      (t > 0 ? last : first) = site.pair.of(w).real();
-    });
-    return std::log(last / first) / 60;
-  };
-  check_close(rate(1), site.pair.rate, 0, 1e-4);
-  check_close(rate(-1), -site.pair.rate, 0, 1e-4);
+  const PinnedBreather site(state(Centre::site, 10));
+  check_close(rate_along(site, 1, 1e-5, 60), site.pair.rate, 0, 1e-4);
+  check_close(rate_along(site, -1, 1e-5, 60), -site.pair.rate, 0, 1e-4);
   // Removed, the pair is gone.
   Field w(site.u.size(), {0.3, -0.2});
   w[3] = {1, 1};
@@ -124,27 +114,23 @@ TEST_CASE("growing and decaying directions", "[property][dps]") {
 
 TEST_CASE("a stationary state stands still in the turning frame", "[property][dps]") {
   for (Centre centre : {Centre::site, Centre::bond}) {
-    const PinnedBreather breather(centre, 10, length(centre));
-    check_close(quartic_centre(centre, breather.u), 0, 1e-13);
-    const DpsBreatherRun run = follow_breather(breather, breather.u, 20, {1e-10, 1});
+    const PinnedBreather breather(state(centre, 10));
+    check_close(place_of(centre, breather.u), 0, 1e-13);
+    const DpsRun run = run_of(breather, breather.u, 20, 1e-10);
     CHECK(run.largest() < 1e-9);
     CHECK(run.energy_drift < 1e-12);
   }
 }
 
 TEST_CASE("a pendulum tells which push frees a breather, and when one leaves", "[property][dps]") {
-  const PinnedBreather bond(Centre::bond, 10, 24), site(Centre::site, 10, 25);
+  const PinnedBreather bond(state(Centre::bond, 10)), site(state(Centre::site, 10));
   for (double factor : {0.95, 1.1}) {
-    Field v = bond.u;
-    bond.pair.add({0, factor * bond.freeing_push()}, v);
-    const DpsBreatherRun run = follow_breather(bond, v, 500, {1e-9, 1});
-    CHECK((run.largest() > 1) == (factor > 1));
+    const Field v = pushed(bond, {0, factor * bond.freeing_push()});
+    CHECK((run_of(bond, v, 500, 1e-9).largest() > 1) == (factor > 1));
   }
   for (double growing : {0.05, 1.0}) {
-    Field v = site.u;
-    site.pair.add({0, 2 * growing / site.pair.push}, v);
-    const double leaves = follow_breather(site, v, 400, {1e-9, 1}).reaches(0.5);
-    check_close(leaves, site.departure(growing), 0, 0.05);
+    const Field v = pushed(site, {0, 2 * growing / site.pair.push});
+    check_close(run_of(site, v, 400, 1e-9).reaches(0.5), site.departure(growing), 0, 0.05);
   }
   CHECK(std::isinf(site.departure(0)));
 }
@@ -156,20 +142,12 @@ const double half_turn = std::acos(-1.0), never = std::numeric_limits<double>::i
 }  // namespace
 
 TEST_CASE("a breather of the DpS equation and its pendulum", "[unit][dps]") {
-  const Field v{{1, 2}, {0, 1}, {-2, 0}, {0, 0.5}};
-  // |v|^4 is 25, 1, 16 and 1/16, at the sites -1 to 2
-  const double weight = 25 + 1 + 16 + 0.0625, moment = -25 + 16 + 0.125;
-  check_close(quartic_centre(Centre::site, v), moment / weight, 1e-14);
-  check_close(quartic_centre(Centre::bond, v), moment / weight - 0.5, 1e-14);
   for (Centre centre : both_centres) {
-    const auto state = stationary<double>(centre, 2.5, centre == Centre::site ? 9 : 8);
-    const PinnedBreather b(state);
+    const PinnedBreather b(stationary<double>(centre, 2.5, centre == Centre::site ? 9 : 8));
     CHECK((b.centre == centre && b.mu == 2.5));
-    CHECK(PinnedBreather(centre, 2.5, state.u.size()).pair.m == b.pair.m);
     // A small shift along the pair moves the centre by g, to larger n
-    Field ahead = b.u, behind = b.u;
-    b.pair.add(1e-5, ahead), b.pair.add(-1e-5, behind);
-    const double g = (quartic_centre(centre, ahead) - quartic_centre(centre, behind)) / 2e-5;
+    const double g =
+        (place_of(centre, pushed(b, 1e-5)) - place_of(centre, pushed(b, -1e-5))) / 2e-5;
     CHECK(g > 0);
     check_close(b.shift, g, 0, 1e-7);
     check_close(b.freeing_push(), b.pair.rate / half_turn / b.shift / (2.5 - b.pair.m), 0, 1e-13);
@@ -183,31 +161,41 @@ TEST_CASE("a breather of the DpS equation and its pendulum", "[unit][dps]") {
     for (double growing : {0.03, -0.03}) check_close(b.departure(growing), time, 0, 1e-10);
     CHECK(b.departure(0) == never);
   }
-  const Noise shape{"", true, false, true, 0.1};
-  const PinnedBreather site(Centre::site, 2.5, 9);
-  for (int k = 0; k < 8; ++k) {
-    const Noise noise{"", (k & 1) != 0, (k & 2) != 0, (k & 4) != 0, 0.3};
-    Random random(7);
-    const Field w = noise(site.u, 7);
-    for (std::size_t n = 0; n < 9; ++n) {
-      const double low = noise.positive ? 0 : -1, re = 0.3 * random.uniform(low, 1),
-                   im = noise.imaginary ? 0.3 * random.uniform(low, 1) : 0;
-      const auto expected = std::complex<double>(re, im) * (noise.relative ? site.u[n] : 1);
-      check_close(std::abs(w[n] - expected), 0, 1e-15);
-    }
+  // Shift, push and growing part of any perturbation
+  const PinnedBreather site(stationary<double>(Centre::site, 2.5, 9));
+  Random random(5);
+  Field w;
+  std::complex<double> kick = 0;
+  for (Eigen::Index n = 0; n < 9; ++n) {
+    const double re = random.uniform(-1, 1);
+    w.emplace_back(re, random.uniform(-1, 1));
+    kick += w.back() * site.pair.V[n];
   }
-  for (bool pinned : {true, false}) {
-    NoiseTrial trial{5};
-    const Field w = perturbed(site, shape, pinned, trial), noise = shape(site.u, 5);
-    std::complex<double> kick = 0;
-    for (std::size_t n = 0; n < 9; ++n) kick += noise[n] * site.pair.V[Eigen::Index(n)];
-    for (std::size_t n = 0; n < 9; ++n)
-      check_close(std::abs(w[n] - site.u[n] - noise[n] +
-                           (pinned ? 0 : kick * site.pair.V[Eigen::Index(n)])),
-                  0, 1e-14);
-    const double growing = (kick.real() + (2.5 - site.pair.m) / site.pair.rate * kick.imag()) / 2;
-    check_close(std::abs(trial.kick - (pinned ? kick : 0)), 0, 1e-14);
-    check_close(trial.growing, pinned ? std::abs(growing) : 0, 1e-14);
+  check_close(std::abs(site.pair.of(w) - kick), 0, 1e-14);
+  const double growing = (kick.real() + (2.5 - site.pair.m) / site.pair.rate * kick.imag()) / 2;
+  check_close(site.pair.growing(w), growing, 0, 1e-13);
+}
+
+TEST_CASE("what is read from a run of a DpS breather", "[unit][dps]") {
+  DpsRun run;
+  run.t = {0, 1, 2, 3}, run.X = {0, -0.25, -0.75, 0.5}, run.sites = {3, 4, 6, 3};
+  CHECK(run.largest() == 0.75);
+  check_close(run.reaches(0.5), 1.5, 1e-15);
+  check_close(run.until(1).largest(), 0.25, 0);
+  CHECK(std::isnan(run.reaches(0.8)));
+  CHECK(run.spread() == 2);
+  // Three leave, at 1, 2 and 3; of four the median counts the one that stays as never
+  NoiseTrials trials(4);
+  for (std::size_t k = 0; k < 4; ++k) {
+    trials[k].fine.t = {0, double(k + 1)};
+    trials[k].fine.X = {0, k < 3 ? 0.5 + 1e-12 : 0.4};
+    trials[k].coarse = trials[k].fine;
   }
-  CHECK((NoiseTrial{}.growing == 0 && NoiseTrial{}.kick == 0.0));
+  CHECK(passing(trials, 0.5).value == 3);
+  CHECK(passing(trials, 0.5, 2.5).value == 2);
+  CHECK(passing(trials, 0.5).is_exact);
+  check_close(median_departure(trials, 9).value, 3, 1e-9);
+  CHECK(median_departure(trials, 2.5).value == never);
+  trials[1].coarse.X[1] = 0.4;
+  CHECK(passing(trials, 0.5).error == 1);
 }

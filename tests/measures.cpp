@@ -62,13 +62,13 @@ Front compact(double width) {
 }
 
 /// Breathers of three sites, of which the first `moving` pass a site, as both tolerances say.
-std::vector<NoiseTrial> breathers(std::size_t count, std::size_t moving, double time = 4) {
-  std::vector<NoiseTrial> list(count);
+NoiseTrials breathers(std::size_t count, std::size_t moving, double time = 4) {
+  NoiseTrials list(count);
   for (std::size_t k = 0; k < count; ++k) {
-    list[k].good.sites = list[k].good.most_sites = 3;
-    list[k].good.t = {0, time};
-    list[k].good.X = {0, k < moving ? 1.4 : 0.4};
-    list[k].rough = list[k].good;
+    list[k].fine.sites = {3, 3};
+    list[k].fine.t = {0, time};
+    list[k].fine.X = {0, k < moving ? 1.4 : 0.4};
+    list[k].coarse = list[k].fine;
   }
   return list;
 }
@@ -163,13 +163,13 @@ TEST_CASE("a control that moves later, and a trial that is torn", "[unit]") {
   CHECK(is(later(breathers(16, 16, 1)), 0, 1));
   CHECK(later(breathers(16, 0, 9)).ratio.value > 9);  // none moves: the end of the run counts
   auto some = breathers(16, 16, 4);
-  for (std::size_t k = 0; k < 5; ++k) some[k].good.t[1] = some[k].rough.t[1] = 1;
+  for (std::size_t k = 0; k < 5; ++k) some[k].fine.t[1] = some[k].coarse.t[1] = 1;
   CHECK(is(later(some), 11.0 / 16, 4));
   auto one = breathers(16, 16);
   CHECK(torn(one) == 0);
-  one[3].rough.X = {0, 0.9};
+  one[3].coarse.X = {0, 0.9};
   CHECK(torn(one) == 1);
-  one[2].good.most_sites = 7;
+  one[2].fine.sites[1] = 7;
   CHECK(largest_spread(one).value == 7.0 / 3);
 }
 
