@@ -1,6 +1,4 @@
-// The mean contact force of periodic motions, and shooting by leapfrog steps.
-
-#include "sec2/mean_force.hpp"
+// Shooting by leapfrog steps, and a wave of a ring without wells.
 
 #include <numbers>
 
@@ -25,55 +23,6 @@ std::pair<Chain, State<double>> walled() {
 }
 
 }  // namespace
-
-TEST_CASE("mean forces change the momentum of every bead", "[property][mean_force]") {
-  const auto [chain, state] = walled<Harmonic>();
-  const double time = 7;
-  const MeanForces means = mean_forces(chain, state, time, 1e-12);
-  for (std::size_t n = 0; n < 6; ++n)
-    check_close(chain.mass_of(n) * means.end.v[n] / time,
-                means.contact[n] - means.contact[n + 1] - means.well[n], 1e-11);
-  CHECK(means.imbalance() > 1e-3);  // not periodic: the balance must be missed
-  // The end is that of the other integrator.
-  State<double> other = state;
-  flow(chain, other, time);
-  for (std::size_t n = 0; n < 6; ++n) check_close(means.end.y[n], other.y[n], 1e-9);
-}
-
-TEST_CASE("one bead between walls: the mean force by hand", "[unit][mean_force]") {
-  // Twice per period the bead turns, and each wall gives it the impulse 2 v that it needs.
-  Chain chain{1, None{}, {}, Ends::fixed};
-  State<double> state(1);
-  state.v[0] = 0.5;
-  // Half a period by the energy: quarter from y = 0 to the turning point.
-  double lo = 0.1, hi = 20;
-  for (int k = 0; k < 60; ++k) {
-    const double middle = (lo + hi) / 2;
-    State<double> z = state;
-    flow(chain, z, middle);
-    (z.v[0] > 0 ? lo : hi) = middle;
-  }
-  const double period = 4 * lo;
-  const MeanForces means = mean_forces(chain, state, period, 1e-13);
-  check_close(means.contact[0], 2 * 0.5 / period, 1e-10);
-  check_close(means.contact[1], 2 * 0.5 / period, 1e-10);
-  check_close(means.end.y[0], 0, 1e-10);
-}
-
-TEST_CASE("a breather balances with its wells and with nothing else", "[property][mean_force]") {
-  const auto problem = breather_problem(Centre::site, 1.3, 0, 21);
-  const Orbit<double> orbit = find_breather(problem);
-  const MeanForces means = mean_forces(problem.chain, orbit.start, orbit.period(), 1e-12);
-  CHECK(means.imbalance() < 1e-10);
-  CHECK(means.spread(1, 20) > 0.9 * means.contact[10]);
-  // The wrong period, the wrong start and the wrong wells fail.
-  CHECK(mean_forces(problem.chain, orbit.start, 0.9 * orbit.period(), 1e-12).imbalance() > 1e-5);
-  State<double> wrong = orbit.start;
-  wrong.y[10] *= 1.001;
-  CHECK(mean_forces(problem.chain, wrong, orbit.period(), 1e-12).imbalance() > 1e-7);
-  Chain free{21, None{}};
-  CHECK(mean_forces(free, orbit.start, orbit.period(), 1e-12).imbalance() > 1e-4);
-}
 
 TEST_CASE("shooting by leapfrog has the exact derivative of its map", "[unit][orbits]") {
   LeapfrogShooting problem;
@@ -115,55 +64,6 @@ std::vector<double> carried(std::vector<double> x, double time, int steps, Rate 
 }
 
 }  // namespace
-
-TEST_CASE("mean forces and what they leave, by hand", "[unit][mean_force]") {
-  MeanForces means{{5, 2, 9, 4, 3}, {3.5, -7.25, 5, 0.5}, State<double>(4)};
-  CHECK(means.spread(1, 3) == 7);
-  CHECK(means.spread(3, 4) == 1);
-  CHECK(means.spread(0, 1) == 3);
-  check_close(means.imbalance(), 0.5, 1e-15);  // of the first and of the last
-  means.well = {3, -7, 5, 3};
-  check_close(means.imbalance(), 2, 1e-15);
-  means.well = {3, -7, 4.25, 1};
-  check_close(means.imbalance(), 0.75, 1e-15);
-  CHECK(MeanForces{{2, 1}, {1}, State<double>(1)}.imbalance() == 0);
-  // Two unequal beads between walls, each contact of its own kind
-  const motions::MixedChain chain{2, {}, {1.3, 0.7}, {1.1, 0.9, 1.2}, {1.5, 1.7, 1.4}};
-  const double y[] = {0.3, -0.2};
-  check_close(motions::contact_push(chain, y, 1), 0.9 * std::pow(0.5, 1.7), 1e-15);
-  CHECK(motions::contact_push(chain, y, 0) == 0);
-  CHECK(motions::contact_push(chain, y, 2) == 0);
-  const double other[] = {-0.3, 0.2};
-  check_close(motions::contact_push(chain, other, 0), 1.1 * std::pow(0.3, 1.5), 1e-15);
-  check_close(motions::contact_push(chain, other, 2), 1.2 * std::pow(0.2, 1.4), 1e-15);
-  CHECK(motions::contact_push(chain, other, 1) == 0);
-  State<double> start(2);
-  start.t = 4, start.y = {0.3, -0.2}, start.v = {0.1, -0.05};
-  const MeanForces walls = mean_forces(chain, start, 2, 1e-12);
-  const auto rate = [](const std::vector<double>& x) {
-    const double a = 1.1 * push(-x[0]), b = 0.9 * push(x[0] - x[1], 1.7), c = 1.2 * push(x[1], 1.4);
-    return std::vector<double>{x[2], x[3], (a - b) / 1.3, (b - c) / 0.7, a, b, c};
-  };
-  const auto end = carried({0.3, -0.2, 0.1, -0.05, 0, 0, 0}, 2, 2000, rate);
-  CHECK(walls.end.t == 6);
-  for (std::size_t k = 0; k < 2; ++k) {
-    check_close(walls.end.y[k], end[k], 1e-8);
-    check_close(walls.end.v[k], end[2 + k], 1e-8);
-    CHECK(walls.well[k] == 0);
-  }
-  for (std::size_t k = 0; k < 3; ++k) check_close(walls.contact[k], end[4 + k] / 2, 1e-8);
-  // Wells pull as well
-  const Chain held{1, Quartic{2}, Hertz{}, Ends::fixed};
-  State<double> one(1);
-  one.y = {0.4};
-  const MeanForces pulled = mean_forces(held, one, 3, 1e-12);
-  const auto hold = carried({0.4, 0, 0}, 3, 2000, [](const std::vector<double>& x) {
-    const double pull = x[0] + 2 * x[0] * x[0] * x[0];
-    return std::vector<double>{x[1], push(-x[0]) - push(x[0]) - pull, pull};
-  });
-  check_close(pulled.well[0], hold[2] / 3, 1e-8);
-  check_close(pulled.end.v[0], hold[1], 1e-8);
-}
 
 TEST_CASE("a wave of a ring without wells moves on by one site", "[unit][orbits]") {
   using namespace motions;

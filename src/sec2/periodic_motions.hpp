@@ -3,7 +3,7 @@
 # 2 Periodic motions of chains without wells
 
 Motions that are not localized, on which the identity of section 2 can be tested: a wave on a uniform ring, and
-standing waves of chains whose masses, stiffnesses and exponents differ from place to place. */
+standing waves of chains whose masses and stiffnesses differ from place to place. */
 
 #include <cmath>
 #include <cstddef>
@@ -13,7 +13,6 @@ standing waves of chains whose masses, stiffnesses and exponents differ from pla
 
 #include "lattice/gsl/random.hpp"
 #include "lattice/orbits/shooting.hpp"
-#include "sec2/mean_force.hpp"
 
 namespace motions {
 
@@ -90,65 +89,6 @@ inline Orbit<double> standing_wave(Shooting<double>& problem, double alpha) {
     orbit = newton(problem, orbit.x, free_rule());
   }
   return orbit;
-}
-
-/**
-The library has one exponent for a whole chain, and the theorem holds for any. Where every contact between
-the two walls has its own, we write the push here, and mean_force.hpp does the rest. */
-struct MixedChain {
-  std::size_t sites = 0;
-  None well{};
-  std::vector<double> mass{}, stiffness{}, exponent{};
-  double mass_of(std::size_t n) const { return mass[n]; }
-};
-
-/// The push of contact `i` at the positions `y`; never negative.
-inline double contact_push(const MixedChain& chain, const double* y, std::size_t i) {
-  const double left = i > 0 ? y[i - 1] : 0, right = i < chain.sites ? y[i] : 0;
-  return left > right ? chain.stiffness[i] * std::pow(left - right, chain.exponent[i]) : 0;
-}
-
-/**
-The library's Newton method takes any residual. For the mixed chain it is that of GSL's integrator, and the derivative is a
-central difference over a hundred-thousandth of the amplitude: then its error, of second order, does not slow the
-method down. */
-/// The velocities of a chain after half a period of frequency one from rest at `x`, which must vanish.
-inline Vector<double> velocities_after_half(const MixedChain& chain, const Vector<double>& x) {
-  State<double> start(chain.sites);
-  std::copy(x.begin(), x.end(), start.y.begin());
-  const auto v = mean_forces(chain, start, std::numbers::pi, 1e-14).end.v;
-  return Eigen::Map<const Vector<double>>(v.data(), Eigen::Index(v.size()));
-}
-inline Equations<double> rest_after_half(const MixedChain& chain) {
-  const auto residual = [=](const Vector<double>& x) { return velocities_after_half(chain, x); };
-  return by_differences("standing wave with mixed exponents", residual, 1e-5);
-}
-
-/**
-The exponents are to differ as much as the masses do. At full unevenness, `part` = 1, masses and
-stiffnesses vary by 15 per cent and exponents lie between 1.4 and 1.8; all these numbers are our choice. */
-inline MixedChain mixed_chain(double part) {
-  MixedChain chain{5,
-                   {},
-                   uneven(5, 0.15 * part, 13),
-                   uneven(6, 0.15 * part, 14),
-                   {1.5, 1.7, 1.4, 1.6, 1.8, 1.5}};
-  for (double& alpha : chain.exponent) alpha = 1.5 + part * (alpha - 1.5);
-  return chain;
-}
-
-/// The start of the standing wave; throws NewtonFailed.
-inline State<double> mixed_wave() {
-  State<double> start = zigzag(5);
-  NewtonRule<double> rule = free_rule();
-  rule.rank = 0;
-  for (int k = 0; k <= degrees; ++k) {
-    const auto x = Eigen::Map<const Vector<double>>(start.y.data(), 5).eval();
-    const MixedChain chain = mixed_chain(double(k) / degrees);
-    const Vector<double> found = newton(rest_after_half(chain), x, rule).x;
-    std::copy(found.begin(), found.end(), start.y.begin());
-  }
-  return start;
 }
 
 }  // namespace motions
