@@ -2,9 +2,10 @@
 /**
 # Free, pinned, and what linear theory expects
 
-A breather that moves slowly feels a potential of its centre with the period of the chain. We draw it such that a breather
-whose pinning pair is on the unit circle sits in a *minimum*, half a site away from a maximum. (Where the effective mass is
-negative the energies are upside down.) A kick (kick.hpp) frees it if it carries it over the maximum. */
+A breather that moves slowly feels a potential of its centre with the period of the chain. We draw it such that a
+breather whose pinning pair is on the unit circle sits in a *minimum*, half a site away from a maximum. (Where the
+effective mass is negative the energies are upside down.) A kick (kick.hpp) frees it if it carries it over the maximum.
+*/
 
 #include "lattice/algebra/dense.hpp"
 #include "lattice/events/event_driven.hpp"
@@ -33,13 +34,14 @@ struct Pinning {
   double cosine = 0;      ///< of the shift x and the direction g of the kick
 };
 
-/// The eigenvector of the eigenvalue nearest to `value`, by inverse iteration; a shift of 1e-5 keeps the matrix regular.
+/// The eigenvector of the eigenvalue nearest to `value`, by inverse iteration from `guess`.
 Vector<double> eigenvector_near(const Matrix<double>& m, double value, Vector<double> guess);
 
 /**
 The multipliers of this plane cannot be told from that of a shift in time, which is exactly one (floquet.hpp), but
 symmetry separates the two. Around a bond a shift along the chain is even under $n \to 1-n$ and a shift in time is odd.
-Around a site half a period followed by $y_n \to -y_{-n}$ leaves a shift in time alone and reverses one along the chain. */
+Around a site half a period followed by $y_n \to -y_{-n}$ leaves a shift in time alone and reverses one along the chain.
+*/
 struct PeriodMap {
   Matrix<double> A, B, basis;  ///< the basis of the directions that are left, column by column
 };
@@ -58,11 +60,12 @@ double freeing_kick(double barrier, const Pinning& pinning);
 /**
 ## From speeds to the threshold
 
-Close to the threshold a breather stays near the maximum for long. What changes smoothly is the speed $V$ with which a free
-one passes it: its kinetic energy there is the share of the kick less the barrier, so that $V^2 \propto c^2 - c_c^2$.
-Near the maximum $X \simeq (V/\Omega)\sinh\Omega t$ is nearly a cubic in $t$ whose least slope is $V$. */
-/// The speed at `hill` sites from the start, from all means within `half_width` of it; std::invalid_argument if fewer than
-/// eight lie there.
+Close to the threshold a breather stays near the maximum for long. What changes smoothly is the speed $V$ with which a
+free one passes it: its kinetic energy there is the share of the kick less the barrier, so that
+$V^2 \propto c^2 - c_c^2$. Near the maximum $X \simeq (V/\Omega)\sinh\Omega t$ is nearly a cubic in $t$ whose least
+slope is $V$. */
+/// The speed at `hill` sites from the start, from all means within `half_width` of it; std::invalid_argument if fewer
+/// than eight lie there.
 double hill_speed(const KickedPath& path, double hill = 0.5, double half_width = 0.05);
 
 /// The kick at which $V^2$ vanishes, from two others; std::invalid_argument if the line has no zero.

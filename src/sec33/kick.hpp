@@ -3,8 +3,8 @@
 # Kicking a breather
 
 When all beads of a breather are at rest they are given the velocities $c\,g_n$, with $g_n$ the discrete gradient
-$y_{n+1}-y_{n-1}$ divided by its norm, so that the kick adds the kinetic energy $c^2/2$. `sec33_mobility` writes kick and run
-out; here they are for the commands, the live page and the tests. */
+$y_{n+1}-y_{n-1}$ divided by its norm, so that the kick adds the kinetic energy $c^2/2$. `sec33_mobility` writes kick
+and run out; here they are for the commands, the live page and the tests. */
 
 #include <algorithm>
 #include <cstddef>
@@ -22,10 +22,10 @@ std::vector<double> kick_direction(const std::vector<double>& y);
 State<double> kicked(State<double> state, double c);
 
 /**
-The centre $X$ of Eq. (24) swings with every oscillation, because Eq. (23) assigns the energy of a contact to the bead on
-its left. We average it over 89 samples at intervals of $T_b(\sqrt5-1)/10$, together eleven periods: since this is $T_b/5$
-times the golden ratio 0.618, and 89 a Fibonacci number, they are spread evenly over the phases. Nor do the steps fall on
-the same phases in every period, where their errors would add up instead of cancelling. */
+The centre $X$ of Eq. (24) swings with every oscillation, because Eq. (23) assigns the energy of a contact to the bead
+on its left. We average it over 89 samples at intervals of $T_b(\sqrt5-1)/10$, together eleven periods: since this is
+$T_b/5$ times the golden ratio 0.618, and 89 a Fibonacci number, they are spread evenly over the phases. Nor do the
+steps fall on the same phases in every period, where their errors would add up instead of cancelling. */
 inline constexpr std::size_t samples_of_a_mean = 89;
 
 /// Time between two samples of a breather with this period.

@@ -35,8 +35,8 @@ EventCorrected fourteen_stages(double step);
 BreatherPair barriers_at(double omega_b);
 
 /**
-Errors of the prediction come from two tolerances of the linearised flow and from the barrier. If the pinning pair is real
-the slightest kick may move the breather, and there is neither a frequency nor a threshold. */
+Errors of the prediction come from two tolerances of the linearised flow and from the barrier. If the pinning pair is
+real the slightest kick may move the breather, and there is neither a frequency nor a threshold. */
 struct Prediction {
   Estimate threshold{}, share{}, frequency{}, barrier{};  ///< c_c, phi, Omega, and E_site - E_bond
   Estimate along_mode{};  ///< c_c of a kick along the shift x, of length one, instead of g
@@ -46,14 +46,14 @@ struct Prediction {
 /// From the barrier at equal area.
 Prediction predict_threshold(const RestingBreather& at, const Estimate& barrier);
 
-/// The path up to its decision; std::runtime_error if there is none within `limit`. Ten times 1/Omega are enough for all
-/// kicks but those within 1e-7 of the threshold.
+/// The path up to its decision; std::runtime_error if there is none within `limit`. Ten times 1/Omega are enough for
+/// all kicks but those within 1e-7 of the threshold.
 KickedPath decided_path(const RestingBreather& at, double c, const Method& method, double limit);
 
 /**
-Three kicks, 5, 20 and 40 per cent above the prediction, free the breather. The speeds with which the two weaker ones pass
-the maximum lead to the threshold; with the third, the extrapolation goes from farther off, and the largest difference is
-its error. */
+Three kicks, 5, 20 and 40 per cent above the prediction, free the breather. The speeds with which the two weaker ones
+pass the maximum lead to the threshold; with the third, the extrapolation goes from farther off, and the largest
+difference is its error. */
 /// Throws std::runtime_error if one of the kicks does not free the breather.
 Estimate freeing_kick_of(const RestingBreather& at, const Prediction& guess,
                          const EventCorrected& method);
