@@ -4,9 +4,8 @@
 Push a breather along the chain. Does it move off, or only swing about its place? Section 3.3 of James, Kevrekidis and
 Cuevas (Physica D 251, 2013) ends with kicks of size $c$ for breathers of frequency $\omega_b = 1.1$. It says that
 
-- after $c = 2\cdot10^{-4}$, a hundredth of the largest bead velocity, both breathers travel at an almost constant
-  speed, $5.446\cdot10^{-4}$ around a site and $5.364\cdot10^{-4}$ around a bond, with negligible dispersion (figure
-  14);
+- after $c = 2\cdot10^{-4}$, about a hundredth of the largest bead velocity, both breathers travel almost steadily, at
+  $5.446\cdot10^{-4}$ around a site and $5.364\cdot10^{-4}$ around a bond, with negligible dispersion (figure 14);
 - after $c = 3\cdot10^{-6}$ the bond-centred breather stays, and the site-centred one jumps two sites and is pinned
   again (figure 15);
 - the bond-centred one is freed above $c_c = 6.19\cdot10^{-6}$, and $c_c^2/2 = 1.92\cdot10^{-11}$ is quite close to the
@@ -312,7 +311,7 @@ No single length of the runs explains both.
 | way back by the end of the run | | [0.0667425 ± 3e-7](num:sec33_mobility.came_back_bond_stretched) |
 | compressed: farthest | pinned | [0.244109 ± 3e-7](num:sec33_mobility.farthest_bond_compressed) |
 | way back by the end of the run | | [0.105027 ± 4e-7](num:sec33_mobility.came_back_bond_compressed) |
-| time at the next site after $c = 6.19\cdot10^{-6}$ | | [35877.4 ± 0.01](num:sec33_mobility.hill_time_bond_stretched) |
+| at the next site after $6.19\cdot10^{-6}$, time | | [35877.4 ± 0.01](num:sec33_mobility.hill_time_bond_stretched) |
 | site-centred, $c = 3\cdot10^{-6}$: sites by then | 2 | [0.368812 ± 2e-6](num:sec33_mobility.site_by_then) | */
 void report_length_of_run(Report& report, const RestingBreather& bond,
                           const TwoRuns<KickedPath>& site) {
@@ -401,7 +400,7 @@ this threshold, the program stops; the two have different code for kick and run.
 | barrier $\tilde E_{PN}$ | | [-2.3523e-13 ± 3e-17](num:sec33_mobility.effective_barrier) |
 | $c_c$ predicted by them | | [4.4516e-6 ± 3e-10](num:sec33_mobility.predicted_threshold_bond_stretched) |
 | $c_c$ of the chain | $6.19\cdot10^{-6}$ | [4.4518e-6 ± 4e-10](num:moving.c_threshold) |
-| in a sine, from $\Omega$ and the strong kick | | [4.45275e-6 ± 4e-11](num:sec33_mobility.threshold_of_pendulum_bond_stretched) |
+| of a pendulum (figure x15) | | [4.45275e-6 ± 4e-11](num:sec33_mobility.threshold_of_pendulum_bond_stretched) |
 | contact compressed | | [4.3198e-6 ± 4e-10](num:sec33_mobility.threshold_bond_compressed) |
 | kick along the mode itself, predicted | | [4.4358e-6 ± 3e-10](num:sec33_mobility.threshold_along_mode) |
 | $g$ of the printed norm | | [7.0658e-8 ± 7e-12](num:sec33_mobility.threshold_as_printed) |
@@ -410,10 +409,11 @@ this threshold, the program stops; the two have different code for kick and run.
 
 [](finding:depinning.law)
 
-Speeds, bisection and linearised flow agree, and a sine comes close. No phase, norm or direction of the kick that we
-tried leads to the printed threshold. Fixed steps that divide the period can pin a breather beyond ours, but with an
-energy that drifts by more than the kick adds. That such steps, or runs that are too short, explain the printed value is
-a conjecture. The law was tested for slow motion and kicks along $g$ only. */
+Speeds, bisection and linearised flow agree, and a pendulum comes close: its $\Omega$, and speed per kick from figure
+14. The printed threshold is reached with neither phase, nor with the printed norm, nor along the mode itself. Fixed
+steps that divide the period can pin a breather beyond ours, but with an energy that drifts by more than the kick adds.
+That such steps, or runs that are too short, explain the printed value is a conjecture. The law was tested for slow
+motion and kicks along $g$ only. */
 void report_threshold(Report& report, const Breathers& at, const std::array<Prediction, 2>& guess,
                       const BreatherPair& pair, const Estimate& norm) {
   // From the speeds at the maximum, with two schemes
@@ -488,6 +488,7 @@ void report_speeds(Report& report, const Breathers& at, const std::array<double,
       {label("centre", "where the breather starts"), number("c", "size of the kick", speed_unit),
        estimate("speed", "mean over a site", speed_unit, "two steps, two beginnings"),
        number("pendulum", "mean speed of a pendulum", speed_unit)});
+  // The chain with two steps, and the pendulum
   const Methods coarse = methods(false, report.quick), fine = methods(true, report.quick);
   const auto row = [&](const Kick& kick) {
     const auto& [k, c] = kick;

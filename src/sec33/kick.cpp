@@ -35,6 +35,7 @@ double breather_place(const std::vector<double>& e) {
   return energy_centre(e, strongest(e)) - 0.5 * double(e.size() + 1);
 }
 
+// What is read off a path
 double KickedPath::farthest() const {
   double far = 0;
   for (std::size_t k = 0; k < centre.size(); ++k) far = std::max(far, std::abs(moved(k)));
