@@ -1,417 +1,502 @@
 /**
 # 3.3 Kicked breathers and the depinning threshold
 
-Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) ends with a push. A breather of frequency
-$\omega_b = 1.1$ receives a kick along its pinning mode, the direction of a shift along the chain, of size
-$c = 2\cdot10^{-4}$: about a hundredth of its largest bead velocity. The breather moves off at an almost constant speed,
-the article says, $5.446\cdot10^{-4}$ around a site and $5.364\cdot10^{-4}$ around a bond, and the dispersion is
-negligible. A kick nearly seventy times weaker, $c = 3\cdot10^{-6}$, leaves the bond-centred breather where it is, while
-the site-centred one jumps two sites and is pinned again. In between lies the threshold $c_c = 6.19\cdot10^{-6}$ that
-frees the bond-centred one, from which the article reads a barrier, $c_c^2/2 = 1.92\cdot10^{-11}$, quite close to the
-barrier $E_{PN}$ of section 3.2.
+Push a breather along the chain. Does it move off, or only swing about its place? Section 3.3 of James, Kevrekidis and
+Cuevas (Physica D 251, 2013) ends with kicks of size $c$ for breathers of frequency $\omega_b = 1.1$. It says that
 
-This program repeats both experiments, conserves the energy to a hundredth of that of the kick or better, draws
-figures 14 and 15, and then derives the threshold. The barrier that the breather has to get over is far lower than the
-energy of the kick that frees it: where does the rest go?
+- after $c = 2\cdot10^{-4}$, about a hundredth of the largest bead velocity, both breathers travel almost steadily, at
+  $5.446\cdot10^{-4}$ around a site and $5.364\cdot10^{-4}$ around a bond, with negligible dispersion (figure 14);
+- after $c = 3\cdot10^{-6}$ the bond-centred breather stays, and the site-centred one jumps two sites and is pinned
+  again (figure 15);
+- the bond-centred one is freed above $c_c = 6.19\cdot10^{-6}$, and $c_c^2/2 = 1.92\cdot10^{-11}$ is quite close to the
+  barrier $E_{PN}$ of section 3.2.
 
-![Energy density after a kick of the bond-centred and of the site-centred breather.](fig:14) */
+![Energy density after a kick of the bond-centred and of the site-centred breather.](fig:14)
+
+We find the same speeds, but no second pinning, and the threshold $4.45\cdot10^{-6}$. The experiment is delicate: the
+weak kick adds $3\cdot10^{-8}$ of the breather's energy, and the integrator must conserve it far better than that for
+$10^5$ units of time. Close to the threshold a breather takes very long to turn back or pass.
+
+## Model
+
+The chain has harmonic wells, Eqs. (6) to (9), and free ends,
+$$\ddot y_n + y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}.$$
+At $t = 0$ all beads of a breather are at rest, and the kick adds velocities $c\,g_n$ along the discrete gradient,
+$g_n\propto y_{n+1}-y_{n-1}$, nearly the mode that shifts the breather (`sec33_floquet`). We take $\sum g_n^2 = 1$: only
+then does the kick add the energy $c^2/2$, as the article says. Around a bond the central contact may be compressed at
+$t = 0$ or, half a period later, stretched. The article does not say which, so we try both; around a site the two are
+mirror images, as are the two signs of $c$. */
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "commands/one_kick.hpp"
-#include "lattice/numerics/parallel.hpp"
-#include "lattice/orbits/breather_pairs.hpp"
-#include "lattice/standing/spectrum.hpp"
+#include "lattice/events/event_driven.hpp"
 #include "report/program.hpp"
-#include "sec33/candidates.hpp"
 
 using namespace lattice;
 
 /**
-## Model
+## The experiment
 
-The chain has linear wells, Eqs. (6) to (9), and free ends,
-$$\ddot y_n + y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}.$$
-It starts from a breather at an instant at which all beads are at rest, with velocities $c\,g_n$ along the discrete
-gradient, $g_n\propto y_{n+1}-y_{n-1}$ with $\sum g_n^2 = 1$ (kick.hpp). We follow the energy centre $X$ of Eq. (24), the
-mean place of the energy within five sites of its maximum, with the energy density of Eq. (23). A bond-centred breather
-can be kicked when its central contact is compressed or, half a period later, when it is stretched. The article does not
-say which; around a site the two are mirror images.
-
-| article | program | meaning |
-|---|---|---|
-| $c$, $g_n$ | `c`, `kick_direction` | size and direction of the kick |
-| $e_n$, $X$ | `energy_density`, `KickedPath::centre` | energy density and centre |
-| $c_c$ | `threshold` | the kick that frees the bond-centred breather |
-| – | `Pinning` | $\Omega^2$ and $\varphi$, explained with the threshold | */
+`find_breather` is Newton's method, from the profile of Eqs. (18) to (20); `evolve` integrates the equation of motion
+and shows the state after every `sample`. The energy centre $X$, Eq. (24), of the sites within five of the strongest
+swings with each oscillation, so we average it over eleven periods: 89 samples, spread evenly over the phases by the
+golden ratio. Distances count from the first mean. A bond-centred breather is *free* once it is 0.6 sites away, beyond
+the site at 0.5, and *pinned* if it turns back before that. Bisection encloses the threshold. */
 constexpr double omega_b = 1.1, strong = 2e-4, weak = 3e-6, printed_threshold = 6.19e-6;
 
-struct Case {
-  const char* name;
-  Centre centre;
-  Phase phase;
-};
-constexpr Case cases[] = {{"site", Centre::site, Phase::compressed},
-                          {"bond_stretched", Centre::bond, Phase::stretched},
-                          {"bond_compressed", Centre::bond, Phase::compressed}};
-RestingBreather ready(std::size_t k, std::size_t sites) {
-  return resting_breather(cases[k].centre, cases[k].phase, omega_b, sites);
+RestingBreather breather(Centre centre, Phase phase, std::size_t sites) {
+  const Orbit<double> orbit = find_breather(breather_problem(centre, omega_b, 0.0, sites), phase);
+  // Beyond the last bead there is no other to push; it would feel less than rounding
+  const double last = std::abs(orbit.start.y.back()), rounding = 1e-16 * orbit.amplitude;
+  if (last * std::sqrt(last) > rounding * (omega_b * omega_b - 1)) throw Failure("a short chain");
+  return {centre, Chain{sites}, orbit.start, orbit.period(), orbit.energy};
 }
 
-using Breathers = std::array<RestingBreather, 3>;  ///< in the order of the cases
-Breathers all_ready(std::size_t around_site, std::size_t around_bond) {
-  return {ready(0, around_site), ready(1, around_bond), ready(2, around_bond)};
+State<double> kick(const RestingBreather& at, double c) {
+  State<double> state = at.rest;
+  std::vector<double> g(at.chain.sites);
+  double squares = 0;
+  for (std::size_t n = 0; n < g.size(); ++n) {  // beyond both ends nothing moves
+    g[n] = (n + 1 < g.size() ? at.rest.y[n + 1] : 0) - (n > 0 ? at.rest.y[n - 1] : 0);
+    squares += g[n] * g[n];
+  }
+  for (std::size_t n = 0; n < g.size(); ++n) state.v[n] = c * (g[n] / std::sqrt(squares));
+  return state;
+}
+
+/// The means of X after a kick; `look` sees each of them and may end the run.
+KickedPath follow(const RestingBreather& at, double c, const Method& method, double time,
+                  const KickLook& look = {}) {
+  State<double> state = kick(at, c);
+  const double sample = at.period * (std::sqrt(5.0) - 1) / 10;
+  const double samples = 89 * std::round(time / (89 * sample));
+  KickedPath path;
+  std::vector<double> X;
+  path.run = evolve(method, at.chain, state, sample * samples, sample, [&](const auto& now) {
+    if (now.t == 0) return true;
+    const std::vector<double> e = energy_density(at.chain, now);
+    const auto peak = std::size_t(std::max_element(e.begin(), e.end()) - e.begin());
+    X.push_back(energy_centre(e, peak) - 0.5 * double(e.size() + 1));  // from the chain's middle
+    path.share = std::min(path.share, window_sum(e, peak) / window_sum(e, 0, e.size()));
+    if (X.size() < 89) return true;
+    path.add(now.t - 44 * sample, std::accumulate(X.begin(), X.end(), 0.0) / 89);
+    X.clear();
+    return look(path, now, e);
+  });
+  return path;
+}
+
+/// The integration may change the energy by a hundredth of what the kick has added.
+void check_energy(const RestingBreather& at, double c, const KickedPath& path) {
+  if (!(path.run.energy_drift * at.energy < 0.01 * c * c / 2)) throw Failure("the energy drifts");
+}
+
+bool frees(const RestingBreather& at, double c, const Method& method) {
+  bool turned_back = false;
+  const KickedPath path = follow(at, c, method, 3e5, [&](const auto& so_far, auto&...) {
+    turned_back = std::abs(so_far.travelled()) < so_far.farthest() - 0.02;
+    return !turned_back && so_far.farthest() <= 0.6;
+  });
+  check_energy(at, c, path);
+  if (!turned_back && path.farthest() <= 0.6) throw Failure("neither free nor pinned");
+  return !turned_back;
+}
+
+std::array<double, 2> bisection(const RestingBreather& at, double low, double high, int halvings,
+                                const Method& method) {
+  if (frees(at, low, method) || !frees(at, high, method)) throw Failure("no threshold here");
+  for (; halvings > 0; --halvings) {
+    const double middle = (low + high) / 2;
+    (frees(at, middle, method) ? high : low) = middle;
+  }
+  return {low, high};
 }
 
 /**
-## Method
+## Steps and errors
 
-A kick is tiny beside the breather: $c^2/2$ is $10^{-4}$ of its energy for the strong kick and $3\cdot10^{-8}$ for the
-weak one. So the relative drift of the energy must stay a hundred times below that. Event-corrected steps, which take
-account of the opening and closing of contacts (event_corrected.hpp), achieve this for $10^5$ periods; the plain symplectic
-steps that we tried do not, as each such event costs them an error of $h^{5/2}$ with the step $h$. For the speeds a
-method of order six with five forces a step is enough; the long runs need one with fourteen stages. Each run is repeated
-with another step or another scheme, and the difference is the error. Figure x15 shows the reasons for these choices. */
-struct KickMethods {
-  EventCorrected glides, speeds, paths, thresholds;
-};
+`EventCorrected` takes Runge-Kutta steps of order six, with five forces each or, in long runs, with fourteen, and gives
+every contact that opens or closes the impulse that it really exerts (event_corrected.hpp). Each run is made twice, with
+two steps or two schemes, and the difference is the error. The finer runs of figures 14 and 15 and of the bisection have
+to pass `check_energy`. The program also stops if Newton's method fails, if the chain cuts off the breather's tail, or
+if more than a tenth of the energy leaves the breather after a strong kick. */
+const std::string names[] = {"site", "bond_stretched", "bond_compressed"};
+const std::string speed_unit = "site per unit of time";
 
-KickMethods fine(bool quick = false) {
-  return quick ? KickMethods{{0.2}, {0.2}, {0.3}, {0.3}}
-               : KickMethods{{0.1}, {0.2}, fourteen_stages(0.051), fourteen_stages(0.06)};
+using Breathers = std::array<RestingBreather, 3>;  // in the order of the names
+Breathers breathers(std::size_t around_site, std::size_t around_bond) {
+  return {breather(Centre::site, Phase::compressed, around_site),
+          breather(Centre::bond, Phase::stretched, around_bond),
+          breather(Centre::bond, Phase::compressed, around_bond)};
 }
-KickMethods coarse(bool quick = false) {
-  return quick ? KickMethods{{0.4}, {0.4}, {0.4}, {0.4}}
-               : KickMethods{{0.2}, {0.3}, {0.15}, {0.15}};
+
+struct Methods {
+  EventCorrected strong, speeds, weak, thresholds;  // with the largest step
+};
+Methods methods(bool finer, bool quick) {
+  if (quick && finer) return {{0.2}, {0.2}, {0.3}, {0.3}};
+  if (quick) return {{0.4}, {0.4}, {0.4}, {0.4}};
+  if (finer) return {{0.1}, {0.2}, fourteen_stages(0.051), fourteen_stages(0.06)};
+  return {{0.2}, {0.3}, {0.15}, {0.15}};
 }
 
 /**
 ## A strong kick (figure 14)
 
-Is the speed really constant? Over 32000 units of time, more than 5000 oscillations, the breathers cover some
-seventeen sites. The speed is the slope of $X$ from $t = 2000$ on; if it is constant, the two halves of this window
-have the same slope. And what does the breather leave behind? At 45000 instants of each run we look at the share of the
-energy that is farther than five sites from the strongest site. The largest, [2.95e-9](num:moving.dispersion), is
-a bound on what has been lost, because the breather's own tail is part of it. */
-struct Glide {
-  KickedPath path;
-  Table map{{number("t", "time"), count("n", "site", "site"), number("e", "energy density")}};
-};
-
-Glide glide(const RestingBreather& at, const EventCorrected& method, double time) {
-  Glide out;
-  std::size_t k = 0;
-  out.path =
-      at.after(strong, method, time,
-               [&](const KickedPath&, const State<double>& now, const std::vector<double>& e) {
-                 for (std::size_t n = 0; k % 4 == 0 && n < e.size(); ++n)
-                   out.map.add({now.t, site_number(n, e.size()), e[n]});
-                 ++k;
-                 return true;
-               });
-  if (out.path.share < 0.9) throw Failure("the breather breaks up after the kick");
-  return out;
-}
-
-/**
-At which phase did the article kick? It does not say. The approximate breather of its Eqs. (18) and (20) begins with
-the central contact compressed, but that gives [0.000552678](num:sec33_mobility.speed_bond_compressed), three per cent
-too much. With the contact stretched both speeds agree with the article's to $2\cdot10^{-4}$, so we take that. The kick
-points to the right and the breather goes to the left: its effective mass is negative (see the threshold). The article
-prints speeds without a direction, so we drop the sign. The function returns the speeds divided by the kick. */
-std::array<double, 3> report_glides(Report& report) {
+Is the speed really constant? In 32000 units of time, more than 5000 oscillations, the breathers cover some seventeen
+sites. The speed is the slope of $X$ from $t = 2000$ on. If it is constant, both halves of this window and every single
+site give the same. And what is left behind? At some 45000 samples we look at the share of the energy that is farther
+than five sites from the strongest one. The largest is a bound on what has been lost; the breather's own tail is part of
+it. */
+std::array<double, 3> report_strong(Report& report) {
+  // Two runs of each breather; the maps of the figure have every fourth mean of the finer one
   const double time = report.quick ? 6000 : 32000;
-  const Breathers at = all_ready(52, 52);
-  std::array<Glide, 6> runs;
+  const Breathers at = breathers(53, 52);
+  std::array<TwoRuns<KickedPath>, 3> paths;
+  std::array<Table*, 3> maps{};
+  const Columns columns{number("t", "time"), count("n", "site", "site"),
+                        number("e", "energy density")};
+  maps[1] = &report.table("map_bond", columns);
+  maps[0] = &report.table("map_site", columns);
   parallel_for("strong kicks", 6, [&](std::size_t i) {
-    const KickMethods r = i % 2 ? fine(report.quick) : coarse(report.quick);
-    runs[i] = glide(at[i / 2], r.glides, time);
+    const std::size_t k = i / 2, finer = i % 2;
+    const auto record = [&, means = 0](const auto&, const auto& now, const auto& e) mutable {
+      for (std::size_t n = 0; finer && maps[k] && means % 4 == 0 && n < e.size(); ++n)
+        maps[k]->add({now.t, site_number(n, e.size()), e[n]});
+      ++means;
+    };
+    KickedPath& path = finer ? paths[k].fine : paths[k].coarse;
+    path = follow(at[k], strong, methods(finer, report.quick).strong, time, record);
+    if (path.share < 0.9) throw Failure("the breather breaks up after the kick");
+    if (finer && !report.quick) check_energy(at[k], strong, path);
   });
 
-  // The speed in the window and in either half of it
-  std::array<double, 3> response{};
+  // The speed in the window, in either half of it, and over each single site
+  std::array<double, 3> per_kick{};
   Estimate unsteady{};
   for (std::size_t k = 0; k < 3; ++k) {
-    const KickedPath &rough = runs[2 * k].path, &good = runs[2 * k + 1].path;
-    const double to = good.run.t_end, from = to / 16, middle = (from + to) / 2;
-    const std::string name = std::string("_") + cases[k].name, unit = "site per unit of time";
+    const auto& [rough, good] = paths[k];
     const auto speed = [&](double since, double until) {
       const Estimate a = rough.speed_during(since, until), b = good.speed_during(since, until);
       return compare(Estimate{std::abs(a.value), 0}, Estimate{std::abs(b.value), b.error});
     };
-    report.facts.add("speed" + name, speed(from, to), unit);
-    report.facts.add("speed_first_half" + name, speed(from, middle), unit);
-    report.facts.add("speed_second_half" + name, speed(middle, to), unit);
-    report.facts.add("drift_strong" + name, compare(rough.run.energy_drift, good.run.energy_drift));
-    // How steady it is: the speed over each single site
+    const double to = good.run.t_end, from = to / 16, middle = (from + to) / 2;
     const Estimate mean = speed(from, to);
+    report.facts.add("speed_" + names[k], mean, speed_unit);
+    if (k == 0) report.facts.add("speed_first_half_site", speed(from, middle), speed_unit);
+    if (k == 0) report.facts.add("speed_second_half_site", speed(middle, to), speed_unit);
     for (double t = from; k < 2 && t + 1 / mean.value <= to; t += 1 / mean.value) {
       const Estimate one = quotient(speed(t, t + 1 / mean.value), mean);
       unsteady = larger(unsteady, {std::abs(one.value - 1), one.error});
     }
-    response[k] = std::abs(good.speed_during(time / 16, time).value) / strong;
+    per_kick[k] = mean.value / strong;
   }
   report.facts.add("unsteadiness", unsteady, "relative");
   // Both breathers meet all phases, so what the samples miss is about their difference
-  const auto left = [&](std::size_t run) { return 1 - runs[run].path.share; };
-  Estimate lost = larger(compare(left(0), left(1)), compare(left(2), left(3)));
-  lost.error += std::abs(left(1) - left(3));
+  const auto left = [](const KickedPath& path) { return 1 - path.share; };
+  Estimate lost = larger(paths[0].of(left), paths[1].of(left));
+  lost.error += std::abs(left(paths[0].fine) - left(paths[1].fine));
   report.facts.add("dispersion", lost, "of the energy");
-  report.output.add("map_bond", std::move(runs[3].map));
-  report.output.add("map_site", std::move(runs[1].map));
-  return response;
+  return per_kick;
 }
 
 /**
-The energy of the kick depends on the norm of $g$. With the printed denominator, the sum of squares and not its root,
-$g$ would be longer by the factor [63.0043](num:sec33_mobility.printed_norm), and the kick $c = 2\cdot10^{-4}$ would not
-be small beside the breather. The threshold would be [7.0658e-8](num:sec33_mobility.threshold_as_printed) then, and
-neither $c = 3\cdot10^{-6}$ nor $6.19\cdot10^{-6}$ would leave anything pinned: so this is hardly what was computed. Nor
-does it matter much that $g$ is not quite the pinning mode: a kick along that mode, of length one, would have to be
-[4.4358e-6](num:sec33_mobility.threshold_along_mode). */
-Estimate printed_norm() {
-  const auto longer = [](std::size_t sites) { return 1 / gradient(ready(1, sites).rest.y).norm(); };
-  static const Estimate once = compare(longer(22), longer(26));
-  return once;
-}
+At which phase did the article kick? Its approximate breather, Eqs. (18) and (20), begins with the central contact
+compressed, but then the bond-centred breather is three per cent too fast. With the contact stretched both printed
+speeds are met to $2\cdot10^{-4}$, so we assume that. A kick to the right drives the breather to the left, because its
+effective mass is negative; the article prints speeds without a direction.
 
-void report_kick_energy(Report& report, const RestingBreather& at) {
+And if the norm of $g$ is not one? As printed, with the sum of squares as denominator and not its root, $g$ is longer by
+the factor 63. Then $c = 2\cdot10^{-4}$ is not small beside the breather, and $c = 3\cdot10^{-6}$ leaves none pinned; so
+this is hardly what was computed. The energy of the kick checks our norm.
+
+| quantity | article | here |
+|---|---|---|
+| speed around a site | $5.446\cdot10^{-4}$ | [0.000544490 ± 3e-10](num:moving.v_site) |
+| in the first half of the window | | [0.000544489 ± 6e-10](num:sec33_mobility.speed_first_half_site) |
+| in the second half | | [0.000544490 ± 6e-10](num:sec33_mobility.speed_second_half_site) |
+| speed around a bond, contact stretched | $5.364\cdot10^{-4}$ | [0.000536296 ± 2e-10](num:moving.v_bond) |
+| contact compressed | | [0.000552678 ± 2e-10](num:sec33_mobility.speed_bond_compressed) |
+| largest relative change over a site | almost constant | [5e-5 ± 2e-5](num:moving.steady) |
+| share of the energy beyond five sites | negligible | [2.95e-9 ± 4e-11](num:moving.dispersion) |
+| energy of the kick | $2\cdot10^{-8}$ | [2.00000e-8 ± 4e-24](num:moving.kick_energy) |
+| norm of $g$ as printed | | [63.0043 ± 4e-13](num:sec33_mobility.printed_norm) | */
+Estimate report_norm(Report& report, const RestingBreather& at) {
   double plain = 0;
   long double careful = 0;
-  for (const double v : kicked(at.rest, strong).v) {
+  for (const double v : kick(at, strong).v) {
     plain += v * v / 2;
     careful += static_cast<long double>(v) * v / 2;
   }
   report.facts.add("kick_energy", compare(plain, double(careful)));
-  report.facts.add("printed_norm", printed_norm());
+  const auto longer = [](std::size_t sites) {
+    return 1 / gradient(breather(Centre::bond, Phase::stretched, sites).rest.y).norm();
+  };
+  const Estimate norm = compare(longer(22), longer(26));
+  report.facts.add("printed_norm", norm);
+  return norm;
 }
 
 /**
 ## A weak kick (figure 15)
 
-What does a weak kick do? With $c = 3\cdot10^{-6}$ the site-centred breather travels without a stop from site to site.
-It starts where the potential holds it back most, so that it has only to pass the same place again at every site, which
-it does slowly, and it is faster over the bonds. The bond-centred one swings about its bond.
+After $c = 3\cdot10^{-6}$ the bond-centred breather swings about its bond: in either phase it turns back at a quarter of
+a site. The site-centred one starts where the potential holds it back most. It only has to pass the same place again at
+every site, which it does slowly, and it is faster over the bonds.
 
-![Energy centre after a weak kick.](fig:15)
+![Energy centre after a weak kick.](fig:15) */
+TwoRuns<KickedPath> report_weak(Report& report, const Breathers& at) {
+  std::array<TwoRuns<KickedPath>, 3> paths;
+  parallel_for("weak kicks", 6, [&](std::size_t i) {
+    const std::size_t k = i / 2, finer = i % 2;
+    const double time = report.quick ? 2e4 : std::array{2.5e5, 1.7e5, 8e4}[k];
+    KickedPath& path = finer ? paths[k].fine : paths[k].coarse;
+    path = follow(at[k], weak, methods(finer, report.quick).weak, time);
+    if (finer && !report.quick) check_energy(at[k], weak, path);
+  });
 
-The article says that the site-centred one jumps two sites, and not how long it was followed. Does a suitable end of the run
-make this true? The breather is two sites away at $t =$ [180339](num:sec33_mobility.two_sites_time), and a figure that ended
-there would show two sites, but nothing that is pinned: over the second site its speed is still
-[0.589652](num:sec33_mobility.slow_over_fast) times that over a bond. The sign of the kick and the phase change nothing, since
-around a site they come to a reversal of time or of the chain. By $t = 10^6$
-(`sec33_mobility kick --centre site --c 3e-6 --time 1e6 --sites 61`) it has travelled 11.07 sites, at the same mean speed.
+  // The figure: the longest run has all times
+  const auto centre = [](const std::string& name) {
+    return estimate("X_" + name, "energy centre", "site",
+                    "two schemes, against the largest displacement; nan after the end of a run");
+  };
+  Table& table = report.table(
+      "paths", {number("t", "time"), centre(names[0]), centre(names[1]), centre(names[2])});
+  const auto place = [&](std::size_t k, std::size_t i) {
+    const auto& [rough, good] = paths[k];
+    return i < good.centre.size() ? compare(rough.centre[i], good.centre[i])
+                                  : Estimate{std::nan(""), std::nan("")};
+  };
+  for (std::size_t i = 0; i < paths[0].fine.t.size(); i += 8)
+    table.add({paths[0].fine.t[i], place(0, i), place(1, i), place(2, i)});
 
-Coarser methods stop it only by chance. In a trial outside this repository adaptive methods of GSL at usual tolerances go
-on, and of fourteen looser settings, with which the energy grows, three are caught near the second site; another interval
-between the samples changes which.
+  // Around a bond: how far does it come, and has it turned back? Around a site: where is it at the end?
+  const auto travelled = [](const KickedPath& p) { return std::abs(p.travelled()); };
+  const auto farthest = [](const KickedPath& p) { return p.farthest(); };
+  const auto back = [&](const KickedPath& p) { return p.farthest() - travelled(p); };
+  for (std::size_t k : {1, 2}) {
+    report.facts.add("farthest_" + names[k], paths[k].of(farthest), "site");
+    report.facts.add("came_back_" + names[k], paths[k].of(back), "site");
+  }
+  report.facts.add("travelled_site", paths[0].of(travelled), "site");
+  return paths[0];
+}
 
-The end of the run also matters for the threshold: whoever calls a breather pinned that has not passed the next site by some
-time finds a larger $c_c$. After the printed $6.19\cdot10^{-6}$ the bond-centred breather passes the site at $t =$
-[35877.4](num:sec33_mobility.hill_time_bond_stretched) (with the contact stretched). By this time the site-centred one has
-moved by [0.368812](num:sec33_mobility.site_by_then) sites after its weak kick. It needs five times as long for two sites, so
-no single length of the runs explains both. */
-void report_horizon(Report& report, const Breathers& at, const TwoRuns<KickedPath>& site) {
-  // The printed kick, until the breather is past the next site
+/**
+The article says that the site-centred breather jumps two sites and is pinned, and not how long it was followed. Does a
+suitable end of the run make this true? A figure that ends at $t = 1.8\cdot10^5$ shows two sites but no pinning: there
+the breather still has more than half of its speed at a bond. By $t = 10^6$
+(`sec33_mobility kick --centre site --c 3e-6 --time 1e6 --sites 61`) it has travelled eleven sites at the same mean
+speed. Coarser methods stop it only by chance. In a trial outside this repository adaptive methods of GSL at usual
+tolerances went on; of fourteen looser settings, with which the energy grows, eight went on and three were caught near
+the second site, and another interval between the samples changes which. The cause of the printed pinning is not known.
+
+The length of a run also matters for the threshold, as a breather that has not passed the next site by the end counts as
+pinned. After the printed $c_c$ it passes at $t = 3.6\cdot10^4$, so runs of that length reproduce the printed value. But
+by then the site-centred breather of figure 15 has moved by a third of a site, and it needs five times as long for two.
+No single length of the runs explains both.
+
+| after the weak kick | article | here |
+|---|---|---|
+| site-centred: sites by $t = 2.5\cdot10^5$ | 2, pinned | [2.81675 ± 7e-6](num:moving.site_below) |
+| time at two sites | | [180339 ± 0.5](num:sec33_mobility.two_sites_time) |
+| speed there, over that at a bond | | [0.589652 ± 4e-7](num:sec33_mobility.slow_over_fast) |
+| bond-centred, stretched: farthest, sites | pinned | [0.235642 ± 2e-8](num:sec33_mobility.farthest_bond_stretched) |
+| way back by the end of the run | | [0.0667425 ± 3e-7](num:sec33_mobility.came_back_bond_stretched) |
+| compressed: farthest | pinned | [0.244109 ± 3e-7](num:sec33_mobility.farthest_bond_compressed) |
+| way back by the end of the run | | [0.105027 ± 4e-7](num:sec33_mobility.came_back_bond_compressed) |
+| at the next site after $6.19\cdot10^{-6}$, time | | [35877.4 ± 0.01](num:sec33_mobility.hill_time_bond_stretched) |
+| site-centred, $c = 3\cdot10^{-6}$: sites by then | 2 | [0.368812 ± 2e-6](num:sec33_mobility.site_by_then) | */
+void report_length_of_run(Report& report, const RestingBreather& bond,
+                          const TwoRuns<KickedPath>& site) {
+  const auto time_at = [](double distance) {
+    return [=](const KickedPath& p) { return p.t[0] + distance / p.mean_speed(distance); };
+  };
   TwoRuns<KickedPath> printed;
   parallel_for("printed kicks", 2, [&](std::size_t i) {
     (i ? printed.fine : printed.coarse) =
-        at[1].after(printed_threshold, (i ? fine() : coarse()).thresholds, 1e5,
-                    [](const KickedPath& so_far, const State<double>&, const auto&) {
-                      return so_far.farthest() < 0.5;
-                    });
+        follow(bond, printed_threshold, methods(i, false).thresholds, 1e5,
+               [](const auto& so_far, auto&...) { return so_far.farthest() < 0.5; });
   });
-  const Estimate then = when_at(0.5, printed);
-  report.facts.add("hill_time_bond_stretched", then);
+  check_energy(bond, printed_threshold, printed.fine);
+  const Estimate passes = printed.of(time_at(0.5));
+  report.facts.add("hill_time_bond_stretched", passes);
 
   // Where the site-centred breather of the weak kick is then, and how it passes a site
   const auto by_then = [&](const KickedPath& p) {
     std::size_t k = 0;
-    while (p.t[k + 1] < then.value) ++k;
+    while (p.t[k + 1] < passes.value) ++k;
     return std::abs(p.moved(k));
   };
   report.facts.add("site_by_then", site.of(by_then), "site");
-  report.facts.add("two_sites_time", when_at(2, site));
+  report.facts.add("two_sites_time", site.of(time_at(2)));
   const auto pace = [](const KickedPath& p, double x) {
     const double since = (x - 0.1) / p.mean_speed(x - 0.1);
     return 0.2 / ((x + 0.1) / p.mean_speed(x + 0.1) - since);
   };
-  const auto slowest = [&](const KickedPath& p) { return pace(p, 2) / pace(p, 1.5); };
-  report.facts.add("slow_over_fast", site.of(slowest));
-}
-
-/**
-The bond-centred breather is pinned: in either phase it turns round at a quarter of a site, far from the next site, which
-is half a site away. For the site-centred one we give the distance at the end of the run, where it still moves. */
-void report_weak(Report& report, const Breathers& at) {
-  // All three breathers, each with two schemes
-  std::array<TwoRuns<KickedPath>, 3> paths;
-  parallel_for("weak kicks", 6, [&](std::size_t i) {
-    const std::size_t k = i / 2;
-    const double time = report.quick ? 2e4 : std::array{2.5e5, 1.7e5, 8e4}[k];
-    const KickMethods r = i % 2 ? fine(report.quick) : coarse(report.quick);
-    (i % 2 ? paths[k].fine : paths[k].coarse) = at[k].after(weak, r.paths, time);
-  });
-
-  // The figure: the longest run has all times
-  const auto centre = [](const Case& c) {
-    return estimate(std::string("X_") + c.name, "energy centre", "site",
-                    "two schemes, against the largest displacement; nan after the end of a run");
-  };
-  Table& table = report.table(
-      "paths", {number("t", "time"), centre(cases[0]), centre(cases[1]), centre(cases[2])});
-  const auto place = [&](const TwoRuns<KickedPath>& p, std::size_t k) {
-    if (k >= p.fine.centre.size()) return Estimate{std::nan(""), std::nan("")};
-    return Estimate{p.fine.centre[k], std::abs(p.fine.centre[k] - p.coarse.centre[k])};
-  };
-  for (std::size_t k = 0; k < paths[0].fine.t.size(); k += 8)
-    table.add({paths[0].fine.t[k], place(paths[0], k), place(paths[1], k), place(paths[2], k)});
-
-  // Around a bond: how far does it come, and does it turn round?
-  for (std::size_t k = 1; k < 3; ++k) {
-    const auto& [rough, good] = paths[k];
-    const std::string name = std::string("_") + cases[k].name;
-    const auto back = [](const KickedPath& p) { return p.farthest() - std::abs(p.travelled()); };
-    report.facts.add("farthest" + name, compare(rough.farthest(), good.farthest()), "site");
-    report.facts.add("came_back" + name, compare(back(rough), back(good)), "site");
-  }
-
-  // Around a site: how far has it travelled?
-  const auto& [rough, good] = paths[0];
-  report.facts.add("travelled_site",
-                   compare(std::abs(rough.travelled()), std::abs(good.travelled())), "site");
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double margin = paths[k].fine.drift_margin(weak, at[k].energy);
-    report.facts.add(std::string("drift_margin_weak_") + cases[k].name, {margin, margin});
-  }
-  if (!report.quick) report_horizon(report, at, paths[0]);
+  report.facts.add("slow_over_fast",
+                   site.of([&](const KickedPath& p) { return pace(p, 2) / pace(p, 1.5); }));
 }
 
 /**
 ## The threshold, and why most of a kick is wasted
 
-How large must a kick be? A breather that moves slowly keeps its action, so the potential of its centre is the energy
-at *equal area* ($2\pi$ times the action), with the barrier $\tilde E_{PN} = E_{\rm site}-E_{\rm bond}$ between
-breathers of one area. The kick does not keep the action: an oscillator of frequency one has an action as large as its
-energy, and nearly all of $c^2/2$ goes into a larger oscillation. Only a fraction $\varphi$ becomes kinetic energy of
-the *centre*. It follows from one period of the linearised flow, which has a slow plane spanned by a shift of the
-positions and a push of the velocities; about a stable centre this is an oscillator of frequency $\Omega$, and the part
-of the kick in the plane gives its kinetic energy (depinning.hpp). We find $\varphi =$
-[-0.0237402](num:sec33_mobility.kinetic_share_bond_stretched): the moving breather has *less* energy than the resting one
-of the same action, its effective mass is negative, and the stable centre is the one of *higher* energy. So
+The barrier that a breather has to pass is far lower than $c_c^2/2$. Where does the rest go? A breather that moves
+slowly keeps its action, so the potential of its centre is the energy at *equal action*, with the barrier
+$\tilde E_{PN} = E_{\rm site}-E_{\rm bond}$ between breathers of one action (`sec32_barrier`). The kick does not keep
+it: an oscillator of frequency one has as much action as energy, and nearly all of $c^2/2$ goes into a larger
+oscillation. What is left at equal action, $\varphi\,c^2/2 = dE-\omega_b\,dI$, moves the centre. So
 $$|\varphi|\,\frac{c_c^2}2 = |\tilde E_{PN}|,\qquad\text{not}\qquad \frac{c_c^2}2 = E_{PN}.$$
+The flow, linearised over one period, tells $\varphi$. It has a slow plane, spanned by a shift of the positions and a
+push of the velocities; about a stable centre this is an oscillator of frequency $\Omega$, and the part of the kick in
+the plane gives its kinetic energy (depinning.hpp). We find $\varphi < 0$: the moving breather has *less* energy than
+the resting one of the same action, its effective mass is negative, and the stable centre is the one of *higher* energy.
 
-Sign and size of $\varphi$ follow in the DpS limit, with $\mu = \omega_b-1$. Of a kick $c\,v$ along a mode $v$ of length
-one the moving centre keeps what is left at equal action, $\varphi\,c^2/2 = dE-\omega_b\,dI$. Without contacts the kick
-would change the action $I$ and the energy by $c^2/2$ each: that leaves $(1-\omega_b)\,c^2/2 = -\mu\,c^2/2$. A
-velocity changes the complex amplitude of an oscillator across the breather's own, real one, and in this direction a
-contact of strain $d_n$ has the stiffness $|d_n|^{1/2}$, so that the contacts add $\frac{c^2}2\,v\cdot Mv$, with $M$ the
-contact matrix of the breather (spectrum.hpp). The mode that shifts the breather nearly solves the linearised equation,
-$(\mu-\frac32M)\,v\approx0$. Of a kick along the discrete gradient $g$ the part $g\cdot v$ is along this mode, and
-$$\varphi \approx (g\cdot v)^2\bigl(\tfrac23\mu-\mu\bigr) = -(g\cdot v)^2\,\frac{\omega_b-1}3.$$
-In the limit $(g\cdot v)^2$ is [0.980675](num:sec33_mobility.overlap). At 1.1 $|\varphi|$ is about a quarter smaller. */
-/// (g.v)^2 of the DpS breather around a bond, whatever its frequency.
-Estimate overlap() {
-  const auto squared = [](std::size_t more) {
-    const auto u = stationary<double>(Centre::bond, 1, sites_of(Centre::bond) + more);
-    const double cosine = alignment(contact_spectrum(u, true).second, gradient(u.u));
-    return cosine * cosine;
-  };
-  return compare(squared(10), squared(0));
+Sign and size follow at small amplitudes, with $\mu = \omega_b-1$. Without contacts a kick along a mode $v$ of length
+one changes action and energy by $c^2/2$ each, which leaves $-\mu\,c^2/2$. A velocity changes the complex amplitude of a
+bead across the breather's own, real one, and in this direction a contact of strain $d_n$ has the stiffness
+$|d_n|^{1/2}$. So the contacts add $\frac{c^2}2\,v\cdot Mv$, with $M$ the matrix of these stiffnesses (spectrum.hpp).
+The mode that shifts the breather nearly solves $(\mu-\frac32M)\,v = 0$, and $g$ is nearly $v$; hence
+$$\varphi \approx \tfrac23\mu-\mu = -\frac{\omega_b-1}3.$$
+In this limit $\tilde E_{PN}$ is $-(\omega_b-1)/5$ times $E_{PN}$, the barrier at equal frequency (`sec32_barrier`). The
+two small factors leave $c_c^2/2 \approx \frac35E_{PN}$: two quantities, but of one size for a reason. At
+$\omega_b = 1.1$, with the contact stretched, both factors are a good quarter below their limits, and their ratio is
+near $\frac35$ again. */
+std::array<Prediction, 2> report_prediction(Report& report, const Breathers& at,
+                                            const BreatherPair& pair, double speed_per_kick) {
+  std::array<Prediction, 2> found;
+  for (std::size_t k : {1, 2}) {
+    found[k - 1] = predict_threshold(at[k], pair.equal_area);
+    report.facts.add("pinning_frequency_" + names[k], found[k - 1].frequency, "1 per unit of time");
+  }
+  const auto& [threshold, share, frequency, barrier, along_mode] = found[0];
+  report.facts.add("predicted_threshold_bond_stretched", threshold, speed_unit);
+  report.facts.add("kinetic_share_bond_stretched", share);
+  // A pendulum with the speed Omega/pi at the minimum just reaches the maximum
+  const double per_kick = std::numbers::pi * speed_per_kick;
+  report.facts.add("threshold_of_pendulum_bond_stretched",
+                   {frequency.value / per_kick, frequency.error / per_kick}, speed_unit);
+  report.facts.add("effective_barrier", barrier);
+  return found;
 }
 
 /**
-Why did the article find its barriers to agree? In the limit $\omega_b \to 1$ the barrier at equal area is $-(\omega_b-1)/5$
-times the one at equal frequency (`sec32_barrier`), and $\varphi$ nearly $-(\omega_b-1)/3$: two small factors of the same
-kind, which leave $c_c^2/2 \approx \frac35(g\cdot v)^{-2}E_{PN}$. At $\omega_b = 1.1$, with the central contact stretched, both are
-below their limits by nearly the same, a good quarter, so that their ratio, [0.6101](num:moving.barrier_close), is close to
-$\frac35(g\cdot v)^{-2}$ although neither is close to its limit; with the contact compressed they differ more. So the two numbers have the same order of magnitude for a reason, but they are not the same number.
+The whole chain has to confirm this. The bisection begins with the article's two kicks, $3\cdot10^{-6}$ and
+$6.19\cdot10^{-6}$. After six halvings the interval is one per cent wide, but further digits cost longer and longer
+runs. What changes smoothly is the speed $V$ with which a freed breather passes the maximum at the next site: $V^2$ is
+linear in $c^2$ and vanishes at the threshold. Kicks 5, 20 and 40 per cent beyond the prediction give three lines, whose
+disagreement, with the difference of two schemes, is the error (kick_threshold.hpp). If the bisection does not enclose
+this threshold, the program stops; the two have different code for kick and run.
 
-The whole chain must confirm the prediction. We give it three kicks, all of them beyond the predicted threshold. The square of
-the speed with which the breather passes the potential's extremum at the site is linear in $c^2$, and its zero is the
-threshold (kick_threshold.hpp), with two schemes. For the stretched contact we also check directly: one per cent
-below the threshold it must turn round, one per cent above it must get over. Runs whose energy drifts by a hundredth of the
-kick are refused. */
-std::vector<Prediction> report_thresholds(Report& report, const std::vector<RestingBreather>& bonds,
-                                          const std::array<double, 3>& response) {
-  // What one period of the linearised flow predicts, for either phase
-  const std::string unit = "site per unit of time";
-  const BreatherPair pair = barriers_at(omega_b);
-  std::vector<Prediction> predictions;
+| bond-centred breather | article | here |
+|---|---|---|
+| fraction $\varphi$ | | [-0.0237402 ± 7e-13](num:sec33_mobility.kinetic_share_bond_stretched) |
+| barrier $\tilde E_{PN}$ | | [-2.3523e-13 ± 3e-17](num:sec33_mobility.effective_barrier) |
+| $c_c$ predicted by them | | [4.4516e-6 ± 3e-10](num:sec33_mobility.predicted_threshold_bond_stretched) |
+| $c_c$ of the chain | $6.19\cdot10^{-6}$ | [4.4518e-6 ± 4e-10](num:moving.c_threshold) |
+| of a pendulum (figure x15) | | [4.45275e-6 ± 4e-11](num:sec33_mobility.threshold_of_pendulum_bond_stretched) |
+| contact compressed | | [4.3198e-6 ± 4e-10](num:sec33_mobility.threshold_bond_compressed) |
+| kick along the mode itself, predicted | | [4.4358e-6 ± 3e-10](num:sec33_mobility.threshold_along_mode) |
+| $g$ of the printed norm | | [7.0658e-8 ± 7e-12](num:sec33_mobility.threshold_as_printed) |
+| $c_c^2/2$ | $1.92\cdot10^{-11}$ | [9.909e-12 ± 2e-15](num:moving.pn_dynamic) |
+| $c_c^2/2$ over $E_{PN}$ | quite close | [0.6101 ± 0.0001](num:moving.barrier_close) |
+
+[](finding:depinning.law)
+
+Speeds, bisection and linearised flow agree, and a pendulum comes close: its $\Omega$, and speed per kick from figure
+14. The printed threshold is reached with neither phase, nor with the printed norm, nor along the mode itself. Fixed
+steps that divide the period can pin a breather beyond ours, but with an energy that drifts by more than the kick adds.
+That such steps, or runs that are too short, explain the printed value is a conjecture. The law was tested for slow
+motion and kicks along $g$ only. */
+void report_threshold(Report& report, const Breathers& at, const std::array<Prediction, 2>& guess,
+                      const BreatherPair& pair, const Estimate& norm) {
+  // From the speeds at the maximum, with two schemes
+  const Methods coarse = methods(false, report.quick), fine = methods(true, report.quick);
+  std::array<TwoRuns<Estimate>, 2> found;
+  parallel_for("thresholds", 4, [&](std::size_t i) {
+    const std::size_t k = i % 2;
+    Estimate& one = i < 2 ? found[k].fine : found[k].coarse;
+    one = freeing_kick_of(at[k + 1], guess[k], (i < 2 ? fine : coarse).thresholds);
+  });
+  std::array<Estimate, 2> threshold;
   for (std::size_t k : {0, 1}) {
-    predictions.push_back(predict_threshold(bonds[k], pair.equal_area));
-    report.facts.add(std::string("pinning_frequency_") + cases[k + 1].name,
-                     predictions[k].frequency, "1 per unit of time");
+    threshold[k] = compare(found[k].coarse, found[k].fine);
+    report.facts.add("threshold_" + names[k + 1], threshold[k], speed_unit);
   }
-  const Prediction& p = predictions[0];
-  const double per_kick = std::numbers::pi * response[1];
-  report.facts.add("predicted_threshold_bond_stretched", p.threshold, unit);
-  report.facts.add("kinetic_share_bond_stretched", p.share);
-  report.facts.add("threshold_of_pendulum_bond_stretched",
-                   {p.frequency.value / per_kick, p.frequency.error / per_kick}, unit);
-  report.facts.add("effective_barrier", p.barrier);
+  // By bisection
+  parallel_for("bisection", report.quick ? 0 : 2, [&](std::size_t k) {
+    const auto [low, high] = bisection(at[k + 1], weak, printed_threshold, 6, fine.thresholds);
+    if (!(low < threshold[k].value && threshold[k].value < high))
+      throw Failure("the bisection encloses another threshold");
+  });
 
-  // What the chain does
-  const KickMethods rough = coarse(report.quick), good = fine(report.quick);
-  auto found = freeing_kicks(bonds, predictions, rough.thresholds, good.thresholds);
-  if (!report.quick) confirm(bonds[0], predictions[0], good.thresholds, found[0]);
-  for (std::size_t k : {0, 1}) {
-    const auto& [c, margin] = found[k];
-    const std::string name = std::string("_") + cases[k + 1].name;
-    report.facts.add("threshold" + name, c, unit);
-    report.facts.add("drift_margin_threshold" + name, {margin, margin});
-    if (!report.quick && margin < 100)
-      throw Failure("the energy drifts by more than a hundredth of the kick's energy");
-  }
-
-  // With the contact stretched: other norms of the kick, and the plain barrier
-  const Estimate& c = found[0].value;
+  // With the contact stretched: its energy, another norm, a kick along the mode, and the barrier at equal frequency
+  const Estimate& c = threshold[0];
   const double plain = 2 * std::abs(pair.equal_frequency.value);
   report.facts.add("threshold_energy_bond_stretched", {c.value * c.value / 2, c.value * c.error});
-  report.facts.add("threshold_as_printed", quotient(c, printed_norm()), unit);
-  report.facts.add("threshold_along_mode", p.along_mode, unit);
+  report.facts.add("threshold_as_printed", quotient(c, norm), speed_unit);
+  report.facts.add("threshold_along_mode", guess[0].along_mode, speed_unit);
   report.facts.add("barrier_ratio", {c.value * c.value / plain, 2 * c.value * c.error / plain});
-  return predictions;
 }
 
 /**
 ## Speed against kick (figure x15)
 
-How does the speed depend on the kick? If the Peierls-Nabarro potential is a sine, the centre is a pendulum
-(depinning.hpp), with an initial speed proportional to the kick. We time it over one site, in means of $X$ over eleven
-periods (kick.hpp), from the first and from the second of them.
+If the potential is a sine, the centre is a pendulum, whose initial speed is proportional to the kick. Its mean speed
+over a site is the arithmetic-geometric mean of the speeds at the maximum and at the minimum, whose squares differ by
+$(\Omega/\pi)^2$. In the chain we time one site between means of $X$, from the first and from the second of them, with
+steps of 0.2 and 0.3. Their energy drifts by more than a weak kick adds, but the drift belongs to the oscillation and
+hardly to the centre, as the agreement of the two steps shows. Chain and pendulum agree to one per cent, or the program
+stops.
 
 ![Mean speed against kick, and the drift of several integrators against their work.](fig:x15) */
-Estimate speed_over_a_site(const RestingBreather& at, double c, const KickMethods& r) {
-  const KickedPath path =
-      at.after(c, r.speeds, 1e6, [](const KickedPath& so_far, const State<double>&, const auto&) {
-        return std::abs(so_far.travelled()) < 1.1;
-      });
+double pendulum_speed(double start, double omega, bool from_maximum) {
+  const double change = omega / std::numbers::pi;
+  if (!from_maximum && start <= change) return 0;
+  double a = from_maximum ? std::hypot(start, change) : start;
+  double b = from_maximum ? start : std::sqrt(start * start - change * change);
+  while (std::abs(a - b) > 1e-14 * a) {
+    const double mean = (a + b) / 2;
+    b = std::sqrt(a * b);
+    a = mean;
+  }
+  return a;
+}
+
+Estimate speed_over_a_site(const RestingBreather& at, double c, const Method& method) {
+  const KickedPath path = follow(at, c, method, 1e6, [](const auto& so_far, auto&...) {
+    return std::abs(so_far.travelled()) < 1.1;
+  });
   return compare(path.mean_speed(1, 1), path.mean_speed(1, 0));
 }
 
-void report_speeds(Report& report, const Breathers& at, const std::array<double, 3>& response,
+void report_speeds(Report& report, const Breathers& at, const std::array<double, 3>& per_kick,
                    double frequency) {
-  std::vector<std::pair<std::size_t, double>> kicks;
-  for (double c : {2e-6, 4e-6, 8e-6, 2e-5, 5e-5, 2e-4}) kicks.emplace_back(0, c);
-  for (double c : {4.7e-6, 5.5e-6, 8e-6, 2e-5, 5e-5, 2e-4}) kicks.emplace_back(1, c);
-  if (report.quick) std::erase_if(kicks, [](const auto& kick) { return kick.second < 1e-4; });
-  const std::string unit = "site per unit of time";
+  using Kick = std::pair<std::size_t, double>;  // of which breather, c
+  std::vector<Kick> kicks;
+  for (double c : {2e-6, 4e-6, 8e-6, 2e-5, 5e-5, 2e-4}) kicks.push_back({0, c});
+  for (double c : {4.7e-6, 5.5e-6, 8e-6, 2e-5, 5e-5, 2e-4}) kicks.push_back({1, c});
+  if (report.quick) kicks = {{0, strong}, {1, strong}};
   Table& table = report.table(
       "speeds",
-      {label("centre", "where the breather starts"), number("c", "size of the kick", unit),
-       estimate("speed", "mean over a site", unit, "two steps, two beginnings"),
-       number("pendulum", "mean speed of a pendulum", unit)});
-  const auto row = [&](const std::pair<std::size_t, double>& kick) {
+      {label("centre", "where the breather starts"), number("c", "size of the kick", speed_unit),
+       estimate("speed", "mean over a site", speed_unit, "two steps, two beginnings"),
+       number("pendulum", "mean speed of a pendulum", speed_unit)});
+  // The chain with two steps, and the pendulum
+  const Methods coarse = methods(false, report.quick), fine = methods(true, report.quick);
+  const auto row = [&](const Kick& kick) {
     const auto& [k, c] = kick;
-    const Estimate speed = compare(speed_over_a_site(at[k], c, coarse(report.quick)),
-                                   speed_over_a_site(at[k], c, fine(report.quick)));
-    const bool on_hill = cases[k].centre == Centre::site;
-    return Cells{cases[k].name, c, speed, pendulum_speed(response[k] * c, frequency, on_hill)};
+    const Estimate speed = compare(speed_over_a_site(at[k], c, coarse.speeds),
+                                   speed_over_a_site(at[k], c, fine.speeds));
+    const double pendulum = pendulum_speed(per_kick[k] * c, frequency, k == 0);
+    if (std::abs(speed.value - pendulum) > 0.01 * pendulum) throw Failure("this is no pendulum");
+    return Cells{names[k], c, speed, pendulum};
   };
   table.fill(kicks, row, "speeds");
 }
@@ -419,69 +504,85 @@ void report_speeds(Report& report, const Breathers& at, const std::array<double,
 /**
 ## Which integrator
 
-We compare every integrator that we have on the weakly kicked bond-centred breather, over 5000 units of time. Work is
-counted in forces on one site for one unit of time, which does not depend on the machine. Splittings lose accuracy
-wherever a contact opens or closes, and extended precision does not help, because rounding is not the cause; locating
-every such event is exact to the last digits and too expensive for $10^5$ periods. */
+The weakly kicked bond-centred breather, over 5000 units of time, by every integrator of the library. Work is counted in
+forces on one site for one unit of time, which does not depend on the machine. Splittings lose accuracy wherever a
+contact opens or closes, which costs an error of $h^{5/2}$ with the step $h$. Extended precision does not help, because
+rounding is not the cause. Locating every event is exact to the last digits and too expensive for $10^5$ periods. */
+struct WideSplitting {  // with a 64-bit mantissa; it rounds once per sample
+  Scheme scheme;
+  double step;
+
+  double advance(const Chain& chain, State<double>& state, Window& window, double h,
+                 std::size_t count) const {
+    State<long double> wide(chain.sites);
+    wide.y.assign(state.y.begin(), state.y.end()), wide.v.assign(state.v.begin(), state.v.end());
+    const double work = Splitting{scheme, step}.advance(chain, wide, window, h, count);
+    state.y.assign(wide.y.begin(), wide.y.end()), state.v.assign(wide.v.begin(), wide.v.end());
+    return work;
+  }
+};
+
 void report_integrators(Report& report, const RestingBreather& at) {
   Table& table = report.table(
       "integrators", {label("integrator", "scheme"), number("step", "largest step", "unit of time"),
                       number("work", "forces on a site for a unit of time"),
                       number("drift", "largest relative deviation of the energy"),
                       number("allowed", "a hundredth of the weak kick, over the energy")});
+  struct Candidate {
+    const char* name;
+    Method method;
+    double time;
+  };
+  const double time = report.quick ? 300 : 5000;
+  std::vector<Candidate> all;
+  for (double h : {0.2, 0.1, 0.05, 0.025}) {
+    all.push_back({"verlet", Splitting{verlet(), h}, time});
+    all.push_back({"blanes_moan_4", Splitting{blanes_moan_4(), h}, time});
+    all.push_back({"blanes_moan_4_wide", WideSplitting{blanes_moan_4(), h}, time});
+    all.push_back({"contact_aware_6", EventCorrected{h}, time});
+    all.push_back({"contact_aware_14", fourteen_stages(h), time});
+  }
+  all.push_back({"landing", EventDriven{1}, time / 5});
   const auto row = [&](const Candidate& one) {
-    const Run run = one.run().run;
-    return Cells{one.name, one.step, run.work / run.t_end, run.energy_drift,
+    const Run run = follow(at, weak, one.method, one.time).run;
+    return Cells{one.name, one.method.step, run.work / run.t_end, run.energy_drift,
                  0.01 * weak * weak / 2 / at.energy};
   };
-  table.fill(candidates(at, weak, report.quick ? 300 : 5000), row, "integrators");
-}
-
-/**
-## Differences and limits
-
-| | printed | converged | what explains it |
-|---|---|---|---|
-| speed, site | $5.446\cdot10^{-4}$ | [0.000544490 ± 3e-10](num:moving.v_site) | nothing to explain |
-| speed, bond | $5.364\cdot10^{-4}$ | [0.000536296 ± 2e-10](num:moving.v_bond) | central contact stretched at $t = 0$, chosen because it fits |
-| distance after the weak kick | 2, and pinned | [2.81675 ± 7e-6](num:moving.site_below) at $t = 2.5\cdot10^5$, and on | not known |
-| $c_c$ | $6.19\cdot10^{-6}$ | [4.4518e-6 ± 4e-10](num:moving.c_threshold) | perhaps commensurate steps, or too short a run |
-| $c_c^2/2$ | $1.92\cdot10^{-11}$ | [9.909e-12 ± 2e-15](num:moving.pn_dynamic) | follows from $c_c$ |
-
-[](finding:depinning.law) The pendulum predicts
-[4.45275e-6](num:sec33_mobility.threshold_of_pendulum_bond_stretched). With the central contact compressed the
-threshold is [4.3198e-6](num:sec33_mobility.threshold_bond_compressed). That commensurate steps explain the printed
-threshold is a conjecture: they can pin a breather, but not at a conserved energy. The law
-of the threshold was tested for slow motion and kicks along $g$; other directions of the kick were not tried. */
-void reproduce(Report& report) {
-  report.output.note("sites", "52 and 53 for strong kicks, 22 to 31 otherwise");
-  const Breathers at = all_ready(26, 22);
-  report_kick_energy(report, at[1]);
-  const std::array<double, 3> response = report_glides(report);
-  report_weak(report, at);
-  const auto predictions = report_thresholds(report, {at[1], at[2]}, response);
-  report_speeds(report, at, response, predictions[0].frequency.value);
-  report_integrators(report, at[1]);
-  report.facts.add("overlap", overlap());
+  table.fill(all, row, "integrators");
 }
 
 /**
 ## Try it
 
 1. *Easy.* What does a kick of twice the size do to the speed?
-   `build/bin/sec33_mobility kick --phase stretched --c 4e-4 --time 8000` gives `velocity` = -0.00107228.
-   Hint: far above the threshold the Peierls-Nabarro potential hardly matters, and the momentum of the kick is what
-   counts. The sign is that of the effective mass.
+   `build/bin/sec33_mobility kick --phase stretched --c 4e-4 --time 8000` gives `velocity` = -0.00107228. Hint: far
+   beyond the threshold the potential of the centre hardly matters, and the momentum of the kick is what counts. The
+   sign is that of the effective mass.
 2. *Easy.* And weaker kicks? `build/bin/sec33_mobility kick --centre site --c 2e-5 --time 20000` gives
    `velocity` = -5.52e-5, a little more than a tenth of the speed after the strong kick.
    Hint: around a site the breather starts where the potential holds it back most, and is faster everywhere else.
-3. *Harder.* Predict the threshold of the bond-centred breather at $\omega_b = 1.001$, where the limit of small amplitude
-   is close. `build/bin/sec32_barrier barrier --omega 1.001` gives `equal_area` = -2.3723e-22.
-   Hint: with the fraction $\varphi$ of the last formula above, $|\varphi|\,c_c^2/2$ is the modulus of this barrier. How far
-   is $c_c^2/2$ then from three fifths of `equal_frequency`?
-4. *Open.* How accurately is the potential a sine? How long does a moving breather last, and what does it lose on its way?
+3. *Harder.* Predict the threshold of the bond-centred breather at $\omega_b = 1.001$, where the limit of small
+   amplitude is close. `build/bin/sec32_barrier barrier --omega 1.001` gives `equal_area` = -2.3723e-22. Hint: with
+   $\varphi = -(\omega_b-1)/3$, $|\varphi|\,c_c^2/2$ is the modulus of this barrier. How far is $c_c^2/2$ then from
+   three fifths of `equal_frequency`?
+4. *Open.* How accurately is the potential a sine? How long does a moving breather last, and what does it lose on its
+   way?
 
 The commands are explained in one_kick.hpp. */
+void reproduce(Report& report) {
+  report.output.note("sites", "52 and 53 for strong kicks, 22 to 31 otherwise");
+  const Breathers at = breathers(27, 22);
+  const Estimate norm = report_norm(report, at[1]);
+  const std::array<double, 3> per_kick = report_strong(report);
+  const TwoRuns<KickedPath> site = report_weak(report, at);
+  if (!report.quick) report_length_of_run(report, at[1], site);
+  const BreatherPair pair = barriers_at(omega_b);
+  const auto predictions = report_prediction(report, at, pair, per_kick[1]);
+  report_threshold(report, at, predictions, pair, norm);
+  report_speeds(report, at, per_kick, predictions[0].frequency.value);
+  report_integrators(report, at[1]);
+}
+
 int main(int argc, char** argv) {
   return run({"sec33_mobility", "3.3", "Kicked breathers and their threshold (section 3.3)",
               reproduce, commands<OneKick, OneThreshold>()},

@@ -1,10 +1,7 @@
 #include "sec33/depinning.hpp"
 
 #include <cmath>
-#include <cstddef>
-#include <numbers>
 #include <stdexcept>
-#include <vector>
 
 namespace lattice {
 
@@ -28,13 +25,13 @@ PeriodMap period_map(const Chain& chain, Centre centre, State<double> state, dou
   const bool site = centre == Centre::site;
   Tangent<double> tangent(chain.sites, 2 * chain.sites);
   flow(chain, state, site ? period / 2 : period, rule, &tangent);
+  const auto entry = [&](Eigen::Index i, Eigen::Index k) {
+    const double value = tangent(std::size_t(site ? n - 1 - i : i), std::size_t(k));
+    return site ? -value : value;
+  };
   PeriodMap map{Matrix<double>(n, n), Matrix<double>(n, n), Matrix<double>::Identity(n, n)};
   for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index k = 0; k < n; ++k) {
-      const auto row = std::size_t(site ? n - 1 - i : i);
-      map.A(i, k) = (site ? -1 : 1) * tangent(row, std::size_t(k));
-      map.B(i, k) = (site ? -1 : 1) * tangent(row, std::size_t(k + n));
-    }
+    for (Eigen::Index k = 0; k < n; ++k) map.A(i, k) = entry(i, k), map.B(i, k) = entry(i, k + n);
   // Around a bond even perturbations suffice; the shift in time is odd and drops out
   if (site) return map;
   map.basis = Matrix<double>::Zero(n, n / 2);
@@ -92,23 +89,6 @@ double threshold_from(double c1, double v1, double c2, double v2) {
   const double square = (c1 * c1 * v2 * v2 - c2 * c2 * v1 * v1) / (v2 * v2 - v1 * v1);
   if (!(square > 0)) throw std::invalid_argument("these two speeds show no threshold");
   return std::sqrt(square);
-}
-
-// Every round doubles the number of correct digits
-double arithmetic_geometric(double a, double b) {
-  while (std::abs(a - b) > 1e-14 * a) {
-    const double mean = (a + b) / 2;
-    b = std::sqrt(a * b);
-    a = mean;
-  }
-  return a;
-}
-
-// From a hill the pendulum only gains speed; from a trough it must first get over
-double pendulum_speed(double start, double omega, bool on_hill) {
-  const double well = omega / std::numbers::pi, square = start * start - well * well;
-  if (on_hill) return arithmetic_geometric(std::hypot(start, well), start);
-  return square > 0 ? arithmetic_geometric(start, std::sqrt(square)) : 0;
 }
 
 }  // namespace lattice

@@ -1,9 +1,7 @@
 #include "sec33/kick.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 namespace lattice {
@@ -30,12 +28,14 @@ double sample_of_mean(double period) {
   return period * (std::sqrt(5.0) - 1) / 10;
 }
 
+static std::size_t strongest(const std::vector<double>& e) {
+  return std::size_t(std::max_element(e.begin(), e.end()) - e.begin());
+}
 double breather_place(const std::vector<double>& e) {
-  const std::size_t peak = std::size_t(std::max_element(e.begin(), e.end()) - e.begin());
-  return energy_centre(e, peak) - 0.5 * double(e.size() + 1);
+  return energy_centre(e, strongest(e)) - 0.5 * double(e.size() + 1);
 }
 
-// Distances, speeds and the trust that a run deserves are read off a path
+// What is read off a path
 double KickedPath::farthest() const {
   double far = 0;
   for (std::size_t k = 0; k < centre.size(); ++k) far = std::max(far, std::abs(moved(k)));
@@ -50,12 +50,7 @@ double KickedPath::mean_speed(double distance, std::size_t start) const {
     const double since = t[k - 1] + (t[k] - t[k - 1]) * (distance - before) / (now - before);
     return distance / (since - t[start]);
   }
-  throw std::runtime_error("the kicked breather does not travel " + std::to_string(distance) +
-                           " sites");
-}
-
-Estimate when_at(double distance, const TwoRuns<KickedPath>& paths) {
-  return paths.of([&](const KickedPath& p) { return p.t[0] + distance / p.mean_speed(distance); });
+  throw std::runtime_error("the kicked breather does not travel so far");
 }
 
 // `run` gives its drift relative to the breather's energy
@@ -63,20 +58,26 @@ double KickedPath::drift_margin(double c, double energy) const {
   return c * c / 2 / energy / run.energy_drift;
 }
 
+bool MeanPlace::add(const State<double>& now, const std::vector<double>& e) {
+  sum += breather_place(e);
+  path.share = std::min(path.share, window_sum(e, strongest(e)) / window_sum(e, 0, e.size()));
+  if (++samples % samples_of_a_mean != 0) return false;
+  path.add(now.t - sample * 0.5 * double(samples_of_a_mean - 1), sum / double(samples_of_a_mean));
+  sum = 0;
+  return true;
+}
+
 KickedPath follow_kicked(const Method& method, const Chain& chain, const State<double>& start,
                          double sample, double duration, const KickLook& look) {
-  const std::size_t means = std::size_t(duration / (sample * double(samples_of_a_mean)) + 0.5);
-  TimeGrid grid{sample * double(samples_of_a_mean * means), samples_of_a_mean * means};
-  grid.steps = std::max<std::size_t>(1, std::size_t(std::ceil(sample / method.step * (1 - 1e-12))));
+  const double means = std::round(duration / (sample * double(samples_of_a_mean)));
   MeanPlace mean{.sample = sample};
-  State<double> end = start;
-  const Run run = evolve(method, chain, end, grid, [&](const State<double>& now) {
-    if (now.t == start.t) return true;
-    const std::vector<double> e = energy_density(chain, now);
-    return !mean.add(now, e) || look(mean.path, now, e);
-  });
-  mean.path.run = run;
-  mean.path.end = std::move(end);
+  State<double> now = start;
+  mean.path.run = evolve(method, chain, now, sample * (double(samples_of_a_mean) * means), sample,
+                         [&](const State<double>& state) {
+                           if (state.t == start.t) return true;
+                           const std::vector<double> e = energy_density(chain, state);
+                           return !mean.add(state, e) || look(mean.path, state, e);
+                         });
   return std::move(mean.path);
 }
 
