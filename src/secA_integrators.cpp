@@ -1,10 +1,11 @@
 /**
 # Appendix: what contact events do to an integrator
 
-Nearly all numbers of this book come from integrating a force that is not smooth where a contact opens or closes: it is
-exactly zero before the contact closes at $t^*$, and begins like $(t-t^*)^{3/2}$ then. Here we measure what that costs:
+Nearly all numbers of this book come from integrating a force that is not smooth where a contact opens or closes. It is
+exactly zero before the contact closes at $t^*$, and begins like $(t-t^*)^{3/2}$ then. What does that cost? We measure
 how the error of a run and that of its derivative depend on the step, for ordinary integrators and for the two of ours
-that know about contacts.
+that take account of contacts. An ordinary method of order four or six falls to order 5/2; at a step of
+0.01 one that corrects for contact events has an error ten thousand times smaller.
 
 ![Error against step with and without contact correction.](fig:x05) */
 
@@ -22,25 +23,30 @@ that know about contacts.
 using namespace lattice;
 
 /**
-## The orbit
+## The error of an orbit (figure x05 a)
 
-An integrator that steps across $t^*$ with the step $h$ misses some fraction, which depends on where in the step
-the event falls, of an impulse of size $h\cdot h^{3/2}$.
-So its error falls like $h^{5/2}$, however high its order is for smooth forces; a method of order two, such as Verlet's,
-keeps its order. Our event-corrected integrator (event_corrected.hpp) replaces this impulse by the exact one, and what an
-event leaves should be of the size $h^5$.
+An integrator that steps across $t^*$ with the step $h$ misses some fraction, which depends on where in the step the
+event falls, of an impulse of size $h\cdot h^{3/2}$. So its error falls like $h^{5/2}$, however high its order is for
+smooth forces; a method of order two, such as Verlet's, keeps its order. Our event-corrected integrator
+(event_corrected.hpp) replaces this impulse by the exact one, and what an event leaves should be of the size $h^5$.
 
-To see this we need a run with many *contact events*, openings and closings of contacts: a strong impact on a chain with
-hard wells, $s = 1$. The errors of single events have random signs, so we show the root mean square over four impact
-velocities. The ordinary integrators are symmetric splittings, sequences of kicks by the force and drifts with the
-velocity, of order two (Verlet), four and six (schemes.hpp). */
+To see this we need a run with many *contact events*, openings and closings of contacts: a strong impact on a hundred
+beads in hard wells, Eqs. (9) and (10) with $s = 1$. The chain is at rest, the first bead gets the velocity $v_0$,
+Eq. (26), and we look at the displacements at $t = 50$. The errors of single events have random signs, so we show the
+root mean square over four impact velocities. The ordinary integrators are symmetric splittings, sequences of kicks by
+the force and drifts with the velocity, of order two (Verlet), four and six (schemes.hpp). */
 constexpr double velocities[]{1.6, 1.7, 1.8, 1.9};
 constexpr std::size_t sites = 100;
 constexpr double duration = 50;
 
+/// The chain at t = 50 after an impact on its first bead.
 template <class Stepper>
 State<double> struck_with(const Stepper& method, double velocity) {
-  return strike(method, {velocity, {sites, Quartic{1}}, duration, duration}).end;
+  const Chain chain{sites, Quartic{1}};
+  State<double> state(sites);
+  state.v[0] = velocity;
+  evolve(method, chain, state, duration, duration);
+  return state;
 }
 
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
@@ -62,7 +68,7 @@ double orbit_error(const Stepper& method, const std::vector<State<double>>& exac
 }
 
 /**
-The errors jump between neighbouring steps, since they depend on where in a step the events happen to lie. So the order
+The errors jump between neighbouring steps, since they depend on where in a step the events happen to lie. The order
 is the slope of a line of least squares on logarithmic axes, from the largest step down to where an error is less than
 ten times the uncertainty of the reference. */
 Estimate order(const std::vector<double>& step, const std::vector<double>& error, double unsure) {
@@ -111,7 +117,7 @@ void report_orbits(Report& report) {
 }
 
 /**
-## The linearised flow
+## The error of the linearised flow (figure x05 b)
 
 Floquet multipliers and Newton's method need the derivative of the flow with respect to the initial state. The stiffness
 of a contact begins like $(t-t^*)^{1/2}$, so the error of this derivative falls more slowly by one power: like
@@ -226,8 +232,8 @@ void reproduce(Report& report) {
 3. *Harder.* For which contacts would the events not matter to a method of order four?
    `build/bin/sec34_impact run --velocity 1.8 --s 1 --time 50 --contact power --alpha 3` gives `centre` = 4.58100. Hint:
    a force that begins like $(t-t^*)^\alpha$ costs $h^{1+\alpha}$.
-4. *Open.* Each event should leave an error in $h^5$ (event_corrected.hpp). Why is the fitted order of the event-corrected
-   integrator below 5, and which steps or starts would show it? */
+4. *Open.* Each event should leave an error in $h^5$ (event_corrected.hpp). Why is the fitted order of the
+   event-corrected integrator below 5, and which steps or starts would show it? */
 int main(int argc, char** argv) {
   return run({"secA_integrators", "A", "Integrators and switching contacts (appendix)", reproduce},
              argc, argv);
