@@ -13,6 +13,7 @@ packet to report. */
 
 namespace lattice {
 
+/// The command.
 struct CompressedImpact {
   static constexpr Title title{"impact", "one impact: centre, width and energy of the packet"};
   double time = 724, velocity = 1.87, d = 0.5, tolerance = 1e-4;
