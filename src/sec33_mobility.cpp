@@ -409,11 +409,11 @@ this threshold, the program stops; the two have different code for kick and run.
 
 [](finding:depinning.law)
 
-Speeds, bisection and linearised flow agree, and a pendulum comes close: its $\Omega$, and speed per kick from figure
-14. The printed threshold is reached with neither phase, nor with the printed norm, nor along the mode itself. Fixed
-steps that divide the period can pin a breather beyond ours, but with an energy that drifts by more than the kick adds.
-That such steps, or runs that are too short, explain the printed value is a conjecture. The law was tested for slow
-motion and kicks along $g$ only. */
+Speeds, bisection and linearised flow agree, and a pendulum with this $\Omega$ and the speed per kick of figure 14 comes
+close. Neither phase, nor the printed norm, nor a kick along the mode itself gives the printed threshold. Fixed steps
+that divide the period can hold a breather for long beyond ours, but with an energy that drifts by more than the kick
+adds. That such steps, or runs that are too short, explain the printed value is a conjecture. The law was tested for
+slow motion and kicks along $g$ only. */
 void report_threshold(Report& report, const Breathers& at, const std::array<Prediction, 2>& guess,
                       const BreatherPair& pair, const Estimate& norm) {
   // From the speeds at the maximum, with two schemes
