@@ -14,8 +14,9 @@ that ends in a breather, or by a localized state that stays together. Each instr
 something, in the wells of section 3. There the mean force of a well balances unequal pushes on the two sides of its
 bead, so that $\bar F_n$ may fall off outwards, and there are breathers.
 
-![Mean contact forces are the same at every contact of free chains (a) and not in wells (b); how searches from
-small and large starts end (c); energy and mean force of a localized state (d, e).](fig:x16) */
+![Mean contact forces are the same at every contact of free chains (a) and not in wells (b); how searches from small
+and large starts end (c); energy and mean force of a localized state (d, e). Drawn by x16_mean_force.py from
+`mean_forces` (`relative` against `n`), `searches` and `dispersal` (`core` and `mean` against `t`).](fig:x16) */
 #include <algorithm>
 #include <array>
 #include <cmath>

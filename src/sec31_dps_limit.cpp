@@ -10,7 +10,8 @@ $O(\epsilon^{3/2})$-close to the chain, at least up to times $O(\epsilon^{-1/2})
 equation unchanged, and some of its travelling waves are as close to exact ones. We integrate both equations, compute
 the one constant in two ways, and measure the error over four decades of amplitude.
 
-![Error of the approximation against its size, and the local order.](fig:x02) */
+![Error of the approximation against its size, and the local order. Drawn by x02_dps_error.gp: `error` and `line` of
+the table `dps_error` against `eps`, and `order` of `dps_order`.](fig:x02) */
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
@@ -106,6 +107,7 @@ std::vector<double> deviations(const std::vector<Complex>& A, const Well& well, 
           largest[k] = std::max(largest[k], std::abs(y_app - now.y[n]));
       if (halvings == 0) apart = std::max(apart, std::abs(y[n] - now.y[n]));
     }
+    // An overlap up to 1e-60 exerts no force (contact.hpp), so that distant beads are exactly at rest
     if (now.y.back() != 0) throw Failure("the motion has come to the far end");
   };
   // The run

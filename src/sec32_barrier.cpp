@@ -5,14 +5,18 @@ A breather that sits on a site can move to the next one only by way of a bond. A
 its energy is the *Peierls-Nabarro potential*. The breathers around a site and around a bond are extrema of it, and
 their difference is the *barrier* $E_{PN} = E_{\rm site}-E_{\rm bond}$. Section 3.2 of James, Kevrekidis and Cuevas
 (Physica D 251, 2013) finds it astonishingly small: $1.77\cdot10^{-11}$ at the frequency $\omega_b = 1.1$ in the linear
-well. It says that the barrier increases with the amplitude of the breather but remains very small, and that the linear
-well has the smallest one in units of the energy, at $\omega_b = 1.3$ by three to four orders.
+well (the number is printed in section 3.3). It says that the barrier increases with the amplitude of the breather but
+remains very small; that at $\omega_b = 1.3$ the linear well's is three to four orders smaller than those of the
+anharmonic wells; and that it is the smallest in units of the energy, too.
 
-![Energy barrier between both families, for three wells.](fig:07)
+![Energy barrier between both families, for three wells. Drawn by fig07_pn_barrier.gp: `energy_bond`, `size_frequency`,
+`size_area` and `relative` of the table `barriers` against `omega`, and the zeros in `sign_changes`.](fig:07)
 
 The article compares the two breathers at equal frequency. A breather that drifts slowly along the chain keeps its
 action, not its frequency, so a moving breather meets the barrier at equal action; the article leaves it for its
-numerical difficulties. We compute both, with their signs.
+numerical difficulties. We compute both, with their signs. (In section 3.3 the article also reads a barrier of
+$1.92\cdot10^{-11}$ from the kick that frees a breather. That this is close to the one at equal frequency has a reason,
+and that they are not the same number, too: see `sec33_mobility`.)
 
 ## Model
 
@@ -41,7 +45,8 @@ using namespace lattice;
 ## The experiment
 
 Newton's method finds both breathers of one frequency, around a site on 31 beads and around a bond on 32, as in
-sec32_newton_breathers.cpp; energy and area are those of the orbit that it integrates. The two energies differ by the
+sec32_newton_breathers.cpp, with steps of variable length and order that end at every contact event; energy and area are
+those of the orbit that it integrates. The two energies differ by the
 barrier at equal frequency. Then the frequency of the breather around a site is changed until its area is that of the
 other. Its derivatives along the family, `x_omega` and `energy_omega`, come from the same linear equations as Newton's
 steps. What is left of the difference in area becomes energy by $d\mathcal H = d\mathcal A/T_b$. */
@@ -140,7 +145,7 @@ Families report_barriers(Report& report) {
 /**
 A zero lies between neighbouring pairs of opposite sign. Newton's method in the frequency finds it, and the error of the
 barrier over its slope is the error of the zero (breather_pairs.hpp). Two zeros within one step of the frequency would
-be missed; 1500 frequencies from 1.003 on, in the soft well up to 1.886, show no other ones.
+be missed; in a run made once, 1500 frequencies from 1.003 on, in the soft well up to 1.886, showed no other ones.
 
 | zeros at equal frequency | soft well | linear well | hard well |
 |---|---|---|---|
@@ -370,9 +375,11 @@ void report_ratio_at_13(Report& report, const Families& families,
 The article prints its own accuracy: for one breather Newton's method left a residual of $1.5\cdot10^{-9}$. By how much
 may the energy be wrong then? An exact breather of a slightly different frequency, $\omega_b+\delta\omega$, leaves such
 a residual, too, because its phase is wrong at $T_b$, and its energy is wrong by $\mathcal H'(\omega_b)\,\delta\omega$.
-We compute one, at two values of $\delta\omega$, and scale both to the printed residual. The energy of one breather may
-then be wrong by slightly more than the printed barrier exceeds ours. So the two agree within the accuracy of the
-article.
+We compute one, at two values of $\delta\omega$, and scale both to the printed residual. This is the error that the
+energy of one breather may have, and it is slightly more than the amount by which the printed barrier exceeds ours. So
+the two agree within the accuracy of the article. This reading is generous: were the errors of both breathers alike, the
+difference would be known better, and the article's second number, a last variation of $1.7\cdot10^{-11}$, is much
+smaller; but it tells how far Newton's method has converged and not how accurately it integrates.
 
 | energy | here |
 |---|---|

@@ -5,7 +5,8 @@ In the limit of small amplitude a breather is a pattern that only turns, $v_n = 
 Kevrekidis and Cuevas (Physica D 251, 2013) has two, both narrow, with neighbours on opposite sides: one around a site,
 $u_{-n} = u_n$, and one around a bond, $u_{1-n} = -u_n$.
 
-![Both breathers, their quasi-continuum approximation and their tails.](fig:x03)
+![Both breathers, their quasi-continuum approximation and their tails. Drawn by x03_dps_profiles.py from `profile_site`
+and `profile_bond`: `u` and `quasi_continuum`, their logarithms, `double_log` and `tail_line` against `n`.](fig:x03)
 
 The article states that their amplitude is proportional to $\mu^2$ at unchanged width, and that an approximation which
 vanishes outside of $|x| \le 3\pi/2$ is in excellent agreement with them. We compute both to the last digit, with their
@@ -78,7 +79,9 @@ VectorXd newton(Centre centre) {
     const MatrixXd derivative = differences * (1.5 * root).asDiagonal() + identity;
     const VectorXd step = derivative.partialPivLu().solve(residual);
     d -= step;
-    const double correction = step.cwiseQuotient(d).cwiseAbs().maxCoeff();  // of the worst strain
+    // Relative to each strain: those of the tail, zero at first, come in one step after the other
+    const double correction =
+        (d.array() != 0).all() ? step.cwiseQuotient(d).cwiseAbs().maxCoeff() : 1;
     if (correction < 1e-12) return d;
     history += " " + short_text(correction);
   }
@@ -89,7 +92,8 @@ VectorXd newton(Centre centre) {
 The library has the same method for any $\mu$, exponent and precision (stationary.hpp). It iterates the relative
 corrections and lengthens the chain site by site, down to the last strain that the number format can represent. The
 tables need those tails and more digits, so they are made with it, on 31 sites around a site and 32 around a bond, in
-double and in quadruple precision; the difference is the error. Both routes must agree, or the run stops. */
+double and in quadruple precision; the difference is the error. The iteration on this page is the check of the library:
+both routes must agree, or the run stops. */
 template <class T>
 double rounded(const T& x) {
   return static_cast<double>(x);
@@ -327,7 +331,7 @@ strains of the beginning agree with the library's fifteen to twelve digits, over
 little the free ends matter, because the two chains differ in length. Eq. (14) holds when the $u_n$ are inserted,
 relative to $\mu u_n$ at each site, so that the tail is tested as sharply as the centre; values too small for the full
 mantissa are left out. And multiplied by $u_n$ and summed by parts it gives $\sum|u_{n+1}-u_n|^{5/2} = \mu N$, which
-Newton's method does not use. The last two hold to about twenty roundings of either precision.
+Newton's method does not use. The last two hold to ten roundings in double and to twenty in quadruple precision.
 
 We have looked at these two solutions only, for spheres and free ends. Tails end where the number format does; beyond,
 the tables say zero. */

@@ -8,7 +8,8 @@ Newton's method. It says that an approximate profile is excellent at small ampli
 super-exponentially; that a breather looks the same after a hundred periods; that amplitude, energy and asymmetry grow
 with the frequency; and that both kinds have indistinguishable energies. Is this true, and how well is a breather known?
 
-![Bond-centred breathers, of the DpS equation and of the chain, and their quasi-continuum approximation.](fig:02)
+![Bond-centred breathers, of the DpS equation and of the chain, and their quasi-continuum approximation. Drawn by
+fig02_bond_centred.gp: the columns of `bond_profiles` against `n`.](fig:02)
 
 ## Model
 
@@ -123,8 +124,8 @@ Breather breather(const EventTolerance<double>& tolerance) {
 
 /**
 Everything is computed at two tolerances, 128 and 2048 roundings, or in two precisions, and the difference is the error.
-The library's `newton` does the same operations for any chain, symmetry and precision, and gives the same bits here; the
-run stops if the two breathers differ by $10^{-13}$. It finds all other breathers of this chapter (`find_breather`),
+The library's `newton` does the same operations for any chain, symmetry and precision; the run stops if the two
+breathers differ by more than $10^{-13}$. It finds all other breathers of this chapter (`find_breather`),
 from the same guess up to $\omega_b = 1.1$ and along the frequency beyond (continuation.hpp), and refuses a motion in
 which neighbours swing in phase. An independent program (`tests/second`), with another integrator, finds the same
 breathers at 1.1, and so does the Verlet method of sec1_the_chain.cpp, to four digits.
@@ -142,7 +143,7 @@ shifted a little, and stops at a larger residual with a small last step. Each of
 of these two iterations. What the article did with this mode, and how accurately it integrated, it does not say. The
 table `newton_history` has all iterations.
 
-| at $\omega_b = 1.1$, relative to the amplitude | residual | last step | condition of $DR$ |
+| at $\omega_b = 1.1$, relative to the amplitude | residual | last step (in the last row: the next one) | condition of $DR$ |
 |---|---|---|---|
 | article, after five steps | $1.5\cdot10^{-9}$ | $1.7\cdot10^{-11}$ | |
 | a quarter of the period, [4](num:sec32_newton_breathers.newton_iterations) steps | [4e-14](num:newton.residual) | [7e-14](num:newton.variation) | [22.3356 ± 1e-12](num:sec32_newton_breathers.condition_site) |
@@ -227,11 +228,13 @@ Breather report_convergence(Report& report) {
 How good is the approximation of Eqs. (18) to (20)? Both figures show the stationary DpS breather, which is the limit of
 small amplitude, and the breathers of the chain at $\omega_b = 1.01$ and $1.1$, each with its approximation.
 
-![Site-centred breathers and their quasi-continuum approximation.](fig:03)
+![Site-centred breathers and their quasi-continuum approximation. Drawn by fig03_site_centred.gp: the columns of
+`site_profiles` against `n`.](fig:03)
 
 Two errors add up. The continuum differs from the DpS breather even in the limit, and the DpS equation differs from the
-chain. At 1.01 the second takes a little off the first; at 1.1 it nearly doubles the sum. So the approximation is good
-to a twentieth where the article calls it excellent, and worse at 1.1, as it says.
+chain. At 1.01 the second takes a little off the first; at 1.1 the sum is twice the first around a site and more than
+half as large again around a bond. So the approximation is good to a twentieth where the article calls it excellent, and
+worse at 1.1, as it says.
 
 | largest difference over the amplitude | around a site | around a bond |
 |---|---|---|
@@ -283,7 +286,8 @@ The site-centred breather is weakly unstable (section 3.3), so rounding errors m
 tolerance measures their growth: the difference of the two is the error of the first. The article finds the positions
 visually equal after a hundred periods; they have moved by [3e-12](num:newton.persistence) of the amplitude.
 
-![The breather at the start and after a hundred periods.](fig:04) */
+![The breather at the start and after a hundred periods. Drawn by fig04_hundred_periods.gp: `y_start` and `y_end` of
+`persistence` against `n`.](fig:04) */
 void report_persistence(Report& report, const Breather& breather) {
   const State<double> start = at_rest<double>(breather.y);
   std::array<State<double>, 2> end{start, start};
@@ -312,7 +316,8 @@ neighbour's displacement, so that $\ln|y_{n+1}|/\ln|y_n| \to 3/2$: the decay is 
 follows it to the end of the number format, $10^{-308}$ in double precision and much farther in extended precision, if
 every site must converge relative to its own size (`scaled_rule`). Where both exist their difference is the error.
 
-![The tail of the site-centred breather.](fig:05)
+![The tail of the site-centred breather. Drawn by fig05_tail.gp: `size`, `double_log` and `law` of `tail` against
+`n`.](fig:05)
 
 The figure tests the law by eye: moduli on one side and, on the other, the straight line that the law demands of
 $\ln(-\ln|y_n|)$. At the last site where it can be formed the exponent is
@@ -366,9 +371,11 @@ void report_tail(Report& report) {
 Both families are followed by arclength from $\omega_b = 1.001$ to $2$ (continuation.hpp). Amplitude and energy grow
 from each frequency of the figure to the next, and so does the asymmetry around a site, where the breather is its own
 mirror image only in the limit of small amplitude. The energies of both kinds differ by a millionth, most at the lowest
-frequency: towards $\omega_b = 1$ this difference must tend to that of the DpS norms.
+frequency: towards $\omega_b = 1$ this difference must tend to that of the DpS norms, of which it has nine tenths at
+1.001.
 
-![Amplitude and energy of both families.](fig:06)
+![Amplitude and energy of both families. Drawn by fig06_branches.gp: amplitudes and energies of `branches` against
+`omega`.](fig:06)
 
 | quantity | article | here |
 |---|---|---|
@@ -441,7 +448,7 @@ $(\omega_b-1)^{-1/2}$ would change by a factor of seven.
 |---|---|---|
 | at $\omega_b = 1.001$ | [2.96507 ± 5e-11](num:sec32_newton_breathers.width_1001_site) | [2.97330 ± 5e-11](num:sec32_newton_breathers.width_1001_bond) |
 | at $\omega_b = 1.05$ | [3.05955 ± 8e-14](num:sec32_newton_breathers.width_105_site) | [3.12164 ± 3e-13](num:sec32_newton_breathers.width_105_bond) |
-| its relative change, at most | [0.0498881 ± 2e-11](num:chain.width_constant) | | */
+| its relative change, at most (around a bond) | | [0.0498881 ± 2e-11](num:chain.width_constant) | */
 void report_width(Report& report) {
   const std::vector<double> omegas{1.001, 1.002, 1.005, 1.01, 1.02, 1.03, 1.04, 1.05};
   Estimate change{};

@@ -10,7 +10,9 @@ linearises the discrete p-Schrödinger (DpS) equation about both, and says that
 - a random perturbation of amplitude 0.01 sets the site-centred one in motion (figure 10);
 - the bond-centred one "should be structurally robust (a result confirmed by our direct numerical simulations)".
 
-![The site-centred breather has a real pair of exponents.](fig:09)
+![The site-centred breather has a real pair of exponents. Drawn by fig09_site_spectrum.py: `u` against `n` from
+`profile_site_mu1` and `_mu10`, `imag` against `real` from the tables `spectrum_site_mu1` and `_mu10`, and `rate` and
+`line` of `growth` against `mu`.](fig:09)
 
 All four hold, but narrowly. The two verdicts of the linear theory hang on the sixth digit of one number, and noise of
 that amplitude may carry the stable breather away, too: it depends on what "amplitude" means, which is not said. */
@@ -73,8 +75,9 @@ std::complex<T> exponent(T mu, T m) {
 /**
 **The motion.** The start is a breather $u_n$ plus noise. In the frame that turns with it, where the equation reads
 $i\dot v_n = \mu v_n + w_n - w_{n-1}$, the breather stands still and the integrator follows the perturbation alone: the
-adaptive method of Prince and Dormand of order eight (GSL), whose error in a step stays below the tolerance. Each run is
-made twice, with the tolerances $10^{-8}$ and $10^{-10}$ and one and two samples per unit of time. We record the
+adaptive method of Prince and Dormand of order eight (GSL), whose error in a step stays below the tolerance. Each run
+under noise is made twice, with the tolerances $10^{-8}$ and $10^{-10}$ and one and two samples per unit of time (other
+runs say theirs). We record the
 displacement $X$, in sites, of the centre of $|v_n|^4$ (the fourth power keeps out small noise far away), the number of
 sites on which the breather lives, and how well norm and energy are conserved. */
 constexpr double mu_of_runs = 10;  // as in figure 10
@@ -126,7 +129,8 @@ is visible in the insets only, a pair a thousand times closer to zero than the r
 imaginary around a bond, at both frequencies. The error of each exponent is its change from double to extended precision
 (a mantissa of 64 bits).
 
-![The bond-centred breather and its spectrum: all exponents are imaginary.](fig:08) */
+![The bond-centred breather and its spectrum: all exponents are imaginary. Drawn by fig08_bond_spectrum.py in the same
+way.](fig:08) */
 constexpr std::pair<Centre, const char*> centres[] = {{Centre::site, "site"},
                                                       {Centre::bond, "bond"}};
 
@@ -175,7 +179,9 @@ of eigenvalues above a bound, counted by the signs of pivots (`margin_of`, spect
 with Eigen's. What does reverse either verdict is a wrong profile: a relative error of $10^{-4}$ in one strain is enough
 (tests/dps_spectrum.cpp).
 
-![The second eigenvalue of both breathers sits on the edge of instability; what follows in time.](fig:x06)
+![The second eigenvalue of both breathers sits on the edge of instability; what follows in time. Drawn by
+x06_edge_of_instability.py: `m` of `contacts_site` and `contacts_bond` against `k`, then what `paths` and `trials`
+hold.](fig:x06)
 
 Why are they equally far from it, on opposite sides? Both breathers are extrema of one potential for the centre, of the
 period of the chain. If it is a sine, its curvatures at maximum and minimum are opposite and equal, and $\lambda^2$ is
@@ -354,8 +360,8 @@ constexpr Accuracy coarse{1e-8, 1}, fine{1e-10, 2};
 The article shows one run as a map of $|v_n(t)|^2$. We show one seed of the sixteen, whose breather moves early, beside
 its control and beside a bond-centred breather under noise of the same seed.
 
-![The perturbed site-centred breather leaves; without the translational mode the same noise holds it for
-long.](fig:10) */
+![The perturbed site-centred breather leaves; without the translational mode the same noise holds it for long. Drawn by
+fig10_instability.py: `density` over `n` and `t` from `map_site`, `map_control` and `map_bond`.](fig:10) */
 constexpr std::size_t map_seed = 10;
 
 void report_map(Report& report, const Group& group) {
@@ -374,8 +380,9 @@ void report_map(Report& report, const Group& group) {
 ## How many leave, and under which noise?
 
 A breather has *left* when its centre is half a site away, $|X| > \frac12$. It has *moved* when it passes the
-neighbouring site, $|X| > 1$: one that only falls into the minimum beside it swings back before. A count has an error
-unless both tolerances give the same; here they always do. */
+neighbouring site, $|X| > 1$: one that only falls into the minimum beside it swings back before. The time of departure
+is that of $|X| = \frac12$; a breather that does not leave departs infinitely late, so a median is not biased by the end
+of the runs. A count has an error unless both tolerances give the same; here they always do. */
 void run_trials(std::vector<Group>& groups, bool quick) {
   std::vector<std::pair<const Group*, NoiseTrial*>> all;
   for (Group& group : groups) {
@@ -398,12 +405,12 @@ const NoiseTrials& trials_of(const std::vector<Group>& groups, const std::string
 }
 
 /**
-In the main reading every site-centred breather moves. Its control moves later for every seed, in the median after
-[3.80](num:sec33_dps_stability.controls_delay) times as long. So it is the projection on the growing direction that
-moves the breather, as the article says. But under the same noise five of sixteen *stable* breathers move as well. Noise
-of half that size, the narrow reading, separates the two: all sixteen leave a site and none leaves a bond. Real noise
-separates them, too, although it is slow, and some breathers only fall into the minimum beside their site. Noise that is
-proportional to $u_n$ drives all from a site and most from a bond. (The errors are those of the runs, from two
+In the main reading every site-centred breather moves. Its control departs later for every seed; the median of the
+ratios of both times is [3.80](num:sec33_dps_stability.controls_delay). So it is the projection on the growing direction
+that moves the breather, as the article says. But under the same noise five of sixteen *stable* breathers move as well.
+Noise of half that size, the narrow reading, separates the two: all sixteen leave a site and none leaves a bond. Real
+noise separates them, too, although it is slow, and some breathers only fall into the minimum beside their site. Noise
+that is proportional to $u_n$ drives all from a site and most from a bond. (The errors are those of the runs, from two
 tolerances. That of a sample of six or sixteen comes on top.)
 
 | noise, its largest part | runs of each | from a site moved | median departure | from a bond left | counted by $t$ |
@@ -413,7 +420,7 @@ tolerances. That of a sample of six or sixteen comes on top.)
 | the same, later | | [10](num:sec33_dps_stability.controls_moved_by_1000) | | | 1000 |
 | complex, 0.005 (narrow) | [16](num:sec33_dps_stability.seeds_narrow_site) | [14](num:sec33_dps_stability.moved_narrow_site), left [16](num:sec33_dps_stability.left_narrow_site) | [160.14 ± 0.03](num:sec33_dps_stability.departure_narrow_site) | [0](num:sec33_dps_stability.left_narrow_bond) | 500 |
 | real, 0.01 | [6](num:sec33_dps_stability.seeds_real_site) | [3](num:sec33_dps_stability.moved_real_site) | [516.19 ± 0.02](num:sec33_dps_stability.departure_real_site) | [0](num:sec33_dps_stability.left_real_bond) | 750 |
-| $0.01\,u_n$ | [6](num:sec33_dps_stability.seeds_relative_bond) | | | [5](num:sec33_dps_stability.left_relative_bond) | 750 |
+| $0.01\,u_n$ | [6](num:sec33_dps_stability.seeds_relative_bond) | [6](num:sec33_dps_stability.moved_relative_site) | | [5](num:sec33_dps_stability.left_relative_bond) | 750 |
 
 Does the structure last? The number of sites on which a breather lives is $(\sum|v_n|^2)^2/\sum|v_n|^4$. Around a bond
 it grows by no more than the factor [1.0112](num:sec33_dps_stability.bond_robust_spread), under any of these noises. */

@@ -13,9 +13,11 @@ to $+1$ that the breathers are almost free to move. It says that
 - the *pinning mode*, which shifts the breather along the chain, is very close to its discrete gradient (figure 13);
 - near $\omega_b = 1$ the instability is weaker than that of the DpS equation by a factor of $O(\epsilon^{1/2})$.
 
-![Arguments and moduli of the four multipliers near one, bond-centred.](fig:11)
+![Arguments and moduli of the four multipliers near one, bond-centred. Drawn by fig11_bond_quadruplet.gp: `argument`
+and `excess`, and those of the partner, against `s`, from `bond_against_s`.](fig:11)
 
-All of this holds except the two values of $s_0$: we find both at $s = 0.1525$. These numbers are hard to get. Two
+At $\omega_b = 1.1$ and in the linear well all of this holds except the two values of $s_0$: we find both at
+$s = 0.1525$. These numbers are hard to get. Two
 multipliers are exactly $+1$ for every breather, with one eigenvector between them, so that an error $\eta$ of the
 matrix splits them by $\sqrt\eta$: an error of $10^{-8}$ becomes $10^{-4}$, as much as the instability itself.
 
@@ -52,10 +54,10 @@ using namespace lattice;
 
 Half a period of the flow and of its derivative, and the eigenvalues of $K$: first for one breather, then for those
 along a line of wells or frequencies. `problem_at` is a chain in wells of anharmonicity `s` with the equations that a
-breather has to fulfil after a quarter (site) or half (bond) of its period; `find_breather` solves them by Newton's method
-from the profile of Eqs. (18) to (20), `follow` from the positions of a neighbouring breather. The flow takes steps of
-variable length and order, to a tolerance of 128 roundings of the number type, and ends one at every contact event.
-`pairs_of(K, f)` leaves out the direction of `f` and calls Eigen. */
+breather has to fulfil after a quarter (site) or half (bond) of its period;
+`find_breather` solves them by Newton's method from the profile of Eqs. (18) to (20), `follow` from the positions of a
+neighbouring breather. The flow takes steps of variable length and order, to a tolerance of 128 roundings of the number
+type, and ends one at every contact event. `pairs_of(K, f)` leaves out the direction of `f` and calls Eigen. */
 constexpr double omega_b = 1.1;
 
 /// All pairs of multipliers of a breather but that of a shift in time, the nearest to +1 first.
@@ -158,7 +160,7 @@ Each breather is followed from the linear well to $s = -1$ and to $s = 1$. The s
 moduli and arguments must show: a pair on the circle has modulus one exactly, a pair on the real axis argument zero.
 Near an exchange of stability the multipliers leave $+1$ like square roots, so the wells are denser there.
 
-![The same around a site.](fig:12)
+![The same around a site. The table is `site_against_s`.](fig:12)
 
 Why should the two exchange their stability at all? Both are extrema of one potential of the breather's centre, which
 has the period of the chain (`sec32_barrier`). If it is nearly a sine, they are its only extrema in a period, and one is
@@ -239,12 +241,12 @@ std::array<Exchange, 2> report_exchange(Report& report) {
 }
 
 /**
-Could one cause move the first to 0.05 and the second to 0.26? To read an exchange from computed moduli one must say how
-far beyond one a multiplier counts as off the circle. Any such threshold $\theta$ ends the instability too early around
-a site and begins it too late around a bond. A range of $\theta$ gives both numbers as they are printed, with two
-decimals. The article names no threshold, so this is a possible cause and no more. Another one are errors of the flow:
-variational equations that do not locate contact events pull one exchange apart into two, with a gap of the printed size
-(`sec33_multiplier_errors`).
+Could one cause move the exchange around a site to 0.05 and that around a bond to 0.26? To read an exchange from
+computed moduli one must say how far beyond one a multiplier counts as off the circle. Any such threshold $\theta$ ends
+the instability too early around a site and begins it too late around a bond. A range of $\theta$ gives both numbers as
+they are printed, with two decimals. The article names no threshold, so this is a possible cause and no more. Another
+one are errors of the flow: variational equations that do not locate contact events pull one exchange apart into two,
+with a gap of the printed size (`sec33_multiplier_errors`).
 
 | quantity | article | here |
 |---|---|---|
@@ -252,8 +254,8 @@ variational equations that do not locate contact events pull one exchange apart 
 | $s_0^s$, around a site | 0.05 | [0.152519 ± 8e-10](num:floquet.s0_site) |
 | their distance | 0.21 | [3.22e-7 ± 1e-9](num:sec33_floquet.exchange_gap) |
 | slope of $\kappa$ there, per unit of $s$ | | [7.5451e-8 ± 9e-12](num:sec33_floquet.exchange_slope) |
-| $\lambda-1$ around a site, in the well $s = 0.05$ | 0 | [0.000175756 ± 2e-9](num:sec33_floquet.excess_s_005_site) |
-| $\lambda-1$ around a bond, in the well $s = 0.26$ | 0 | [0.000180293 ± 1e-9](num:sec33_floquet.excess_s_026_bond) |
+| $\lambda-1$ around a site, in the well $s = 0.05$ | | [0.000175756 ± 2e-9](num:sec33_floquet.excess_s_005_site) |
+| $\lambda-1$ around a bond, in the well $s = 0.26$ | | [0.000180293 ± 1e-9](num:sec33_floquet.excess_s_026_bond) |
 | least $\theta$ that gives both printed numbers | | [0.000176041 ± 9e-10](num:sec33_floquet.theta_from) |
 | largest such $\theta$ | | [0.000179983 ± 1e-9](num:sec33_floquet.theta_to) | */
 void report_threshold(Report& report, const std::array<Exchange, 2>& found) {
@@ -273,8 +275,10 @@ void report_threshold(Report& report, const std::array<Exchange, 2>& found) {
 ## Verdicts in five wells
 
 In the linear well the sign of $\kappa$ is taken in extended precision, where its error is eight orders of magnitude
-below $\kappa$. As an independent route the symmetry of the breather reduces the matrix to a smaller one, in which the
-pair of the shift in time does not occur. */
+below $\kappa$. As a check of the step from $F$ to $\kappa$ the symmetry of the breather reduces the matrix to a smaller
+one, in which the pair of the shift in time does not occur; the error of this row is its distance from the other one.
+The independent route is a program with another integrator (`tests/second`): it finds the same $\kappa$ and both $s_0$
+to seven digits and six. */
 void report_harmonic(Report& report) {
   int off_circle = 0;
   for (Centre centre : both_centres) {
@@ -320,13 +324,13 @@ void report_strength(Report& report) {
 /**
 ## Four near $+1$ and the others on the circle: on two lines
 
-The article calls this the general picture and does not print where it looked. We look at $\omega_b = 1.1$, where it
-shows multipliers, in all wells, and at the frequencies from 1.01 to 2 in the linear well. On these two lines it holds: the
-fourth multiplier is near $+1$ and far nearer than the fifth, the others are on the circle, and ten more sites add
-twenty multipliers at $e^{\pm2\pi i/\omega_b}$ (to $10^{-4}$ in $\kappa$, because the tail still reaches the first new
-bead; tried in three wells and at every thirteenth frequency). Elsewhere it need not: in the hard well $s = 1$ the
-pinning pair of the bond-centred breather leaves the neighbourhood of $+1$ towards $\omega_b = 2$. `sec33_between` looks
-at the whole plane.
+The article computed spectra for values of $\omega_b$ in $(1,2]$ and of $s$ in $[-1,1]$ that it does not list, and finds
+this structure always. We look at $\omega_b = 1.1$, where it shows multipliers, in all wells, and at the frequencies
+from 1.01 to 2 in the linear well. On these two lines it holds: the fourth multiplier is near $+1$ and far nearer than
+the fifth, the others are on the circle, and ten more sites add twenty multipliers at $e^{\pm2\pi i/\omega_b}$ (to
+$10^{-4}$ in $\kappa$, because the tail still reaches the first new bead; tried in three wells and at every thirteenth
+frequency). Elsewhere it need not: in the hard well $s = 1$ the pinning pair of the bond-centred breather leaves the
+neighbourhood of $+1$ towards $\omega_b = 2$. `sec33_between` looks at the whole plane.
 
 | distance from $+1$ | on the two lines | at $\omega_b = 2$, $s = 1$, around a bond |
 |---|---|---|
@@ -379,7 +383,8 @@ $1/\lambda$ have the same displacements at $t = 0$ and opposite velocities. We c
 $y_{n+1}(0)-y_{n-1}(0)$, both of length one. (The article's $g_n$ divides by the sum of the squares, but an energy of
 $c^2/2$ needs the root of that sum.) The article calls the two very close; the angle between them is some ten degrees.
 
-![Pinning mode and discrete gradient.](fig:13)
+![Pinning mode and discrete gradient. Drawn by fig13_pinning_mode.gp: `mode` and `gradient` against `n`, from
+`mode_bond` and `mode_site`.](fig:13)
 
 | cosine of the angle | around a bond | around a site |
 |---|---|---|
@@ -477,9 +482,9 @@ void reproduce(Report& report) {
 ## Try it
 
 1. *Easy.* At a slightly higher frequency the exchange lies elsewhere:
-   `build/bin/sec33_floquet exchange --centre bond --omega 1.15` gives `s0` = 0.018781, while at 1.05 the command finds none.
-   Hint: on the chart of `sec33_between` the curves of exchange are slanted, and cross $s = 0$ at six frequencies. To which
-   of them does this curve lead?
+   `build/bin/sec33_floquet exchange --centre bond --omega 1.15` gives
+   `s0` = 0.018781, while at 1.05 the command finds none. Hint: on the chart of `sec33_between` the curves of exchange
+   are slanted, and cross $s = 0$ at six frequencies. To which of them does this curve lead?
 2. *Harder.* Which breather is stable can be told without multipliers.
    `build/bin/sec32_barrier barrier --omega 1.1 --s 0.05` gives `equal_area` = -1.58248e-13, and
    `build/bin/sec32_barrier barrier --omega 1.1 --s 0.26` gives `equal_area` = 1.66492e-13.

@@ -11,7 +11,8 @@ Cuevas (Physica D 251, 2013) ends with kicks of size $c$ for breathers of freque
 - the bond-centred one is freed above $c_c = 6.19\cdot10^{-6}$, and $c_c^2/2 = 1.92\cdot10^{-11}$ is quite close to the
   barrier $E_{PN}$ of section 3.2.
 
-![Energy density after a kick of the bond-centred and of the site-centred breather.](fig:14)
+![Energy density after a kick of the bond-centred and of the site-centred breather. Drawn by fig14_moving.py: `e` over
+`n` and `t`, from `map_bond` and `map_site`.](fig:14)
 
 We find the same speeds, but no second pinning, and the threshold $4.45\cdot10^{-6}$. The experiment is delicate: the
 weak kick adds $3\cdot10^{-8}$ of the breather's energy, and the integrator must conserve it far better than that for
@@ -250,7 +251,7 @@ After $c = 3\cdot10^{-6}$ the bond-centred breather swings about its bond: in ei
 a site. The site-centred one starts where the potential holds it back most. It only has to pass the same place again at
 every site, which it does slowly, and it is faster over the bonds.
 
-![Energy centre after a weak kick.](fig:15) */
+![Energy centre after a weak kick. Drawn by fig15_energy_centre.gp: the columns `X_` of `paths` against `t`.](fig:15) */
 TwoRuns<KickedPath> report_weak(Report& report, const Breathers& at) {
   std::array<TwoRuns<KickedPath>, 3> paths;
   parallel_for("weak kicks", 6, [&](std::size_t i) {
@@ -455,7 +456,8 @@ steps of 0.2 and 0.3. Their energy drifts by more than a weak kick adds, but the
 hardly to the centre, as the agreement of the two steps shows. Chain and pendulum agree to one per cent, or the program
 stops.
 
-![Mean speed against kick, and the drift of several integrators against their work.](fig:x15) */
+![Mean speed against kick, and the drift of several integrators against their work. Drawn by x15_speed_against_kick.py:
+`speed` and `pendulum` of `speeds` against `c`, and `drift` of `integrators` against `work`.](fig:x15) */
 double pendulum_speed(double start, double omega, bool from_maximum) {
   const double change = omega / std::numbers::pi;
   if (!from_maximum && start <= change) return 0;

@@ -15,7 +15,8 @@ it is reflected almost totally at 1.6 radii, passes in part at 1.1, and leaves a
 trapped. We put numbers to these words. Then we ask for what an experiment would see in metres, newtons and
 milliseconds.
 
-![Contact forces after an impact, with larger beads at n = 100.](fig:24)
+![Contact forces after an impact, with larger beads at n = 100. Drawn by fig24_defect.py: `force` over `n` and `t`,
+from `contact_forces`.](fig:24)
 
 ## Model
 
@@ -172,7 +173,8 @@ Of what arrives, 1.6 radii reflect almost everything, as the article says, and 1
 says that almost total reflection occurs for sufficiently large defects. We ask this of every defect from 1.6 to 2.5
 radii.
 
-![Reflected, remaining and transmitted energy against the radius of the defect.](fig:x09)
+![Reflected, remaining and transmitted energy against the radius of the defect. Drawn by x09_defect_map.py: the net
+shares of `defect_map` against `ratio`.](fig:x09)
 
 | share | article | here |
 |---|---|---|

@@ -7,7 +7,8 @@ how the error of a run and that of its derivative depend on the step, for ordina
 that take account of contacts. An ordinary method of order four or six falls to order 5/2; at a step of
 0.01 one that corrects for contact events has an error ten thousand times smaller.
 
-![Error against step with and without contact correction.](fig:x05) */
+![Error against step with and without contact correction. Drawn by x05_error_against_step.gp: the errors of
+`error_orbit` against `step`, and `tangent` of `error_tangent` against `evaluations`.](fig:x05) */
 
 #include <algorithm>
 #include <cmath>

@@ -70,7 +70,7 @@ Table OneThreshold::table() const {
     throw Failure("so close to an exchange of stability the breather swings too slowly");
   const EventCorrected fine = fourteen_stages(0.06);
   std::array<Estimate, 2> found;
-  parallel_for("threshold", 2, [&](std::size_t i) {
+  parallel_for("thresholds", 2, [&](std::size_t i) {
     found[i] = freeing_kick_of(at, p, i ? EventCorrected{0.15} : fine);
   });
   const Estimate c = compare(found[1], found[0]);
