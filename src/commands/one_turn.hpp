@@ -13,6 +13,7 @@ end moves the command fails. */
 #include <cstddef>
 #include <optional>
 
+#include "lattice/integrators/integrate.hpp"
 #include "lattice/model/chain.hpp"
 #include "report/program.hpp"
 
@@ -30,5 +31,17 @@ struct OneTurn {
   /// What the program prints. Throws RefinementFailed and FarEndReached.
   Table table() const;
 };
+
+/**
+## How long two runs stay together
+
+The motion is in general chaotic: two runs that differ by a rounding, by the step or by the last digit of the initial state
+decorrelate sooner or later. We call them decorrelated when their states differ by a tenth of the largest displacement or
+velocity. Steps that are too long part two impacts as well. So the two impacts are run with equal steps, with half of them,
+and with one of each beside the other, until these agree on the time within the two units between two comparisons. */
+/// The time at which the states `a`, advanced by the method `first`, and `b`, advanced by `second`, are first seen to have
+/// decorrelated; infinite if they have not by `time`. Both belong to `chain`.
+double decorrelation_time(const Method& first, State<double> a, const Method& second,
+                          State<double> b, const Chain& chain, double time);
 
 }  // namespace lattice
