@@ -1,8 +1,8 @@
 /**
 # 3.4 Packets that turn round in hard wells
 
-Strike the first bead of a chain. In linear wells a packet of oscillations, a travelling breather, runs away for good. In
-hard wells, $s > 0$, it slows down, turns round, comes back, and the struck end reflects it; section 3.4 of James,
+Strike the first bead of a chain. In linear wells a packet of oscillations, a travelling breather, runs away for good.
+In hard wells, $s > 0$, it slows down, turns round, comes back, and the struck end reflects it; section 3.4 of James,
 Kevrekidis and Cuevas (Physica D 251, 2013) compares it with *boomerons*, solitons that reverse their direction. How far
 does it get, how does it slow down, and for how long can its motion be known? The article says that
 
@@ -14,8 +14,8 @@ does it get, how does it slow down, and for how long can its motion be known? Th
 
 ![Energy density after impacts with 1.5 and 1.9, and a zoom.](fig:22)
 
-We find all of this, except that at $v_0=1.87$ the packet comes to rest later than figure 23 suggests. Which packets turn,
-and why, is the question of two later chapters (`sec34_boomeron_map`, `sec34_boomeron_why`).
+We find all of this, except that at $v_0=1.87$ the packet comes to rest later than figure 23 suggests. Which packets
+turn, and why, is the question of two later chapters (`sec34_boomeron_map`, `sec34_boomeron_why`).
 
 ## Model
 
@@ -26,9 +26,9 @@ All is dimensionless. The end at $n=1$ is free, and the chain is so long that th
 followed by its energy, Eqs. (23) and (24) with $m=5$,
 $$e_n = \tfrac12\dot y_n^2 + W(y_n) + V(y_{n+1}-y_n),\qquad
   X = \sum_{|n-n'|\le m} n\,e_n \Big/ \sum_{|n-n'|\le m} e_n,$$
-where $V$ is the energy of the contact to the right. Here $n'$ is the site of the largest $e_n$ in the whole chain, because
-a packet on its way back need not be the foremost one. The beads of the packet oscillate with a period of about four,
-and its centre $X$ oscillates with them. */
+where $V$ is the energy of the contact to the right. Here $n'$ is the site of the largest $e_n$ in the whole chain,
+because a packet on its way back need not be the foremost one. The beads of the packet oscillate with a period of about
+four, and its centre $X$ oscillates with them. */
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -48,13 +48,13 @@ using namespace lattice;
 /**
 ## The experiment
 
-Strike, follow, smooth, and read the turn. `evolve` integrates Eq. (9) by Runge–Kutta–Nyström steps of order six, each of
-which is corrected where a contact opens or closes (event_corrected.hpp), and shows the state every 0.2 units of time.
-`smooth` averages $X(t)$ over 15 units, about four periods, with the weight $1+\cos(2\pi t/15)$. Three moments are read from
-the smoothed trajectory: the first at which the *velocity vanishes*, beyond site 8; the *turning point*, the furthest one
-before the packet has come back by five sites; and the *reflection*, the nearest one before it has moved out again by three.
-A packet can stop, drift on and turn later, so the first two may differ. `vertex` puts a parabola through a sample and its
-neighbours, so that a moment may lie between samples. */
+Strike, follow, smooth, and read the turn. `evolve` integrates Eq. (9) by Runge–Kutta–Nyström steps of order six, each
+of which is corrected where a contact opens or closes (event_corrected.hpp), and shows the state every 0.2 units of
+time. `smooth` averages $X(t)$ over 15 units, about four periods, with the weight $1+\cos(2\pi t/15)$. Three moments
+are read from the smoothed trajectory: the first at which the *velocity vanishes*, beyond site 8; the *turning point*,
+the furthest one before the packet has come back by five sites; and the *reflection*, the nearest one before it has
+moved out again by three. A packet can stop, drift on and turn later, so the first two may differ. `vertex` puts a
+parabola through a sample and its neighbours, so that a moment may lie between samples. */
 struct Experiment {
   double v0, s, time;
   std::size_t sites = 150;
@@ -106,7 +106,7 @@ Trajectory trajectory(const Experiment& impact, const Method& method, const Seen
   return out;
 }
 
-/// The same impact with two steps; `.of(number)` is the finer result, with its difference from the coarser one as error.
+/// The same impact with two steps; `.of(number)` is the finer result with its difference from the coarser one.
 TwoRuns<Trajectory> two_runs(const Experiment& impact, double step) {
   return {trajectory(impact, EventCorrected{2 * step}), trajectory(impact, EventCorrected{step})};
 }
@@ -123,10 +123,10 @@ Estimate measured(const TwoRuns<Trajectory>& runs, Moment Turn::*moment, double 
 /**
 ## The motion (figure 22)
 
-A map of snapshots would show stripes that do not exist, since it would sample the oscillation of the packet at nearly its
-own rate. So figure 22 shows averages over four or five units of time, and over one in the zoom. Its dashed line is the
-time beyond which the motion depends on digits of $v_0$ that nobody knows (see *How long the motion is determined*). A colour
-can be read to a few per cent at best, so the maps come from runs with a longer step. */
+A map of snapshots would show stripes that do not exist, since it would sample the oscillation of the packet at nearly
+its own rate. So figure 22 shows averages over four or five units of time, and over one in the zoom. Its dashed line is
+the time beyond which the motion depends on digits of $v_0$ that nobody knows (see *How long the motion is determined*).
+A colour can be read to a few per cent at best, so the maps come from runs with a longer step. */
 void report_maps(Report& report) {
   struct Panel {
     std::int64_t number;
@@ -160,18 +160,18 @@ void report_maps(Report& report) {
 At $v_0=1.9$ the packet stops at $t\approx 290$, drifts on by a fifth of a site, and turns at site 20. It is back at the
 struck end at $t\approx 900$. The packet of $v_0=1.5$, the article's example of a slow deceleration, turns in the end
 too, far outside the figure. Near a turning point a packet is almost at rest, and small errors decide which way it goes.
-So the table `step_dependence` holds each moment at three steps, 0.1, 0.05 and 0.025; the numbers here come from the last
-two.
+So the table `step_dependence` holds each moment at three steps, 0.1, 0.05 and 0.025; the numbers here come from the
+last two.
 
 | $s=1$ | article | here |
 |---|---|---|
-| $v_0 = 1.9$: velocity vanishes first, time | | [289](num:sec34_boomeron.stop_time_190) |
-| $v_0 = 1.9$: turning point, site | | [20.065](num:sec34_boomeron.apex_site_190) |
-| $v_0 = 1.9$: turning point, time | | [467](num:sec34_boomeron.apex_time_190) |
-| $v_0 = 1.9$: reflection, time | | [897.7](num:sec34_boomeron.return_time_190) |
-| $v_0 = 1.5$: velocity vanishes first, time | not by 1000 | [4.36e3](num:sec34_boomeron.stop_time_150) |
-| $v_0 = 1.5$: turning point, site | | [183.239](num:sec34_boomeron.apex_site_150) |
-| $v_0 = 1.5$: turning point, time | not by 1000 | [4.36e3](num:sec34_boomeron.apex_time_150) | */
+| $v_0 = 1.9$: velocity vanishes first, time | | [289 ± 7](num:sec34_boomeron.stop_time_190) |
+| $v_0 = 1.9$: turning point, site | | [20.065 ± 0.006](num:sec34_boomeron.apex_site_190) |
+| $v_0 = 1.9$: turning point, time | | [467 ± 1](num:sec34_boomeron.apex_time_190) |
+| $v_0 = 1.9$: reflection, time | | [897.7 ± 0.2](num:sec34_boomeron.return_time_190) |
+| $v_0 = 1.5$: velocity vanishes first, time | not by 1000 | [4.36e3 ± 4e1](num:sec34_boomeron.stop_time_150) |
+| $v_0 = 1.5$: turning point, site | | [183.239 ± 0.005](num:sec34_boomeron.apex_site_150) |
+| $v_0 = 1.5$: turning point, time | not by 1000 | [4.36e3 ± 2e1](num:sec34_boomeron.apex_time_150) | */
 Estimate report_turns(Report& report) {
   Table& table = report.table(
       "step_dependence",
@@ -209,29 +209,48 @@ Estimate report_turns(Report& report) {
 /**
 ## The acceleration
 
-Is the force almost constant, and does it grow with $s$ and $v_0$? What can be seen of a force is the acceleration of the
-centre, $\ddot X$, in sites per squared unit of time. The velocity is the slope of the smoothed trajectory over ten units of
-time, and the acceleration the slope of a line through such velocities (sec34/acceleration.hpp). We measure it on the way
-*out*, for $100 < t < 220$, on the way *back*, between sites 18 and 6, and *between* the two, around the turning point. Its
-error is that of the fit, plus what twice the step changes, plus what half the smoothing changes.
+Is the force almost constant, and does it grow with $s$ and $v_0$? What can be seen of a force is the acceleration of
+the centre, $\ddot X$, in sites per squared unit of time. The velocity is the slope of the smoothed trajectory over ten
+units of time, and the acceleration the slope of a line through such velocities (sec34/acceleration.hpp). We measure it
+on the way *out*, for $100 < t < 220$, on the way *back*, between sites 18 and 6, and *between* the two, around the
+turning point. Its error is that of the fit, plus what twice the step changes, plus what half the smoothing changes.
 
-A force would need a mass as well. That of slow breathers is negative (`sec33_mobility`), so that a forward push slows them
-down. The waves behind this packet can only push forward, and they do slow it down (`sec34_boomeron_why`).
+A force would need a mass as well. That of slow breathers is negative (`sec33_mobility`), so that a forward push slows
+them down. The waves behind this packet can only push forward, and they do slow it down (`sec34_boomeron_why`).
 
-The list varies $v_0$ at $s=1$, then $s$ at $v_0=1.9$, with $s=0$ for comparison; the last two rows are the way back and the
-turning. Along both lists the modulus grows: no value is smaller than an earlier one beyond the errors of both. Below
-$v_0 = 1.5$, though, the errors are larger than the differences between neighbours. */
-const std::vector<double> velocities_at_s1{1.1, 1.3, 1.5, 1.6, 1.7, 1.8, 1.9, 2.0};
+The list varies $v_0$ at $s=1$, then $s$ at $v_0=1.9$; its last two rows are the way back and the turning. Along both
+lists the modulus grows: no value is smaller than an earlier one beyond the errors of both. Below $v_0 = 1.5$, though,
+the errors are larger than the differences between neighbours.
 
+The article does not say how constant *almost constant* is. The mean acceleration on the way back is two thirds of that
+on the way out; around the turning point it is six times smaller. Within a way it changes too (column
+`bend` of the table `force`): by a third on the way out, and by more than its mean on the way back. So the force is
+constant within a factor of two from way to way, and no better than that. In linear wells a packet slows down as well,
+though none was seen to turn.
+
+| $\ddot X$, sites per squared unit of time | article | here |
+|---|---|---|
+| $s=1$, $v_0=1.9$, out | $< 0$ | [-0.00046 ± 2e-5](num:sec34_boomeron.force_190) |
+| $s=1$, $v_0=1.9$, around the turning point | $< 0$ | [-7.8e-5 ± 7e-6](num:sec34_boomeron.force_190_between) |
+| $s=1$, $v_0=1.9$, back | $< 0$ | [-0.00029 ± 3e-5](num:sec34_boomeron.force_190_back) |
+| back over out | almost constant | [0.63 ± 0.08](num:boomeron.constant_force) |
+| out, second half minus first half, relative | almost constant | [0.3 ± 0.2](num:sec34_boomeron.force_190_bend) |
+| $s=1$, $v_0=1.5$, out | slow | [-0.000171 ± 7e-6](num:sec34_boomeron.force_150) |
+| $s=0$, $v_0=1.9$, out | | [-9e-5 ± 4e-5](num:sec34_boomeron.force_linear_well) |
+| $s=1$, $v_0=2$ over $v_0=1.1$ | increases | [3.7 ± 0.3](num:sec34_boomeron.force_grows_velocity_last_over_first) |
+| $v_0=1.9$, $s=1$ over $s=0$ | increases | [5 ± 2](num:sec34_boomeron.force_grows_s_last_over_first) |
+| $s=1$, $v_0=1.5$: speed, last quarter over first | slow | [0.510831 ± 6e-8](num:sec34_boomeron.speed_ratio_150) | */
 struct Accelerated {
   double v0, s;
   Leg leg = Leg::out;
   Acceleration seen{};
 };
 
-std::vector<Accelerated> accelerations(Report& report, double step) {
+void report_force(Report& report) {
+  const double step = report.quick ? 0.1 : 0.05;
+  const std::vector<double> impacts{1.1, 1.3, 1.5, 1.6, 1.7, 1.8, 1.9, 2.0};
   std::vector<Accelerated> list;
-  for (double v0 : velocities_at_s1) list.push_back({v0, 1});
+  for (double v0 : impacts) list.push_back({v0, 1});
   for (double s : {0.0, 0.25, 0.5, 0.75}) list.push_back({1.9, s});
   for (Leg leg : {Leg::back, Leg::between}) list.push_back({1.9, 1, leg});
   const auto row = [&](Accelerated& p) {
@@ -239,38 +258,16 @@ std::vector<Accelerated> accelerations(Report& report, double step) {
     p.seen = acceleration_of(runs.coarse.path, runs.fine.path, p.leg);
     return Cells{p.s, p.v0, p.leg, p.seen.mean.value, p.seen.mean.error, p.seen.bend.value};
   };
-  report
-      .table(
-          "force",
-          {number("s", "anharmonicity"), number("velocity", "impact velocity"),
-           count("outward", "1 on the way out, 0 on the way back, 2 between the two"),
-           number("force", "acceleration of the centre", "site per squared unit of time"),
-           number("force_uncertainty", "fit, step and smoothing", "site per squared unit of time"),
-           number("bend", "relative difference of the slopes of both halves")})
-      .fill(list, row, "forces");
-  return list;
-}
+  const std::string unit = "site per squared unit of time";
+  Table& table = report.table(
+      "force", {number("s", "anharmonicity"), number("velocity", "impact velocity"),
+                count("outward", "1 on the way out, 0 on the way back, 2 between the two"),
+                number("force", "acceleration of the centre", unit),
+                number("force_uncertainty", "fit, step and smoothing", unit),
+                number("bend", "relative difference of the slopes of both halves")});
+  table.fill(list, row, "forces");
 
-/**
-The article does not say how constant *almost constant* is. On the way back the acceleration is two thirds of that on the
-way out; around the turning point it is six times smaller. So the force is constant within a factor of two on the two
-ways, but not between them. In linear wells a packet slows down too, though none was seen to turn.
-
-| $\ddot X$, sites per squared unit of time | article | here |
-|---|---|---|
-| $s=1$, $v_0=1.9$, out | $< 0$ | [-0.00046](num:sec34_boomeron.force_190) |
-| $s=1$, $v_0=1.9$, around the turning point | $< 0$ | [-7.8e-5](num:sec34_boomeron.force_190_between) |
-| $s=1$, $v_0=1.9$, back | $< 0$ | [-0.00029](num:sec34_boomeron.force_190_back) |
-| back over out | almost constant | [0.63](num:boomeron.constant_force) |
-| out, second half minus first half, relative | almost constant | [0.3](num:sec34_boomeron.force_190_bend) |
-| $s=1$, $v_0=1.5$, out | slow | [-0.000171](num:sec34_boomeron.force_150) |
-| $s=0$, $v_0=1.9$, out | | [-9e-5](num:sec34_boomeron.force_linear_well) |
-| $s=1$, $v_0=2$ over $v_0=1.1$ | increases | [3.7](num:sec34_boomeron.force_grows_velocity_last_over_first) |
-| $v_0=1.9$, $s=1$ over $s=0$ | increases | [5](num:sec34_boomeron.force_grows_s_last_over_first) |
-| $s=1$, $v_0=1.5$: speed for $t > 750$ over that for $t < 250$ | slow | [0.510831](num:sec34_boomeron.speed_ratio_150) | */
-void report_force(Report& report) {
-  const double step = report.quick ? 0.1 : 0.05;
-  const std::vector<Accelerated> list = accelerations(report, step);
+  // The two impacts of figure 22, the three legs, the linear well
   const auto seen = [&](double v0, double s, Leg leg = Leg::out) {
     for (const Accelerated& p : list)
       if (p.v0 == v0 && p.s == s && p.leg == leg) return p.seen;
@@ -278,7 +275,6 @@ void report_force(Report& report) {
   };
   const Estimate slow = seen(1.5, 1).mean, fast = seen(1.9, 1).mean,
                  back = seen(1.9, 1, Leg::back).mean;
-  const std::string unit = "site per squared unit of time";
   report.facts.add("force_150", slow, unit);
   report.facts.add("force_190", fast, unit);
   report.facts.add("force_190_back", back, unit);
@@ -289,7 +285,7 @@ void report_force(Report& report) {
 
   // Harder impacts and harder wells: the largest fall of the modulus, less the errors, and its growth
   std::vector<Estimate> velocities, wells;
-  for (double v0 : velocities_at_s1) velocities.push_back(seen(v0, 1).mean);
+  for (double v0 : impacts) velocities.push_back(seen(v0, 1).mean);
   for (double s : {0.0, 0.25, 0.5, 0.75, 1.0}) wells.push_back(seen(1.9, s).mean);
   for (const auto& [name, forces] : {std::pair{"velocity", velocities}, std::pair{"s", wells}}) {
     const std::string grows = std::string("force_grows_") + name;
@@ -298,14 +294,11 @@ void report_force(Report& report) {
   }
   report.facts.add("moderate_force_over_190", quotient(slow, fast));
 
-  // The packet of v0 = 1.5 within the time of figure 22
+  // The packet of v0 = 1.5 within the time of figure 22: last quarter over first
   const auto slowing = [](const Trajectory& run) {
-    const Path& p = run.smoothed;
-    const auto speed = [&](std::size_t i, std::size_t j) {
-      return (p.centre[j] - p.centre[i]) / (p.t[j] - p.t[i]);
-    };
-    const std::size_t n = p.t.size() / 4;
-    return speed(3 * n, std::min(4 * n, p.t.size() - 1)) / speed(0, n);
+    const std::vector<double>&t = run.smoothed.t, &x = run.smoothed.centre;
+    const std::size_t n = t.size() / 4, last = std::min(4 * n, t.size() - 1);
+    return (x[last] - x[3 * n]) / (t[last] - t[3 * n]) / ((x[n] - x[0]) / (t[n] - t[0]));
   };
   report.facts.add("speed_ratio_150", two_runs({1.5, 1, 1000}, step).of(slowing),
                    "last quarter to first");
@@ -315,10 +308,10 @@ void report_force(Report& report) {
 ## Profiles close to the turning (figure 23)
 
 The article shows the velocities of all beads at $v_0 = 1.87$ for two times at which, it says, the packet is close to
-turning. We show the same times. At $t=238$ the centre is two and a half sites short of its turning point and still moves on,
-by a site in thirty units of time. Its velocity vanishes first at $t = 493$. This time is badly known: the trajectory is
-almost flat there, and with half the smoothing the zero lies 180 units earlier. So the packet is close to turning in place,
-but not in time.
+turning. We show the same times. At $t=238$ the centre is two and a half sites short of its turning point and still
+moves on, by a site in thirty units of time. Its velocity vanishes first at $t = 493$. This time is badly known, because
+the trajectory is almost flat there: with half the smoothing it is about 315, still later than the article's times. So
+the packet is close to turning in place, but not in time.
 
 ![Velocities close to the turning.](fig:23) */
 double centre_at(const Trajectory& run, double t) {
@@ -350,18 +343,19 @@ void report_profiles(Report& report, const Estimate& apex) {
 
 /**
 Can the digits of $v_0$ that are not printed explain this? They leave a range from 1.865 to 1.875. Over it the velocity
-vanishes first at 320 at the earliest, well after the article's 240 (these two times have the error of the step only). Nor
-need it: a velocity profile, which is all that figure 23 shows, does not tell a packet at rest from one that moves slowly.
+vanishes first at 320 at the earliest, well after the article's 240 (these two times have the error of the step only).
+Nor need it: a velocity profile, which is all that figure 23 shows, does not tell a packet at rest from one that moves
+slowly.
 
 | $s=1$, $v_0=1.87$ | article | here |
 |---|---|---|
-| distance from the turning point at $t=238$, sites | close | [2.459](num:boomeron.turning_time) |
-| turning point, site | | [23.175](num:sec34_boomeron.apex_site_187) |
-| turning point, time | | [493.0](num:sec34_boomeron.apex_time_187) |
-| velocity vanishes first, time | close to 238 and 241 | [5e2](num:sec34_boomeron.stop_time_187) |
-| the earliest such time for 1.865 to 1.875 | | [319.813](num:sec34_boomeron.stop_time_187_earliest) |
-| the latest | | [492.97](num:sec34_boomeron.stop_time_187_latest) |
-| speed at $t=238$, sites per unit of time | | [0.0308568](num:sec34_boomeron.speed_187_at_238) | */
+| distance from the turning point at $t=238$, sites | close | [2.459 ± 0.004](num:boomeron.turning_time) |
+| turning point, site | | [23.175 ± 0.004](num:sec34_boomeron.apex_site_187) |
+| turning point, time | | [493.0 ± 0.4](num:sec34_boomeron.apex_time_187) |
+| velocity vanishes first, time | close to 238 and 241 | [5e2 ± 2e2](num:sec34_boomeron.stop_time_187) |
+| the earliest such time for 1.865 to 1.875 | | [319.813 ± 0.0004](num:sec34_boomeron.stop_time_187_earliest) |
+| the latest | | [492.97 ± 0.06](num:sec34_boomeron.stop_time_187_latest) |
+| speed at $t=238$, sites per unit of time | | [0.0308568 ± 3e-10](num:sec34_boomeron.speed_187_at_238) | */
 void report_printed_range(Report& report) {
   const std::size_t count = report.quick ? 3 : 11;
   std::vector<double> coarse(count), fine(count);
@@ -379,25 +373,23 @@ void report_printed_range(Report& report) {
 /**
 ## In the softest of hard wells
 
-The article sees reversals for $s\ge0.005$ and none for $s=0$, and prints neither an impact nor a time. In so soft a well
-packets turn soon after very strong impacts only, so we take $v_0=132$. With $s=0.005$ the packet turns at site 27 and is
-back by $t = 310$. After the same impact on linear wells it has moved outward all the time until $t=450$, and still does,
-at nearly one site per unit of time. After weaker impacts a packet in the soft well may turn much farther out.
+The article sees reversals for $s\ge0.005$ and none for $s=0$, and prints neither an impact nor a time. In so soft a
+well packets turn soon after very strong impacts only, so we take $v_0=132$. With $s=0.005$ the packet turns at site 27
+and is back by $t = 310$. After the same impact on linear wells it has moved outward all the time until $t=450$, and
+still does, at nearly one site per unit of time. After weaker impacts a packet in the soft well may turn much farther
+out.
 
 | $v_0=132$ | article | here |
 |---|---|---|
-| $s=0.005$: turning point, site | turns | [26.804](num:sec34_boomeron.turning_site_softest) |
-| $s=0.005$: reflection, time | | [310.03](num:sec34_boomeron.return_time_softest) |
-| $s=0.005$: reflection, site | | [2.566](num:sec34_boomeron.return_site_softest) |
-| $s=0$: centre at $t=450$, site | does not turn | [441.554](num:sec34_boomeron.centre_without_hardness) |
-| $s=0$: speed there, sites per unit of time | | [0.954685](num:sec34_boomeron.speed_without_hardness) | */
+| $s=0.005$: turning point, site | turns | [26.804 ± 0.005](num:sec34_boomeron.turning_site_softest) |
+| $s=0.005$: reflection, time | | [310.03 ± 0.08](num:sec34_boomeron.return_time_softest) |
+| $s=0.005$: reflection, site | | [2.566 ± 0.001](num:sec34_boomeron.return_site_softest) |
+| $s=0$: centre at $t=450$, site | does not turn | [441.554 ± 7e-9](num:sec34_boomeron.centre_without_hardness) |
+| $s=0$: speed there, sites per unit of time | | [0.954685 ± 5e-11](num:sec34_boomeron.speed_without_hardness) | */
 void report_softest(Report& report) {
   const double step = report.quick ? 0.02 : 0.01;
-  TwoRuns<Trajectory> hard, linear;
-  parallel_for(2, [&](std::size_t k) {
-    (k ? linear : hard) =
-        k ? two_runs({132, 0, 460, 800}, step) : two_runs({132, 0.005, 400, 800}, step);
-  });
+  const auto hard = two_runs({132, 0.005, 400, 800}, step),
+             linear = two_runs({132, 0, 460, 800}, step);
   report.facts.add("turning_site_softest", measured(hard, &Turn::apex, &Moment::site), "site");
   report.facts.add("return_time_softest", measured(hard, &Turn::rebound, &Moment::time));
   report.facts.add("return_site_softest",
@@ -423,9 +415,9 @@ void report_softest(Report& report) {
 
 The motion is chaotic: two runs that differ by as little as a rounding error separate sooner or later. We call them
 *decorrelated* when their states differ by a tenth of the largest displacement or velocity. One impact computed with two
-steps tells for how long we can compute the motion. Two impacts that differ by a fraction $\delta$ tell for how long anybody
-can who knows $v_0$ to so many digits only. The article prints two or three; half a unit of the last digit of 1.87 is
-$\delta\approx3\cdot10^{-3}$. */
+steps tells for how long we can compute the motion. Two impacts that differ by a fraction $\delta$ tell for how long
+anybody can who knows $v_0$ to so many digits only. The article prints two or three; half a unit of the last digit of
+1.87 is $\delta\approx3\cdot10^{-3}$. */
 double decorrelation_time(double v0, double step, double other_v0, double other_step) {
   const Chain chain{150, Quartic{1}};
   State<double> one(chain.sites), other(chain.sites);
@@ -439,16 +431,16 @@ double decorrelation_time(double v0, double step, double other_v0, double other_
 }
 
 /**
-After the impact of $v_0=1.9$ two steps agree until $t\approx 1400$, beyond the first reflection. Two impacts that differ by
-$10^{-6}$ decorrelate at $t\approx 1050$, and figure 22 marks this time, since nobody would print a velocity with more
-digits. So turning point and first reflection are facts about the chain, and the motion much later is one possibility among
-many. Who knows $v_0$ to three digits only cannot even compute the way out (first row of `decorrelation` with
-$\delta > 0$).
+After the impact of $v_0=1.9$ two steps agree until $t\approx 1400$, beyond the first reflection. Two impacts that
+differ by $10^{-6}$ decorrelate at $t\approx 1050$, and figure 22 marks this time, since nobody would print a velocity
+with more digits. So turning point and first reflection are facts about the chain, and what the map shows much later is
+one possibility among many. With the three printed digits two impacts are decorrelated even before they turn (table
+`decorrelation`), as the range of 170 units of time in the section on figure 23 shows too.
 
 | $s=1$, $v_0=1.9$ | article | here |
 |---|---|---|
-| two steps agree until | | [1.38e3](num:sec34_boomeron.resolved_until) |
-| two impacts, $\delta = 10^{-6}$, decorrelate at | | [1.05e3](num:sec34_boomeron.decorrelation_time_190) | */
+| two steps agree until | | [1.38e3 ± 6e1](num:sec34_boomeron.resolved_until) |
+| two impacts, $\delta = 10^{-6}$, decorrelate at | | [1.05e3 ± 1e1](num:sec34_boomeron.decorrelation_time_190) | */
 void report_decorrelation(Report& report) {
   struct Pair {
     double delta, coarse, fine, when = 0, check = 0;
@@ -482,16 +474,16 @@ void report_decorrelation(Report& report) {
 /**
 ## What erratic means (figure 22, last panel)
 
-Beyond that time only statements about ensembles make sense. So we draw 24 impacts at random from an interval of relative
-width $10^{-6}$ around $v_0 = 1.9$, with a recorded seed, and see how far the centres of their packets spread. A
-centre that is equally likely to be anywhere up to the turning point would have a standard deviation of six sites. Until the
-return ours is far below a thousandth of a site. Long after it is nine sites, since some packets get beyond the first
-turning point.
+Beyond that time only statements about ensembles make sense. So we draw 24 impacts at random from an interval of
+relative width $10^{-6}$ around $v_0 = 1.9$, with a recorded seed, and see how far the centres of their packets spread.
+A centre that is equally likely to be anywhere up to the turning point would have a standard deviation of six sites.
+Until the return ours is far below a thousandth of a site. Long after it is nine sites, since some packets get beyond
+the first turning point.
 
 | standard deviation of the centres, sites | article | here |
 |---|---|---|
-| mean until $t = 850$, out and back | | [0.00022](num:sec34_boomeron.erratic_spread_until_return) |
-| mean for $2000 < t < 2600$ | erratic | [9](num:sec34_boomeron.erratic_spread_late) | */
+| mean until $t = 850$, out and back | | [0.00022 ± 4e-5](num:sec34_boomeron.erratic_spread_until_return) |
+| mean for $2000 < t < 2600$ | erratic | [9 ± 1](num:sec34_boomeron.erratic_spread_late) | */
 struct Spread {
   double t, mean, deviation, low, high;  // of the centres; the tenths
 };
@@ -546,12 +538,12 @@ void report_ensemble(Report& report) {
 ## How well this is known
 
 Every number has two resolutions, and the numbers that hang on chaos are those of the last two sections. Every run stops
-with an error if its far end moves or if its energy drifts by more than a thousandth; at $v_0=1.9$ it drifts by less than
-$10^{-9}$. A turning point that depended on our own integrator would be no fact about the chain, so there are three more
-routes, and the program fails where they disagree. GSL's adaptive method of order eight, which knows nothing of contacts,
-has to arrive at the same state at $t=100$ within $10^{-7}$. For the whole way, where GSL would be slow, another scheme,
-with fourteen stages, has to give the time of the reflection within its error. And the library's own reading of the turn
-(turning.hpp), which the tests check on paths made by hand, has to give the same bits. */
+with an error if its far end moves or if its energy drifts by more than a thousandth; at $v_0=1.9$ it drifts by less
+than $10^{-9}$. A turning point that depended on our own integrator would be no fact about the chain, so there are three
+more routes, and the program fails where they disagree. GSL's adaptive method of order eight, which knows nothing of
+contacts, has to arrive at the same state at $t=100$ within $10^{-7}$. For the whole way, where GSL would be slow,
+another scheme, with fourteen stages, has to give the time of the reflection within its error. And the library's own
+reading of the turn (turning.hpp), which the tests check on paths made by hand, has to give the same bits. */
 void report_checks(Report& report) {
   const Experiment out{1.9, 1, 100, 60};
   State<double> start(out.sites);
@@ -583,8 +575,8 @@ void report_checks(Report& report) {
 
 The article does not say how it integrates or averages, nor how long its chain is. Its reversal at 1.9, the slow
 deceleration at 1.5, the growth of the force and the erratic motion are found. At $v_0\approx1.87$ the velocity vanishes
-later than the times that it calls close to the reversal, whatever the digits that are not printed; this does not show the
-article wrong, since it prints no time of rest. */
+later than the times that it calls close to the reversal, whatever the digits that are not printed; this does not show
+the article wrong, since it prints no time of rest. */
 void reproduce(Report& report) {
   report_maps(report);
   const Estimate apex = report_turns(report);
@@ -606,17 +598,17 @@ void reproduce(Report& report) {
 2. *Easy.* Make the wells harder: `build/bin/sec34_boomeron run --s 1.2 --time 600` gives `apex_site` = 8.8. Hint: at
    $s = 1$ it is site 20; figure x11 shows what matters, $s\,v_0^{3/2}$.
 3. *Harder.* For how long can a harder impact be known? `build/bin/sec34_boomeron run --velocity 2.2` gives
-   `decorrelation_time` = 580, less than half the time of $v_0 = 1.9$. Hint: this packet stays near the struck end, where it
-   meets its own waves again and again.
+   `decorrelation_time` = 580, less than half the time of $v_0 = 1.9$. Hint: this packet stays near the struck end,
+   where it meets its own waves again and again.
 4. *Harder.* Compress the contacts by $d = 0.01$: `build/bin/sec34_boomeron run --precompression 0.01` gives
    `apex_site` = 28.144. Hint: beads that stay in contact carry small waves away from the packet.
-5. *Open.* What decides how many reflections there are before the motion becomes erratic? Does the return begin where the
-   frequency of the packet meets that of a pinned breather? What remains of it with the damping of an experiment?
+5. *Open.* What decides how many reflections there are before the motion becomes erratic? Does the return begin where
+   the frequency of the packet meets that of a pinned breather? What remains of it with the damping of an experiment?
 
 ## With your own parameters
 
-`build/bin/sec34_boomeron run` computes one impact with wells, contacts and a length of your choice, to a stated tolerance
-instead of a stated step (commands/one_turn.hpp); `--help` lists the options. */
+`build/bin/sec34_boomeron run` computes one impact with wells, contacts and a length of your choice, to a stated
+tolerance instead of a stated step (commands/one_turn.hpp); `--help` lists the options. */
 int main(int argc, char** argv) {
   return run({"sec34_boomeron", "3.4", "Packets that turn round in hard wells (section 3.4)",
               reproduce, commands<OneTurn>()},

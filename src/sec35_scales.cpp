@@ -13,7 +13,8 @@ travelling breather needs a small $\lambda$: contacts must last for a good part 
 ![Newton's cradle and an array of clamped cantilevers decorated by beads.](fig:01)
 
 Section 3.5 of James, Kevrekidis and Cuevas (Physica D 251, 2013) puts numbers in: for a cradle $\lambda^{5/2}$ is
-astronomical, for the stiff cantilevers of section 3.6 it is less than one. Here every constant is derived in SI units. */
+astronomical, for the stiff cantilevers of section 3.6 it is less than one. Here every constant is derived in SI units.
+*/
 #include <cmath>
 #include <numbers>
 
@@ -28,11 +29,11 @@ using namespace lattice;
 /**
 ## The experiment: two beads collide
 
-All scales rest on the collision of two free beads. Bead 1 runs into bead 2, which is at rest, with $V=1$ in units in which
-$m=\gamma=1$; then times are in units of $\tau_h$ and lengths of $\delta = (mV^2/\gamma)^{2/5}$. The masses are equal, so the
-beads exchange their velocities. After the contact bead 1 is at rest, and the centre of mass, at the speed $V/2$, has
-carried it as far as $t_c/2$: so the contact time $t_c$ can be read off without finding an event. The compression is largest
-at $t_c/2$. */
+All scales rest on the collision of two free beads. Bead 1 runs into bead 2, which is at rest, with $V=1$ in units in
+which $m=\gamma=1$; then times are in units of $\tau_h$ and lengths of $\delta = (mV^2/\gamma)^{2/5}$. The masses are
+equal, so the beads exchange their velocities. After the contact bead 1 is at rest, and the centre of mass, at the speed
+$V/2$, has carried it as far as $t_c/2$: so the contact time $t_c$ can be read off without finding an event. The
+compression is largest at $t_c/2$. */
 Collision collide(double step) {
   const Chain beads{2, None{}};  // no wells
   State<double> state(2);
@@ -45,30 +46,30 @@ Collision collide(double step) {
 }
 
 /**
-Steps of 0.1 and 0.05 give the error. The independent route is the conservation of energy (collision.hpp): all energy of the
-relative motion, $\frac14mV^2$, is in the contact, $\frac25\gamma\,x^{5/2}$, when $x = (5/8)^{2/5}\,\delta$. The program
-stops unless both agree to $10^{-7}$.
+Steps of 0.1 and 0.05 give the error. The independent route is the conservation of energy (collision.hpp): all energy of
+the relative motion, $\frac14mV^2$, is in the contact, $\frac25\gamma\,x^{5/2}$, when $x = (5/8)^{2/5}\,\delta$. The
+program stops unless both agree to $10^{-7}$.
 
-The contact time is the printed one. The largest compression is not; the article quotes both from other works. With
-the reduced mass $\mu = \frac12m$ it is $(\mu V^2/K)^{2/5}$, $K = \frac45\gamma$. A possible cause of the quoted 0.76 is
-$\gamma$ in the place of $K$, which gives $2^{-2/5}\,\delta$. The quoted contact time has the right constant: at given $V$ it
-is proportional to the compression, and with 0.76 it would be far from 2.43.
+The contact time is the printed one. The largest compression is not; the article quotes both from other works. With the
+reduced mass $\mu = \frac12m$ it is $(\mu V^2/K)^{2/5}$, $K = \frac45\gamma$. A possible cause of the quoted 0.76 is
+$\gamma$ in the place of $K$, which gives $2^{-2/5}\,\delta$. The quoted contact time has the right constant: at given
+$V$ it is proportional to the compression, and with 0.76 it would be far from 2.43.
 
-A cradle whose strings have the length $L$ has $\tau_c^2 = L/g$. A collision of steel balls was measured to take 0.077 ms,
-and this over the contact time in units of $\tau_h$ is $\tau_h$. As $\lambda^{5/2} = (L/g\tau_h^2)^{5/2}$ contains the fifth
-power of $\tau_h$, an error of one per cent in the contact time becomes five, and rounding matters. The article prints
-$L = 0.5$ m and 2.43, but no $g$; with $g = 10$ m/s² its value is found. Either way a collision is over long before a
-pendulum has moved, and breathers do not travel there.
+A cradle whose strings have the length $L$ has $\tau_c^2 = L/g$. A collision of steel balls was measured to take 0.077
+ms, and this over the contact time in units of $\tau_h$ is $\tau_h$. As $\lambda^{5/2} = (L/g\tau_h^2)^{5/2}$ contains
+the fifth power of $\tau_h$, an error of one per cent in the contact time becomes five, and rounding matters. The
+article prints $L = 0.5$ m and 2.43, but no $g$; with $g = 10$ m/s² its value is found. Either way a collision is over
+long before a pendulum has moved, and breathers do not travel there.
 
 | quantity | article | here |
 |---|---|---|
-| contact time, in $\tau_h$ | 2.43 | [2.43884](num:scale.contact_time) |
-| largest compression, in $\delta$ | 0.76 | [0.828614](num:scale.max_compression) |
+| contact time, in $\tau_h$ | 2.43 | [2.43884 ± 2e-8](num:scale.contact_time) |
+| largest compression, in $\delta$ | 0.76 | [0.828614 ± 5e-9](num:scale.max_compression) |
 | $2^{-2/5}$ | | [0.757858](num:sec35_scales.compression_printed) |
-| contact time if the compression were 0.76, in $\tau_h$ | | [2.23689](num:sec35_scales.contact_time_of_printed_compression) |
-| $\lambda^{5/2}$ of the cradle, $g = 10$ m/s², contact time 2.43 | $1.75\cdot10^{19}$ | [1.74986e19](num:scale.cradle) |
+| contact time with this 0.76, in $\tau_h$ | | [2.23689](num:sec35_scales.contact_time_of_printed_compression) |
+| cradle: $\lambda^{5/2}$ with $g = 10$ m/s² and 2.43 | $1.75\cdot10^{19}$ | [1.74986e19](num:scale.cradle) |
 | the same with 9.81 m/s² | | [1.83582e19](num:sec35_scales.cradle_printed_rounding) |
-| the same with all digits of the contact time | | [1.86945e19](num:sec35_scales.cradle_converged) | */
+| the same with all digits of the contact time | | [1.86945e19 ± 8e11](num:sec35_scales.cradle_converged) | */
 void report_collision(Report& report) {
   const double step = report.quick ? 0.2 : 0.1;
   const TwoRuns<Collision> runs{collide(step), collide(step / 2)};
@@ -92,19 +93,20 @@ void report_collision(Report& report) {
 /**
 ## The beam
 
-The article replaces a beam of the length $\ell$ by a spring and a point mass, with factors that it prints with two or three
-digits, so we compute them. We integrate $u'''' = x^4u$ for the deflection $u$, where $x$ is now the wavenumber times
-$\ell$, along half of the beam (cantilever.hpp), in 200 and in 400 steps. The stiffness is that against a steady push at the
-middle; the wavenumber is then $x = 0$ and the solution a cubic, which the Runge–Kutta method reproduces exactly, so that
-only rounding is left. For the frequency an independent route is $\cos x\cosh x = 1$. Two beads at the middle change the
-shape of the vibration, so that one point mass for beam and beads is an approximation, by a thousandth of the frequency.
+The article replaces a beam of the length $\ell$ by a spring and a point mass, with factors that it prints with two or
+three digits, so we compute them. We integrate $u'''' = x^4u$ for the deflection $u$, where $x$ is now the wavenumber
+times $\ell$, along half of the beam (cantilever.hpp), in 200 and in 400 steps. The stiffness is that against a steady
+push at the middle; the wavenumber is then $x = 0$ and the solution a cubic, which the Runge–Kutta method reproduces
+exactly, so that only rounding is left. For the frequency an independent route is $\cos x\cosh x = 1$. Two beads at the
+middle change the shape of the vibration, so that one point mass for beam and beads is an approximation, by a thousandth
+of the frequency.
 
 | of a clamped beam | article | here |
 |---|---|---|
 | stiffness, in $EI/\ell^3$ | 192 | [192.000 ± 1e-12](num:beam.stiffness) |
 | frequency $x^2$, in $(EI/\rho A)^{1/2}/\ell^2$ | 22.4 | [22.3733 ± 5e-10](num:beam.frequency) |
 | effective mass, in masses of the beam | 0.38 | [0.383567 ± 2e-11](num:beam.mass) |
-| frequency of the model over that of the decorated beam | 1 | [0.998945](num:sec35_scales.point_mass_frequency_ratio) |
+| frequency, model over decorated beam | 1 | [0.998945 ± 2e-10](num:sec35_scales.point_mass_frequency_ratio) |
 
 Here $EI$ is the bending stiffness and $\rho A$ the mass per length. */
 void report_beam(Report& report, const CantileverArray& array) {
@@ -128,10 +130,10 @@ void report_beam(Report& report, const CantileverArray& array) {
 ## The array (figure 1) and its losses
 
 With these two parts the article's array has two times of the same order. The impact of the dimensionless chain,
-$\lambda^{5/2}$, is small: in such an array breathers can travel. The beads of an array lose their energy in some 10 ms. The
-article's conclusion compares this with the growth of an instability: a disturbance that is multiplied by $1+\epsilon$ in each
-period stays hidden if it does not grow by a factor of $e$ in that time, that is for $\epsilon < 0.015$. This is what
-$(1+\epsilon)^{10/0.15} = e$ gives with the printed period of 0.15 ms.
+$\lambda^{5/2}$, is small: in such an array breathers can travel. The beads of an array lose their energy in some 10 ms.
+The article's conclusion compares this with the growth of an instability: a disturbance that is multiplied by
+$1+\epsilon$ in each period stays hidden if it does not grow by a factor of $e$ in that time, that is for
+$\epsilon < 0.015$. This is what $(1+\epsilon)^{10/0.15} = e$ gives with the printed period of 0.15 ms.
 
 | impact of 1 m/s | article | here |
 |---|---|---|
@@ -141,8 +143,9 @@ $(1+\epsilon)^{10/0.15} = e$ gives with the printed period of 0.15 ms.
 | $\epsilon$ with the period 0.15 ms | 0.015 | [0.0151131](num:outlook.dominated) |
 | $\epsilon$ with the period $2\pi\tau_c$ | | [0.0159718](num:sec35_scales.epsilon_e_fold) |
 
-Figure 1 is drawn to scale. The two beads of each cantilever touch those of its neighbours, so that the pitch is one thickness
-and four radii. The cradle's string has the length of this section; the size of its beads is not given and is ours. */
+Figure 1 is drawn to scale. The two beads of each cantilever touch those of its neighbours, so that the pitch is one
+thickness and four radii. The cradle's string has the length of this section; the size of its beads is not given and is
+ours. */
 void report_array(Report& report, const CantileverArray& array) {
   const Scales s = array.scales();
   const double velocity = 1;  // m/s
@@ -173,9 +176,10 @@ void report_array(Report& report, const CantileverArray& array) {
 
 Of the printed numbers one is not found, the compression 0.76; that for $\lambda^{5/2}$ of the cradle is found with
 $g = 10$ m/s² only. Hertz's coefficient needs the Young modulus of the beads,
-$\gamma = \mathcal E\sqrt{2R}/(3(1-\nu^2))$ with their radius $R$ and Poisson's ratio $\nu$; the article prints the symbol of
-the beam's, which would give a $\lambda$ that is not small. A beam is described by one number, the deflection of its middle:
-its higher modes and its twisting are left out, and so is whatever a contact does beyond Hertz's static law. */
+$\gamma = \mathcal E\sqrt{2R}/(3(1-\nu^2))$ with their radius $R$ and Poisson's ratio $\nu$; the article prints the
+symbol of the beam's, which would give a $\lambda$ that is not small. A beam is described by one number, the deflection
+of its middle: its higher modes and its twisting are left out, and so is whatever a contact does beyond Hertz's static
+law. */
 void reproduce(Report& report) {
   const CantileverArray array;
   report_collision(report);
@@ -186,9 +190,9 @@ void reproduce(Report& report) {
 /**
 ## Try it
 
-1. *Easy.* Strike the array ten times less: `build/bin/sec35_scales scales --velocity 0.1` gives `lambda` = 0.11702 and
-   `contact_time` = 1.79796e-4. Hint: $\tau_h$ grows like $V^{-1/5}$, so that $\lambda$ falls like $V^{2/5}$ only, while the
-   impact of the dimensionless chain, $\lambda^{5/2}$, is proportional to $V$.
+1. *Easy.* Strike the array ten times less: `build/bin/sec35_scales scales --velocity 0.1` gives
+   `lambda` = 0.11702 and `contact_time` = 1.79796e-4. Hint: $\tau_h$ grows like $V^{-1/5}$, so that $\lambda$ falls
+   like $V^{2/5}$ only, while the impact of the dimensionless chain, $\lambda^{5/2}$, is proportional to $V$.
 2. *Harder.* How hard must one strike for $\lambda = 1$? `build/bin/sec35_scales scales --velocity 21.35` gives
    `lambda` = 1.0000 and `lambda_5_2` = 1.0001. Hint: this is $\xi/\tau_c$, the unit of velocity of the chain; its
    unit of force, in the same table, is 532 N.
@@ -198,8 +202,8 @@ void reproduce(Report& report) {
 
 ## With your own parameters
 
-`build/bin/sec35_scales scales` prints all constants for an impact velocity of your choice (commands/all_scales.hpp); the
-formulas are in cantilever.hpp. */
+`build/bin/sec35_scales scales` prints all constants for an impact velocity of your choice (commands/all_scales.hpp);
+the formulas are in cantilever.hpp. */
 int main(int argc, char** argv) {
   return run({"sec35_scales", "3.5", "Scales of a cradle and of an array (section 3.5)", reproduce,
               commands<AllScales>()},

@@ -2,9 +2,9 @@
 /**
 # All constants of an array, with your own impact
 
-`sec35_scales scales --velocity 1` prints the article's input for the array of cantilevers and everything that follows from it
-in closed form, so that every constant can be checked. The last rows show that the beam's modulus in place of the beads' would
-have given a $\lambda$ that is not small. */
+`sec35_scales scales --velocity 1` prints the article's input for the array of cantilevers and everything that follows
+from it in closed form, so that every constant can be checked. The last rows show that the beam's modulus in place of
+the beads' would have given a $\lambda$ that is not small. */
 
 #include "report/program.hpp"
 

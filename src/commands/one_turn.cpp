@@ -25,8 +25,8 @@ namespace {
 constexpr double decorrelated = 0.1, comparison_interval = 2;
 
 /// The decorrelation time of two impacts whose velocities differ by a fraction `delta`, infinite if it is longer than
-/// `time`. The steps are those of `largest`, halved until equal steps, half of them, and both beside each other agree; nothing
-/// if none is short enough.
+/// `time`. The steps are those of `largest`, halved until equal steps, half of them, and both beside each other agree;
+/// nothing if none is short enough.
 std::optional<Estimate> decorrelation_to(const EventCorrected& largest, double velocity,
                                          double delta, const Chain& chain, double time) {
   const auto parted = [&](int one, int other) {

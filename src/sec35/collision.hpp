@@ -17,8 +17,8 @@ struct Collision {
 };
 Collision collision_by_energy();
 
-/// lambda^(5/2) of the article's cradle, (L / (g tau_h^2))^(5/2), whose strings have half a metre and whose collisions were
-/// measured to take 0.077 ms; for gravity in m/s^2 and the contact time in units of tau_h.
+/// lambda^(5/2) of the article's cradle, (L / (g tau_h^2))^(5/2), whose strings have half a metre and whose collisions
+/// were measured to take 0.077 ms; for gravity in m/s^2 and the contact time in units of tau_h.
 double cradle(double gravity, double contact_time);
 
 }  // namespace lattice
