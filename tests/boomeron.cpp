@@ -4,11 +4,11 @@
 #include <string>
 
 #include "check.hpp"
+#include "commands/one_turn.hpp"
 #include "lattice/impact/impact.hpp"
 #include "lattice/impact/turning.hpp"
 #include "run.hpp"
 #include "sec34/acceleration.hpp"
-#include "sec34/decorrelation.hpp"
 
 using namespace lattice;
 
@@ -97,7 +97,7 @@ TEST_CASE("the apex converges with the step", "[convergence][boomeron]") {
   CHECK(std::abs(apex[2] - apex[1]) < 1e-3);
 }
 
-TEST_CASE("runs part the later the less they differ", "[unit][boomeron]") {
+TEST_CASE("runs decorrelate the later the less they differ", "[unit][boomeron]") {
   const Chain chain{60, Quartic{1}};
   const EventCorrected method{0.1};
   const auto time = [&](double delta) {
@@ -108,10 +108,6 @@ TEST_CASE("runs part the later the less they differ", "[unit][boomeron]") {
   CHECK(time(1) == 0);
   CHECK(time(3e-2) < time(3e-3));
   CHECK(time(3e-3) < 300);
-  const Estimate when = decorrelation_of(100, 104);
-  CHECK(when.value == 104);
-  CHECK(when.error >= 4 + comparison_interval);
-  CHECK(std::isnan(decorrelation_of(100, time(0)).value));
 }
 
 TEST_CASE("the boomeron run keeps its contract", "[cli][boomeron]") {

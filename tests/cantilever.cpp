@@ -7,9 +7,10 @@
 #include <numbers>
 
 #include "check.hpp"
+#include "commands/all_scales.hpp"
 #include "report/sweep.hpp"
 #include "run.hpp"
-#include "sec35/all_scales.hpp"
+#include "sec35/collision.hpp"
 
 using namespace lattice;
 namespace fs = std::filesystem;
@@ -134,7 +135,7 @@ TEST_CASE("parts are written k/n", "[unit][cantilever]") {
 }
 
 TEST_CASE("two beads collide, and a cradle's ratio", "[unit][cantilever]") {
-  const Collision by_energy = collision_by_energy(), run = collide(0.05);
+  const Collision by_energy = collision_by_energy();
   // The integral of ds / sqrt(1 - s^(5/2)) with 1 - s = u^2
   const double x = std::pow(5 / 8.0, 2 / 5.0);
   double time = 0;
@@ -144,9 +145,6 @@ TEST_CASE("two beads collide, and a cradle's ratio", "[unit][cantilever]") {
   }
   check_close(by_energy.compression, x, 1e-14);
   check_close(by_energy.contact_time, 2 * x * time, 1e-6);
-  check_close(run.contact_time, by_energy.contact_time, 1e-4);
-  check_close(run.compression, by_energy.compression, 1e-4);
-  check_close(cradle_ratio(10, 2, 6, 3), std::pow(0.05, 2.5), 1e-15);
   check_close(cradle(9.81, 2.43), std::pow(0.5 / 9.81, 2.5) * std::pow(2.43 / 0.077e-3, 5), 0,
               1e-12);
 }

@@ -1,10 +1,12 @@
 #include "commands/one_turn.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lattice/impact/turning.hpp"
+#include "lattice/numerics/progress.hpp"
 #include "report/model_options.hpp"
-#include "sec34/decorrelation.hpp"
 
 namespace lattice {
 
@@ -16,6 +18,54 @@ void OneTurn::parameters(Parameters& p) {
   p.add("time", time, "length of the run", {50, 1e5});
   p.add("tolerance", tolerance, "relative difference of apex and rebound allowed between two steps",
         {1e-8, 0.1});
+}
+
+namespace {
+
+constexpr double decorrelated = 0.1, comparison_interval = 2;
+
+/// The decorrelation time of two impacts whose velocities differ by a fraction `delta`, infinite if it is longer than
+/// `time`. The steps are those of `largest`, halved until equal steps, half of them, and both beside each other agree;
+/// nothing if none is short enough.
+std::optional<Estimate> decorrelation_to(const EventCorrected& largest, double velocity,
+                                         double delta, const Chain& chain, double time) {
+  const auto parted = [&](int one, int other) {
+    EventCorrected first = largest, second = largest;
+    first.halvings += one, first.finer += one;
+    second.halvings += other, second.finer += other;
+    return decorrelation_time(first, struck(chain.sites, velocity), second,
+                              struck(chain.sites, velocity * (1 + delta)), chain, time);
+  };
+  double coarse = parted(0, 0);
+  for (int k = 0; k < usual_halvings; ++k) {
+    const double fine = parted(k + 1, k + 1);
+    const auto [least, most] = std::minmax({coarse, parted(k, k + 1), fine});
+    const double spread = least == most ? 0 : most - least;
+    if (spread <= 1.01 * comparison_interval) return Estimate{fine, spread + comparison_interval};
+    coarse = fine;
+  }
+  return {};
+}
+
+}  // namespace
+
+// The two runs go on side by side from look to look, so that no more is kept than the two states
+double decorrelation_time(const Method& first, State<double> a, const Method& second,
+                          State<double> b, const Chain& chain, double time) {
+  const TimeGrid one = time_grid(first, time, comparison_interval),
+                 other = time_grid(second, time, comparison_interval);
+  Window of_a = waking(chain, a), of_b = waking(chain, b);
+  const Advance advance_a = first.on(chain), advance_b = second.on(chain);
+  const double start = a.t;
+  Progress progress("two runs", 1);
+  for (std::size_t k = 0;; ++k) {
+    a.t = b.t = start + one.interval() * double(k);
+    if (!bounded(a) || !bounded(b) || distance(a, b) > decorrelated) return a.t;
+    progress.reach(double(k) / double(one.samples));
+    if (k == one.samples) return std::numeric_limits<double>::infinity();
+    advance_a(a, of_a, one.step(), one.steps);
+    advance_b(b, of_b, other.step(), other.steps);
+  }
 }
 
 // The neighbours start from the steps that have proved to be short enough for the turn
