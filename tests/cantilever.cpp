@@ -10,6 +10,7 @@
 #include "commands/all_scales.hpp"
 #include "report/sweep.hpp"
 #include "run.hpp"
+#include "sec3/array_impact.hpp"
 #include "sec35/collision.hpp"
 
 using namespace lattice;
