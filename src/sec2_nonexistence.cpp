@@ -9,10 +9,11 @@ the mean push $\bar F_n$ is the same at every contact (`thm.mean_force`). Far aw
 tend to zero, so this mean is zero. A push that is never negative and zero in the mean is zero always: the beads are
 free, and a periodic motion of free beads is rest.
 
-No computation proves a theorem, but ours could have refuted it: by a periodic motion with unequal means, by a search
-that ends in a breather, or by a localized state that stays together. Each instrument is also tried where it must find
-something, in the wells of section 3. There the mean force of a well balances unequal pushes on the two sides of its
-bead, so that $\bar F_n$ may fall off outwards, and there are breathers.
+No computation proves a theorem, but ours could have refuted it: by a search that ends in a breather, or by a localized
+state that stays together. (Equal means follow from Newton's law for every periodic motion; there we test our motions
+and averages.) Each instrument is also tried where it must find something, in the wells of section 3. There the mean
+force of a well balances unequal pushes on the two sides of its bead, so that $\bar F_n$ may fall off outwards, and
+there are breathers.
 
 ![Mean contact forces are the same at every contact of free chains (a) and not in wells (b); how searches from small
 and large starts end (c); energy and mean force of a localized state (d, e). Drawn by x16_mean_force.py from
@@ -129,7 +130,7 @@ Motion averaged(const std::string& name, const AnyChain& chain, const State<doub
 
 /**
 The balance of a bead with its change of momentum holds for any motion, so each run must obey it to $10^{-9}$, or the
-program stops.
+program stops: that would be an error of our averages.
 
 ## Equal means in free chains (figure x16 a)
 
@@ -202,7 +203,8 @@ uneven ring does not return, and its means differ visibly.
 | the largest of the four motions | [1e-11 ± 1e-9](num:sec2_nonexistence.mean_force_spread_free) |
 | of the uneven ring | [4e-12 ± 7e-10](num:sec2_nonexistence.mean_force_spread_uneven_ring) |
 | of the uneven ring, not periodic | [0.000756758 ± 3e-10](num:sec2_nonexistence.mean_force_spread_not_periodic) |
-| of breathers in wells, the smaller one | [1.00000 ± 2e-16](num:sec2_nonexistence.mean_force_spread_wells) | */
+| of breathers in wells, the smaller one | [1.00000 ± 2e-16](num:sec2_nonexistence.mean_force_spread_wells) |
+| imbalance of a bead in wells, with the force of its well | [2e-12 ± 2e-10](num:sec2_nonexistence.mean_force_imbalance_wells) | */
 std::vector<Motion> of_free_chains(Report& report) {
   std::vector<Motion> all;
   Estimate spread{}, push{HUGE_VAL};
@@ -399,7 +401,7 @@ the time it falls to one half. Some beads are still at rest at the end, so the e
 | up to $t = 200$ | without wells | in wells |
 |---|---|---|
 | energy left on nine sites | [0.00162601 ± 1e-12](num:sec2_nonexistence.mean_force_core_free) | [0.999982 ± 6e-10](num:sec2_nonexistence.mean_force_core_wells) |
-| change of the mean push over the second half, from 1/2 and from 1 | [0.0247840 ± 5e-7](num:sec2_nonexistence.mean_force_late_mean_free) | [0.006581 ± 8e-6](num:sec2_nonexistence.mean_force_late_mean_wells) | */
+| mean push at $t = 200$ over that at 100, its distance from 1/2 (from 1 in wells) | [0.0247840 ± 5e-7](num:sec2_nonexistence.mean_force_late_mean_free) | [0.006581 ± 8e-6](num:sec2_nonexistence.mean_force_late_mean_wells) | */
 Estimate deviation(const Dispersal& coarse, const Dispersal& fine, double expected) {
   const auto late = [&](const Dispersal& run) {
     return run.mean.back() / run.mean[run.mean.size() / 2] - expected;

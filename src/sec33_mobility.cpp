@@ -406,6 +406,7 @@ this threshold, the program stops; the two have different code for kick and run.
 | kick along the mode itself, predicted | | [4.4358e-6 ± 3e-10](num:sec33_mobility.threshold_along_mode) |
 | $g$ of the printed norm | | [7.0658e-8 ± 7e-12](num:sec33_mobility.threshold_as_printed) |
 | $c_c^2/2$ | $1.92\cdot10^{-11}$ | [9.909e-12 ± 2e-15](num:moving.pn_dynamic) |
+| $E_{PN}$ at equal frequency (`sec32_barrier`) | $1.77\cdot10^{-11}$ | [1.62422e-11 ± 8e-20](num:pn.omega11) |
 | $c_c^2/2$ over $E_{PN}$ | quite close | [0.6101 ± 0.0001](num:moving.barrier_close) |
 
 [](finding:depinning.law)

@@ -52,10 +52,11 @@ using namespace lattice;
 /**
 ## The experiment
 
-Strike the first beam, follow the packet to the defect, let it meet a defect of any size, and 75 ms after the impact,
-the end of figure 24, divide the energy among the beams before the defect, the nine around it, and those behind. Until
-the packet arrives the defect is exactly at rest, so all runs share the way there. Steps are event-corrected
-(event_corrected.hpp); a run whose far end moves is refused. */
+Strike the first beam, follow the packet to the defect (`blow.impact` takes the radius, the end of the run in
+milliseconds and the time between samples), let it meet a defect of any size, and 75 ms after the impact, the end of
+figure 24, divide the energy among the beams before the defect, the nine around it, and those behind. Until the packet
+arrives the defect is exactly at rest, so all runs share the way there. Steps are event-corrected (event_corrected.hpp);
+a run whose far end moves is refused. */
 constexpr double defect_passed = 75;  // ms
 
 /// Strikes the first beam and stops when the fifth beam before the defect begins to move.
@@ -97,7 +98,7 @@ $t$ are the three shares, and $r_0$ is what lies before site 96 in an array with
 this the defect reflects, keeps and transmits the *net* shares
 $$\frac{r-r_0}{1-r_0},\qquad \frac{d}{1-r_0},\qquad \frac{t}{1-r_0}.$$
 Everything is computed with two steps, and the difference is the error. The three shares must add up to one; what is
-missing is the error of the *energy budget*, on which the step has its own say. */
+missing is the error of the *energy budget*. The steps are 0.1 and 0.05 in units of $\tau_c$. */
 struct ScatteringSetup {
   StruckArray blow;
   std::array<double, 2> steps;  // in units of tau_c, the larger one first
@@ -364,7 +365,7 @@ Estimate speed_over(const WatchedRuns& runs, const StruckArray& blow, std::size_
 }
 
 /**
-Speed and duration hang on how they are measured, which the article does not print. For the speed we divide $n$ by the
+Speed and duration depend on how they are measured, which the article does not print. For the speed we divide $n$ by the
 time of the largest force at $n = 80$, where the article evaluates all else. The packet slows down as it sheds energy,
 so that slopes of the energy centre $X(t)$, as in section 3.4, depend on where they are taken. The *duration* is the
 time from the first to the last instant at which the force is a given share of its maximum. Whenever the threshold is
@@ -521,7 +522,7 @@ void report_experiment(Report& report, const StruckArray& blow, const WatchedRun
 
 A conserved energy does not prove the forces right, so an array with a heavy defect, close enough to the impact to be
 hit hard, is also computed by an independent method, GSL's adaptive one of order eight, and must arrive at the same
-state. */
+state to $10^{-8}$, or the program stops. */
 void report_check(Report& report, const StruckArray& blow) {
   StruckArray shorter = blow;
   shorter.array.sites = 30, shorter.array.defect = 8;
