@@ -328,6 +328,7 @@ void report_packet(Report& report, const TwoRuns<DpsRun>& dps, const TwoRuns<Cha
   amplitude.error += amplitude.value * chain.fine.interval * chain.fine.interval / 8;
   const Estimate speed = chain.of([](const ChainRun&run) { return packet_speed(run.path); }),
                  dps_speed = speed_of(dps);
+  // How much faster the DpS packet is, and on which sites the packet of the chain lives
   const double ratio = dps_speed.value * std::sqrt(eps) / speed.value;
   const Estimate excess{ratio - 1,
                         ratio * (dps_speed.error / dps_speed.value + speed.error / speed.value)};
@@ -340,6 +341,8 @@ void report_packet(Report& report, const TwoRuns<DpsRun>& dps, const TwoRuns<Cha
       return window_sum(run.e.back(), peak, half_width) / window_sum(run.e.back(), peak);
     });
   };
+
+  // Everything with its error
   report.facts.add("amplitude_lattice", amplitude);
   report.facts.add("speed_order_excess", excess);
   report.facts.add("support_outermost", ahead(3));
