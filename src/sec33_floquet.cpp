@@ -27,12 +27,15 @@ The chain is that of Eqs. (6) and (10), with free ends,
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},$$
 and the breathers are those of section 3.2, with the period $T_b = 2\pi/\omega_b$. They start from rest and are at rest
 again after half a period. Let $F$ be the derivative of the flow over this half: what it makes of small displacements
-and small velocities, with blocks $A, B, C, D$. The second half of the period is the first one run backwards, and $F$ is
-symplectic, so $F$ tells everything (floquet.hpp): each pair of multipliers $\lambda, 1/\lambda$ is one number
-$$\kappa = \tfrac14\Bigl(\lambda+\frac1\lambda-2\Bigr),\qquad\text{an eigenvalue of } K = B^TC.$$
+and small velocities, with blocks $A, B, C, D$. The second half of the period is the first one run backwards. With
+$R = \mathrm{diag}(1,-1)$, which reverses velocities, the whole period has the matrix $M = RF^{-1}RF$, and as $F$ is
+symplectic, $M+M^{-1} = 2+4\,\mathrm{diag}(K, K^T)$ with $K = B^TC$. So each pair of multipliers $\lambda, 1/\lambda$ is
+one number
+$$\kappa = \tfrac14\Bigl(\lambda+\frac1\lambda-2\Bigr),\qquad\text{an eigenvalue of } K.$$
 A pair is on the unit circle if $-1\le\kappa\le0$. If $\kappa > 0$ it is real, the breather is unstable, and next to
 $+1$ we have $\ln\lambda \simeq 2\sqrt\kappa$. The pair that is always $+1$ belongs to a shift in time, which changes
-the velocities along the accelerations $f$. Since $f^TK = 0$, leaving out the direction of $f$ removes it exactly. The
+the velocities along the accelerations $f$, and after half a period, where all beads are at rest again, no position:
+$Bf = 0$. Hence $f^TK = 0$, and leaving out the direction of $f$ removes the pair exactly. The
 *pinning pair* belongs to a shift along the chain; its $\kappa$ is now a simple eigenvalue, and an error $\eta$ moves it
 by $\eta$ instead of $\sqrt\eta$. */
 #include <algorithm>
@@ -160,14 +163,7 @@ Each breather is followed from the linear well to $s = -1$ and to $s = 1$. The s
 moduli and arguments must show: a pair on the circle has modulus one exactly, a pair on the real axis argument zero.
 Near an exchange of stability the multipliers leave $+1$ like square roots, so the wells are denser there.
 
-![The same around a site. The table is `site_against_s`.](fig:12)
-
-Why should the two exchange their stability at all? Both are extrema of one potential of the breather's centre, which
-has the period of the chain (`sec32_barrier`). If it is nearly a sine, they are its only extrema in a period, and one is
-stable, the other unstable. Where its amplitude passes through zero as $s$ changes, the potential turns upside down, and
-both change in almost the same well. Higher harmonics matter only there, and decide what happens in between
-(`sec33_between`). Two exchanges as far apart as the printed ones would need a potential that is far from a sine in all
-the wells between them. */
+![The same around a site. The table is `site_against_s`.](fig:12) */
 std::array<std::vector<StabilityAt>, 2> report_wells(Report& report) {
   std::vector<double> wells;
   for (int steps = report.quick ? 4 : 40, k = -steps; k <= steps; ++k)
@@ -213,7 +209,14 @@ std::array<std::vector<StabilityAt>, 2> report_wells(Report& report) {
 
 The zero of $\kappa$ in $s$ is found by regula falsi in double precision, with two last steps in extended precision (a
 64-bit mantissa; exchange.hpp). Its error is that of $\kappa$ over the slope of $\kappa$, which is small: to know two
-digits of $s_0$ one must know $\kappa$ to $10^{-9}$. [](finding:exchange.equal) */
+digits of $s_0$ one must know $\kappa$ to $10^{-9}$. [](finding:exchange.equal)
+
+Why should the two exchange their stability at all? Both are extrema of one potential of the breather's centre, which
+has the period of the chain (`sec32_barrier`). If it is nearly a sine, they are its only extrema in a period, and one is
+stable, the other unstable. Where its amplitude passes through zero as $s$ changes, the potential turns upside down, and
+both change in almost the same well. Higher harmonics matter only there, and decide what happens in between
+(`sec33_between`). Two exchanges as far apart as the printed ones would need a potential that is far from a sine in all
+the wells between them. */
 std::array<Exchange, 2> report_exchange(Report& report) {
   // Around a site and around a bond; both lie between 0.1 and 0.2
   std::array<Exchange, 2> found;
