@@ -24,7 +24,8 @@ The approximation replaces the chain by slow complex amplitudes, Eq. (13). They 
 dot is the derivative by $\tau$, with the initial condition of Eq. (25) and
 $\tau_0 = 5\,\Gamma(\frac14)^2/(24\sqrt\pi)$,
 $$y_n \approx 2\epsilon\,\mathrm{Re}\,[A_n(\tau)\,e^{it}], \quad \tau = \epsilon^{1/2}t, \quad
-  2i\tau_0\dot A_n = (A_{n+1}-A_n)|A_{n+1}-A_n|^{1/2} - (A_n-A_{n-1})|A_n-A_{n-1}|^{1/2},\quad A_n(0) = -i\,\delta_{n,1}.$$
+  2i\tau_0\dot A_n = (A_{n+1}-A_n)|A_{n+1}-A_n|^{1/2} - (A_n-A_{n-1})|A_n-A_{n-1}|^{1/2},\quad
+  A_n(0) = -i\,\delta_{n,1}.$$
 All ends are free and all quantities dimensionless. The article's $\epsilon = 0.9548\cdot10^{-3}$ is the one whose
 static breathers have the frequency $\omega_b = 1+\epsilon^{1/2}/(2\tau_0) = 1.01$, Eq. (20). Where is a packet, and how
 much does it carry? For the chain, Eqs. (23) and (24) say it, where $n'$ is the site with the packet's largest $e_n$:
@@ -71,16 +72,15 @@ DpsRun dps_run(double tolerance, std::size_t samples, Ends end = Ends::free, dou
   DpsRun out;
   Field A(sites);
   A[0] = {0, -start};  // Eq. (25)
-  out.norm_drift = evolve_dps(Dps{sites, end}, A, tau_end, samples, tolerance,
-                              [&](double tau, const Field& now) {
-                                if (std::abs(now.back()) > 1e-9)
-                                  throw Failure("the motion has come to the far end");
-                                const std::vector<double> d = density(now);  // |A_n|^2
-                                const auto peak = front_packet(d);
-                                if (peak && tau > 0) out.path.add(tau, d, *peak);  // X
-                                out.tau.push_back(tau);
-                                out.A.push_back(now);
-                              });
+  const auto look = [&](double tau, const Field& now) {
+    if (std::abs(now.back()) > 1e-9) throw Failure("the motion has come to the far end");
+    const std::vector<double> d = density(now);  // |A_n|^2
+    const auto peak = front_packet(d);
+    if (peak && tau > 0) out.path.add(tau, d, *peak);  // X
+    out.tau.push_back(tau);
+    out.A.push_back(now);
+  };
+  out.norm_drift = evolve_dps(Dps{sites, end}, A, tau_end, samples, tolerance, look);
   return out;
 }
 
@@ -90,7 +90,7 @@ struct ChainRun {
   Run run{};                                 // energy drift
   Path path{};                               // t, X, energy of the packet, e_n'
   std::vector<State<double>> last{};         // while the packet moves over the last site
-  std::vector<std::vector<double>> e{};      // the energy density now and then, for a map
+  std::vector<std::vector<double>> e{};      // rows of the energy density, for a map
   double interval = 0;                       // between two samples
 };
 
@@ -98,6 +98,7 @@ ChainRun chain_run(const EventCorrected& method, std::size_t rows) {
   ChainRun out;
   out.end.v[0] = 2 * eps;  // Eq. (26)
   const Chain chain{sites};
+  // Samples are 0.1 apart, and steps as long, in the coarser of two runs; every 200th sample is a row of the map
   const TimeGrid grid = time_grid(method, t_end, denser(t_end / double(rows * 200)));
   std::size_t k = 0;
   out.run = evolve(method, chain, out.end, grid, [&](const State<double>& now) {
@@ -332,6 +333,7 @@ void report_packet(Report& report, const TwoRuns<DpsRun>& dps, const TwoRuns<Cha
   const double ratio = dps_speed.value * std::sqrt(eps) / speed.value;
   const Estimate excess{ratio - 1,
                         ratio * (dps_speed.error / dps_speed.value + speed.error / speed.value)};
+  // How many sites carry it, by amplitude and by energy
   const auto ahead = [&](std::size_t distance) {
     return late.of([&](const LastSite& seen) { return seen.front.amplitude(distance); });
   };
