@@ -1,7 +1,6 @@
 // What decides statements in words measures what the words describe.
 
 #include "sec34/acceleration.hpp"
-#include "sec34/blowup_band.hpp"
 #include "sec34/packet.hpp"
 
 #include <complex>
@@ -135,23 +134,6 @@ TEST_CASE("only what rises above the waves between is visible", "[property]") {
   };
   CHECK(shot(-1.0 / 6) > 1);
   CHECK(shot(0) < 1);
-}
-
-TEST_CASE("a struck soft well blows up, a pendulum does not", "[property]") {
-  const auto run = [](const Well& well, double velocity, double time) {
-    const Impact impact{velocity, {20, well}, time, 0.2, may_move, false};
-    return confinement(impact, method_for(1e-4, 0.1), method_for(1e-4, 0.1, 1));
-  };
-  const auto bounded = [](const Confinement& c) {
-    return holds({below("speed", c.speed, 1.001), below("drift", c.drift, 1e-3),
-                  above("lasted", exact(c.lasted), 0.999)});
-  };
-  const Confinement leaving = run(Pendulum{}, 6, 200);  // beads leave at both ends
-  CHECK(bounded(leaving));
-  CHECK(leaving.furthest.value > 100);
-  CHECK(leaving.way.value < 1.001);
-  CHECK(bounded(run(Quartic{-1.0 / 6}, 1.5, 200)));
-  CHECK_FALSE(bounded(run(Quartic{-1.0 / 6}, 2.5, 200)));
 }
 
 TEST_CASE("a control that moves later, and a trial that is torn", "[unit]") {
