@@ -472,6 +472,11 @@ void reproduce(Report& report) {
 /**
 ## Try it
 
+**To change it.** Another chain without wells is a few lines like those of
+`mixed_chain`; another kind of search is a row of `series`; another state to let go is
+`breather_in_long_chain`. A new quantity is a `report.facts.add`, a new column one more entry of a table, and the script
+in `figures/` reads columns by name.
+
 1. *Easy.* What becomes of an impact when there are no wells?
    `build/bin/sec34_impact run --well none --velocity 1 --time 200` gives `packet_energy_fraction` = 0.99366. Hint:
    nearly all energy leaves in one solitary wave, whose contacts push once each; it is localized but not periodic.

@@ -466,6 +466,10 @@ void reproduce(Report& report) {
 /**
 ## Try it
 
+**To change it.** Another start is a vector of complex amplitudes in `start_of`, another well a struct like `Lopsided`.
+Another contact law stands in two lines, both called `to_right`, and once more in the library's chain
+(model/contact.hpp), with which the run compares. The figure reads the columns of `dps_error` by name.
+
 1. *Easy.* Does a packet of the chain move as the DpS equation says?
    `build/bin/sec34_impact run --velocity 0.01 --time 1000` gives `speed` = 0.02531. Hint: an impact of velocity $v_0$
    has $\epsilon = v_0/2$, and $t = 1000$ is $\tau = 70.7$; `sec31_dps_limit impact --tau 70.7` prints the speed in

@@ -447,6 +447,10 @@ void reproduce(Report& report) {
 /**
 ## Try it
 
+**To change it.** Other wells are the array `wells`; other families of orbits come from `problem_of`. What is compared
+stands in `compare_breathers`: to compare at equal energy, say, change the line of `missing`. The figure reads
+`barriers` by name.
+
 1. *Easy.* A pendulum instead of the soft well: `build/bin/sec32_barrier barrier --omega 1.1 --well pendulum` gives
    `equal_frequency` = 3.59543777e-11, nearly the barrier of the soft well at this frequency. Hint:
    $1-\cos y = \frac12y^2-\frac1{24}y^4+\dots$, and the amplitude of the breather is a hundredth.

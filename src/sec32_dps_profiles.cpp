@@ -378,6 +378,10 @@ void reproduce(Report& report) {
 `sec32_dps_profiles profile` prints one profile beside its approximation, for any $\mu$ and any exponent of the contacts
 (commands/one_profile.hpp). How it shows in the chain:
 
+**To change it.** Another exponent $\alpha$ of the contacts is `root` to the power $2(\alpha-1)$ in `newton`, with
+$\alpha$ for 1.5 in its derivative, and the last argument of `stationary`. Another approximation is `approximate`; the
+figure reads the columns of `profile_site` and `profile_bond` by name.
+
 1. *Easy.* How good is $y_n = 2\epsilon u_n\cos\omega_bt$ for a small breather of the chain?
    `build/bin/sec32_newton_breathers breather --omega 1.001` gives `amplitude` = 9.63900e-7. Hint: Eq. (20) gives
    $\epsilon$, and `profile` gives $u_0$; the rest is of relative size $\epsilon^{1/2}$.

@@ -561,6 +561,11 @@ families of anharmonic wells. We follow none through its fold.
 
 ## Try it
 
+**To change it.** Wells, masses and contacts are members of `chain`; other symmetries are the two lines of `conditions`,
+for `R` and for `DR`; the guess is a function of the site. The same changes for the tables beyond the first are the
+arguments of `problem_of`. Figures read columns by name: a new quantity is one more entry of a table and one line of its
+script.
+
 1. *Easy.* How does the amplitude grow with $\omega_b - 1$?
    `build/bin/sec32_newton_breathers breather --centre bond --omega 1.002` gives `amplitude` = 3.53917e-6. Hint: at
    1.001 it is a quarter of that; Eq. (20) says why.

@@ -607,6 +607,10 @@ void reproduce(Report& report) {
 /**
 ## Try it
 
+**To change it.** Another noise is a line of `groups_under_noise`, another perturbation is `perturbed`, another quantity
+to observe a line in `observe` of `follow`. Another contact law changes
+`contact_eigenvalues` and the factor 1.5 of `exponent`. The figures read columns by name.
+
 1. *Easy.* Scale invariance makes DpS breathers of all frequencies alike. In the chain this holds in the limit
    $\omega_b\to1$: `build/bin/sec32_barrier barrier --omega 1.001` gives `equal_frequency` = 1.164686e-18, and
    `build/bin/sec32_barrier barrier --omega 1.002` gives `equal_frequency` = 1.658345e-17.

@@ -484,6 +484,10 @@ void reproduce(Report& report) {
 /**
 ## Try it
 
+**To change it.** Another line through frequencies and wells is a vector of `Spot` for `along`; another well, contact or
+mass is set where `problem_at` makes the chain (exchange.hpp). Instead of $K$ one may look at $M$ itself: it is `F` over
+the whole period, and Eigen has its eigenvalues. The figures read columns by name.
+
 1. *Easy.* At a slightly higher frequency the exchange lies elsewhere:
    `build/bin/sec33_floquet exchange --centre bond --omega 1.15` gives
    `s0` = 0.018781, while at 1.05 the command finds none. Hint: on the chart of `sec33_between` the curves of exchange

@@ -557,6 +557,10 @@ void report_integrators(Report& report, const RestingBreather& at) {
 /**
 ## Try it
 
+**To change it.** Another kick is the loop over `g[n]` in `kick`, another observable a line in
+`follow`, another rule for free and pinned is `frees`. Wells are the second member of `Chain` in `breather`, and of its
+problem. The figures read columns by name.
+
 1. *Easy.* What does a kick of twice the size do to the speed?
    `build/bin/sec33_mobility kick --phase stretched --c 4e-4 --time 8000` gives `velocity` = -0.00107228. Hint: far
    beyond the threshold the potential of the centre hardly matters, and the momentum of the kick is what counts. The

@@ -559,6 +559,10 @@ void reproduce(Report& report) {
 /**
 ## Try it
 
+**To change it.** Two changed beams instead of one are two masses and three contacts in
+`cantilever_chain` (cantilever.hpp); the three windows are the sums in `shares`, the time is `defect_passed`. The
+figures read columns by name.
+
 1. *Easy.* How much does a slightly heavier defect let pass? `build/bin/sec36_cantilever_defect run --ratio 1.1` gives
    `net_transmitted` = 0.29443. Hint: its mass differs by an eighth, its own frequency by six per cent only.
 2. *Easy.* Strike half as hard: `build/bin/sec36_cantilever_defect run --velocity 0.5` gives `speed` = 1477.69. Hint:
