@@ -384,7 +384,7 @@ smaller; but it tells how far Newton's method has converged and not how accurate
 | energy | here |
 |---|---|
 | hidden in a residual of $1.5\cdot10^{-9}$ | [1.59887e-12 ± 3e-17](num:sec32_barrier.hidden_energy) |
-| printed barrier minus ours | [1.45775e-12 ± 8e-20](num:sec32_barrier.printed_excess) | */
+| printed barrier minus ours, but for the rounding of the printed one ($5\cdot10^{-14}$) | [1.45775e-12 ± 8e-20](num:sec32_barrier.printed_excess) | */
 double hidden_energy(double residual, double detuning) {
   auto problem = problem_of(Centre::site, 1.1);
   const Orbit<double> orbit = find_breather(problem);
