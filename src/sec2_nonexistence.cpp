@@ -386,14 +386,14 @@ struct Dispersal {
 
 Dispersal let_go(const State<double>& breather, const Well& well, double time, int steps_per_unit) {
   const Chain chain{401, well};
-  State<double> state(401);
+  State<double> state(401);  // the centre of the breather is bead 200, from zero
   std::copy(breather.y.begin(), breather.y.end(), state.y.begin() + 200 - 11);
   const double all = energy(chain, state), step = 1. / steps_per_unit;
   Dispersal out;
   double impulse = 0, before = 0;
   int steps = 0;
   out.run = evolve(EventCorrected{step}, chain, state, time, step, [&](const State<double>& now) {
-    const double push = contact_push(chain, now.y.data(), 201);
+    const double push = contact_push(chain, now.y.data(), 201);  // of beads 200 and 201
     if (now.t > 0) impulse += (before + push) / 2 * step;
     before = push;
     if (steps++ % steps_per_unit != 0) return;
