@@ -6,7 +6,6 @@
 
 #include "lattice/gsl/random.hpp"
 #include "lattice/numerics/parallel.hpp"
-#include "sec2/periodic_motions.hpp"
 
 namespace searches {
 
@@ -75,8 +74,7 @@ static bool confirmed(const Search& search, const Vector<double>& from, End end)
 A motion that fails this test is not dismissed: it is counted as doubtful. */
 static End run_search(const Series& series, unsigned long seed, int steps) {
   const auto [search, start] = draw(series, seed, steps);
-  NewtonRule<double> rule = motions::free_rule();
-  rule.most_steps = 200;
+  const NewtonRule<double> rule{.most_steps = 200, .damped = true, .rank = 1e-9};
   try {
     const Vector<double> x = newton(search.equations(), search.reduce(start), rule).x;
     const End end = classify(search, search.expand(x));
