@@ -197,7 +197,7 @@ std::array<std::vector<StabilityAt>, 2> report_wells(Report& report) {
       const double rate = 2 * std::asinh(std::sqrt(std::max(0.0, kappa)));
       table.add({at.spot.s, at.kappa(), angle, -angle, std::expm1(rate), std::expm1(-rate),
                  at.pairs.front().multiplier_error(), at.largest_modulus()});
-      off_circle += quadruplet(at, omega_b).off_circle;
+      off_circle += off_circle(at.pairs);
       largest = larger(largest, excess(at.pairs));
     }
   }
@@ -290,7 +290,7 @@ void report_harmonic(Report& report) {
     const auto problem = problem_at(centre, {});
     const Orbit<double> orbit = find_breather(problem);
     const Spectrum all = stability<Wide>(problem, orbit);
-    off_circle += quadruplet(all, omega_b).off_circle;
+    off_circle += off_circle(all.pairs);
     report.facts.add("kappa_" + name_of(centre), all.kappa());
     if (centre == Centre::site) report.facts.add("excess_site", from_one(all.pairs.front()));
 

@@ -388,16 +388,18 @@ TEST_CASE(
     "[article][floquet.spectrum]") {
   for (Centre centre : both_centres) {
     const auto around = [&](std::size_t more) {
-      const auto problem = problem_at(centre, {}, more);
-      return quadruplet(spectrum<double>(problem, find_breather(problem)), 1.1);
+      const auto problem = problem_at(centre, {1.1, 0, more});
+      return spectrum<double>(problem, find_breather(problem)).pairs;
     };
-    const Quadruplet chain = around(0), longer = around(10);
+    const std::vector<Pair> chain = around(0), longer = around(10);
+    const auto distance = [&](std::size_t k) {
+      return compare(from_one(longer[k]).value, from_one(chain[k]).value);
+    };
+    const int added = at_edge(longer, 1.1) - at_edge(chain, 1.1);
     CHECK(stands("four near +1",
-                 {below("fourth", compare(longer.fourth, chain.fourth), 0.01),
-                  above("fifth", compare(longer.fifth, chain.fifth), 0.1),
-                  below("off the circle", exact(chain.off_circle + longer.off_circle), 0.5),
-                  above("added", exact(longer.at_edge - chain.at_edge), 19.5),
-                  below("added", exact(longer.at_edge - chain.at_edge), 20.5)}));
+                 {below("fourth", distance(0), 0.01), above("fifth", distance(1), 0.1),
+                  below("off the circle", exact(off_circle(chain) + off_circle(longer)), 0.5),
+                  above("added", exact(added), 19.5), below("added", exact(added), 20.5)}));
   }
 }
 
@@ -406,7 +408,7 @@ TEST_CASE(
     "bond-centred one stable",
     "[article][floquet.harmonic][floquet.instability_size]") {
   const Spectrum site = spectrum_at(Centre::site, 0), bond = spectrum_at(Centre::bond, 0);
-  const int others = quadruplet(site, 1.1).off_circle + quadruplet(bond, 1.1).off_circle;
+  const int others = off_circle(site.pairs) + off_circle(bond.pairs);
   CHECK(stands("site weakly unstable, bond stable",
                {above("site", site.kappa(), 0), below("bond", bond.kappa(), 0),
                 below("others off the circle", exact(others), 0.5)}));

@@ -57,16 +57,14 @@ TEST_CASE("the samples of a mean are spread over eleven periods", "[unit][kick]"
   check_close(5 * sample / period, 0.618033988749894848, 1e-15);  // the golden ratio
   check_close(samples_of_a_mean * sample, 11 * period, 0, 1e-4);
   // The mean of a place that swings with the breather is its middle, at the middle of the samples
-  MeanPlace mean{.sample = sample};
-  for (std::size_t k = 1; k <= samples_of_a_mean; ++k) {
-    State<double> now(3);
-    now.t = double(k) * sample;
-    const double swing = 0.2 * std::sin(2 * std::numbers::pi * now.t / period + 0.3);
-    CHECK(mean.add(now, {0.5 - swing, 1, 0.5 + swing}) == (k == samples_of_a_mean));
-  }
-  REQUIRE(mean.path.centre.size() == 1);
-  check_close(mean.path.centre[0], 0, 1e-4);
-  check_close(mean.path.t[0], 45 * sample, 0, 1e-14);
+  const Resting at = breather(Centre::bond, 1.1);
+  const double apart = sample_of_mean(at.period);
+  const KickedPath path =
+      follow_kicked(EventCorrected{0.1}, at.chain, at.state, apart, 23 * at.period);
+  REQUIRE(path.centre.size() == 2);
+  check_close(path.centre[0], path.centre[1], 1e-4);
+  check_close(path.t[0], 45 * apart, 0, 1e-12);
+  check_close(path.t[1], (45 + 89) * apart, 0, 1e-12);
 }
 
 TEST_CASE("free and pinned are told from the path", "[unit][kick]") {
@@ -277,9 +275,4 @@ TEST_CASE("the slow plane of a breather from its monodromy matrix", "[unit][kick
                Eigen::Vector3d(1, 0, 3) / std::sqrt(10.), 1e-12);
   check_matrix(eigenvector_near(m, 1, Vector<double>::Ones(3)).cwiseAbs(), Eigen::Vector3d(1, 0, 0),
                1e-12);
-}
-
-TEST_CASE("a kick frees a breather if its share of the energy is the barrier", "[unit][kick]") {
-  for (double barrier : {3.0, -3.0})
-    check_close(freeing_kick(barrier, {1, 0.5}), std::sqrt(12), 1e-14);
 }

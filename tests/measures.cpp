@@ -72,11 +72,11 @@ NoiseTrials breathers(std::size_t count, std::size_t moving, double time = 4) {
   return list;
 }
 
-/// A spectrum on `sites` sites: the pair of `second` beside the pinning pair, all others at the edge.
-Spectrum spectrum_with(std::size_t sites, std::complex<double> second) {
+/// The pairs on 31 sites: that of `second` beside the pinning pair, all others at the edge.
+std::vector<Pair> pairs_with(std::complex<double> second) {
   const double edge = -std::pow(std::sin(M_PI / 1.1), 2);
-  Spectrum all{{{1e-8, 1e-12}, {second, 1e-12}}, {}};
-  while (all.pairs.size() + 1 < sites) all.pairs.push_back({edge, 1e-12});
+  std::vector<Pair> all{{1e-8, 1e-12}, {second, 1e-12}};
+  while (all.size() + 1 < 31) all.push_back({edge, 1e-12});
   return all;
 }
 
@@ -156,16 +156,13 @@ TEST_CASE("a control that moves later, and a trial that is torn", "[unit]") {
 }
 
 TEST_CASE("four multipliers near one, and pairs that leave the circle", "[unit]") {
-  const auto with = [](std::complex<double> second) {
-    return quadruplet(spectrum_with(31, second), 1.1);
-  };
-  CHECK(with(-0.013).off_circle == 0);
-  CHECK(with(-0.013).at_edge == 56);
-  CHECK(with(-0.013).fifth > 0.1);
-  CHECK(with(-1e-4).fifth < 0.1);
-  CHECK(with(0.013).off_circle == 1);
-  CHECK(with({-0.5, 0.1}).off_circle == 1);
-  CHECK(with(-1.013).off_circle == 1);  // beyond -1
+  CHECK(off_circle(pairs_with(-0.013)) == 0);
+  CHECK(at_edge(pairs_with(-0.013), 1.1) == 56);
+  CHECK(off_circle(pairs_with(0.013)) == 1);
+  CHECK(off_circle(pairs_with({-0.5, 0.1})) == 1);
+  CHECK(off_circle(pairs_with(-1.013)) == 1);  // beyond -1
+  CHECK(from_one(pairs_with(-0.013)[1]).value > 0.1);
+  CHECK(from_one(pairs_with(-1e-4)[1]).value < 0.1);
   // The larger multiplier counts, beyond +1 as beyond -1 and off the axis
   const std::vector<Pair> pairs{{0.25, 1e-12}, {-1.25, 1e-12}, {{-0.5, 0.1}, 1e-12}, {-0.5, 1e-12}};
   check_close(excess(pairs).value, 0.5 + std::sqrt(1.25), 1e-14);

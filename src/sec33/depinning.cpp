@@ -61,14 +61,10 @@ Pinning pinning_of(const Chain& chain, Centre centre, const State<double>& start
   return {2 * (1 + std::abs(cosine)) * miss, 2 * cosine * share, part};
 }
 
-double freeing_kick(double barrier, const Pinning& pinning) {
-  return std::sqrt(2 * std::abs(barrier / pinning.share));
-}
-
-double hill_speed(const KickedPath& path, double hill, double half_width) {
+double hill_speed(const KickedPath& path, double hill) {
   std::vector<std::size_t> near;
   for (std::size_t k = 0; k < path.centre.size(); ++k)
-    if (std::abs(std::abs(path.moved(k)) - hill) <= half_width) near.push_back(k);
+    if (std::abs(std::abs(path.moved(k)) - hill) <= 0.05) near.push_back(k);
   if (near.size() < 8) throw std::invalid_argument("too few means of the path lie on the hill");
   const double first = path.t[near.front()], last = path.t[near.back()], half = (last - first) / 2;
   // Time is scaled to the interval from -1 to 1, which keeps the cubic fit well conditioned

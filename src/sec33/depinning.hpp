@@ -38,10 +38,9 @@ struct Pinning {
 Vector<double> eigenvector_near(const Matrix<double>& m, double value, Vector<double> guess);
 
 /**
-The multipliers of this plane cannot be told from that of a shift in time, which is exactly one (floquet.hpp), but
-symmetry separates the two. Around a bond a shift along the chain is even under $n \to 1-n$ and a shift in time is odd.
-Around a site half a period followed by $y_n \to -y_{-n}$ leaves a shift in time alone and reverses one along the chain.
-*/
+Symmetry separates this plane from a shift in time, whose multiplier is exactly one (floquet.hpp). Around a bond a shift
+along the chain is even under $n \to 1-n$ and a shift in time is odd. Around a site half a period followed by
+$y_n \to -y_{-n}$ leaves a shift in time alone and reverses one along the chain. */
 struct PeriodMap {
   Matrix<double> A, B, basis;  ///< the basis of the directions that are left, column by column
 };
@@ -54,9 +53,6 @@ PeriodMap period_map(const Chain& chain, Centre centre, State<double> state, dou
 Pinning pinning_of(const Chain& chain, Centre centre, const State<double>& start, double period,
                    const EventTolerance<double>& rule = {});
 
-/// The kick whose share of the energy is the barrier at equal area (breather.hpp): both may be negative.
-double freeing_kick(double barrier, const Pinning& pinning);
-
 /**
 ## From speeds to the threshold
 
@@ -64,9 +60,9 @@ Close to the threshold a breather stays near the maximum for long. What changes 
 free one passes it: its kinetic energy there is the share of the kick less the barrier, so that
 $V^2 \propto c^2 - c_c^2$. Near the maximum $X \simeq (V/\Omega)\sinh\Omega t$ is nearly a cubic in $t$ whose least
 slope is $V$. */
-/// The speed at `hill` sites from the start, from all means within `half_width` of it; std::invalid_argument if fewer
-/// than eight lie there.
-double hill_speed(const KickedPath& path, double hill = 0.5, double half_width = 0.05);
+/// The speed at `hill` sites from the start, from all means within 0.05 sites of it; std::invalid_argument if fewer than
+/// eight lie there.
+double hill_speed(const KickedPath& path, double hill = 0.5);
 
 /// The kick at which $V^2$ vanishes, from two others; std::invalid_argument if the line has no zero.
 double threshold_from(double c1, double v1, double c2, double v2);

@@ -1,7 +1,6 @@
 #include "sec33/dps_motion.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <numbers>
 
@@ -65,15 +64,7 @@ DpsRun DpsRun::until(double time) const {
   return out;
 }
 
-double DpsRun::spread() const {
-  return *std::max_element(sites.begin(), sites.end()) / sites.front();
-}
-
 namespace {
-
-bool moved(const DpsRun& run) {
-  return run.reaches(1) < HUGE_VAL;
-}
 
 // A number from all runs at one tolerance, with its distance from that at the other one
 template <class Of>
@@ -81,9 +72,23 @@ auto at_both(Of of) {
   return compare(of(&NoiseTrial::coarse), of(&NoiseTrial::fine));
 }
 
+double median(std::vector<double> x) {
+  std::sort(x.begin(), x.end());
+  return x[x.size() / 2];
+}
+
+// When each passes the next site; what has not moved by the end of its run moves no earlier
+std::vector<double> passages(const NoiseTrials& trials, DpsRun NoiseTrial::*run) {
+  std::vector<double> out;
+  for (const NoiseTrial& trial : trials) {
+    const double t = (trial.*run).reaches(1);
+    out.push_back(std::isnan(t) ? (trial.*run).t.back() : t);
+  }
+  return out;
+}
+
 }  // namespace
 
-// Counts
 Estimate passing(const NoiseTrials& trials, double distance, double by) {
   return at_both([&](auto run) {
     return std::count_if(trials.begin(), trials.end(), [&](const NoiseTrial& trial) {
@@ -99,45 +104,38 @@ Estimate median_departure(const NoiseTrials& trials, double by) {
       const double leaves = (trial.*run).reaches(0.5);
       departures.push_back(leaves <= by ? leaves : HUGE_VAL);
     }
-    std::sort(departures.begin(), departures.end());
-    return departures[departures.size() / 2];
+    return median(departures);
   });
 }
 
 std::size_t torn(const NoiseTrials& trials) {
   return std::size_t(std::count_if(trials.begin(), trials.end(), [](const NoiseTrial& trial) {
-    return moved(trial.fine) != moved(trial.coarse);
+    return std::isnan(trial.fine.reaches(1)) != std::isnan(trial.coarse.reaches(1));
   }));
 }
 
 Estimate largest_spread(const NoiseTrials& trials) {
   return at_both([&](auto run) {
     double most = 0;
-    for (const NoiseTrial& trial : trials) most = std::max(most, (trial.*run).spread());
+    for (const NoiseTrial& trial : trials) {
+      const std::vector<double>& sites = (trial.*run).sites;
+      most = std::max(most, *std::max_element(sites.begin(), sites.end()) / sites.front());
+    }
     return most;
   });
 }
 
-// When each passes the next site, seed by seed and in the median
 Delay delay_of(const NoiseTrials& controls, const NoiseTrials& trials) {
-  std::array<std::size_t, 2> later{};
-  std::array<double, 2> ratio{};
-  for (const std::size_t fine : {0U, 1U}) {
-    const auto passes = [&](const NoiseTrials& list) {
-      std::vector<double> out;
-      for (const NoiseTrial& trial : list) {
-        const DpsRun& run = fine ? trial.fine : trial.coarse;
-        out.push_back(moved(run) ? run.reaches(1) : run.t.back());
-      }
-      return out;
-    };
-    auto free = passes(trials), held = passes(controls);
-    for (std::size_t k = 0; k < free.size(); ++k) later[fine] += held[k] > free[k];
-    for (auto* list : {&free, &held}) std::sort(list->begin(), list->end());
-    ratio[fine] = held[held.size() / 2] / free[free.size() / 2];
-  }
-  return {quotient(compare(later[0], later[1]), exact(double(trials.size()))),
-          compare(ratio[0], ratio[1])};
+  const Estimate later = at_both([&](auto run) {
+    const auto held = passages(controls, run), free = passages(trials, run);
+    int count = 0;
+    for (std::size_t k = 0; k < free.size(); ++k) count += held[k] > free[k];
+    return count;
+  });
+  const auto ratio = [&](auto run) {
+    return median(passages(controls, run)) / median(passages(trials, run));
+  };
+  return {quotient(later, exact(double(trials.size()))), at_both(ratio)};
 }
 
 }  // namespace lattice

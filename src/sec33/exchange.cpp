@@ -1,7 +1,6 @@
 #include "sec33/exchange.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "lattice/numerics/parallel.hpp"
@@ -54,9 +53,10 @@ Orbit<double> lengthened(const Shooting<double>& longer, const Orbit<double>& or
   return newton(longer, longer.reduce(start), how);
 }
 
-int added_at_edge(Centre centre, const Spot& spot, const Orbit<double>& orbit,
+int added_at_edge(Centre centre, Spot spot, const Orbit<double>& orbit,
                   const std::vector<Pair>& pairs, const NewtonRule<double>& how) {
-  const auto longer = problem_at(centre, spot, 10);
+  spot.more += 10;
+  const auto longer = problem_at(centre, spot);
   const Orbit<double> there = lengthened(longer, orbit, how);
   const auto found = floquet_pairs(longer.chain, there.start, there.period(), how.events);
   std::vector<Pair> more;
@@ -65,11 +65,9 @@ int added_at_edge(Centre centre, const Spot& spot, const Orbit<double>& orbit,
   return at_edge(more, spot.omega_b, close) - at_edge(pairs, spot.omega_b, close);
 }
 
-Quadruplet quadruplet(const Spectrum& all, double omega_b) {
-  Quadruplet q{from_one(all.pairs[0]).value, from_one(all.pairs[1]).value};
-  for (std::size_t k = 1; k < all.pairs.size(); ++k) q.off_circle += all.pairs[k].is_unstable();
-  q.at_edge = at_edge(all.pairs, omega_b);
-  return q;
+int off_circle(const std::vector<Pair>& pairs) {
+  return int(std::count_if(pairs.begin() + 1, pairs.end(),
+                           [](const Pair& pair) { return pair.is_unstable(); }));
 }
 
 Estimate from_one(const Pair& pair) {

@@ -2,12 +2,9 @@
 /**
 # Where two breathers exchange their stability
 
-Section 3.3 of the article reports that a breather changes its stability at certain values of the
-anharmonicity $s$. There a pair of Floquet multipliers $\lambda$, $1/\lambda$, the pinning pair, passes $+1$. It is
-described by $\kappa = (\lambda+1/\lambda-2)/4$ (floquet.hpp): where $\kappa > 0$ the breather is unstable, where
-$\kappa < 0$ the pair is on the unit circle, and the breather is stable if all other pairs are, too. On a cut through
-the plane of $\omega_b$ and $s$ the sign changes at a point. This file finds it: by regula falsi in double precision,
-and a last step in extended precision. */
+At certain anharmonicities $s$ a breather changes its stability: the pinning pair of Floquet multipliers passes $+1$,
+and its $\kappa$ (floquet.hpp) changes its sign. On a cut through the plane of $\omega_b$ and $s$ this happens at a
+point. This file finds it: by regula falsi in double precision, and a last step in extended precision. */
 
 #include <cstddef>
 #include <vector>
@@ -19,18 +16,16 @@ and a last step in extended precision. */
 
 namespace lattice {
 
-/**
-A chain is long enough if the bead missing at its end would be pushed by less than rounding
-(`sites_needed`): up to $\omega_b = 2$ this means 21 sites, or 22 around a bond. `more` adds to them, as
-a check. */
+/// A place in the plane, and how many sites more than necessary: up to omega_b = 2 a bead missing at the ends of 21
+/// sites, or 22 around a bond, would be pushed by less than rounding.
 struct Spot {
   double omega_b = 1.1, s = 0;
-  std::size_t more = 0;  ///< sites
+  std::size_t more = 0;
 };
 /// The problem of a breather in quartic wells at that place of the plane.
-inline Shooting<double> problem_at(Centre centre, const Spot& spot, std::size_t more = 0) {
+inline Shooting<double> problem_at(Centre centre, const Spot& spot) {
   return breather_problem(centre, spot.omega_b, spot.s,
-                          sites_of(centre, Length::shortest) + spot.more + more);
+                          sites_of(centre, Length::shortest) + spot.more);
 }
 
 /// The breather of a problem near that of another. The guess scales positions with the square of
@@ -38,9 +33,8 @@ inline Shooting<double> problem_at(Centre centre, const Spot& spot, std::size_t 
 Orbit<double> follow(const Shooting<double>& problem, const Orbit<double>& from,
                      const NewtonRule<double>& how = {});
 
-/**
-No zero of $\kappa$ without its error: each spectrum comes from two computations whose tolerances differ by
-a factor of 16, and the coarser one has to find the orbit again from a point beside it. */
+/// The pairs of a breather from two computations: their tolerances differ by a factor of 16, and the coarser one has to
+/// find the orbit again from a point beside it.
 struct Spectrum {
   std::vector<Pair> pairs;
   Vector<double> mode;  ///< of the pinning pair, positions at t = 0
@@ -65,21 +59,11 @@ template <class T>
 Spectrum spectrum(const Shooting<double>& problem, const Orbit<double>& orbit,
                   PairsOf<T>* pairs_of_orbit = pairs_by_library<T>);
 
-/**
-The article says that four multipliers lie near $+1$, the others on the unit circle, and that these
-accumulate at $e^{\pm2\pi i/\omega_b}$. The time-translation pair makes two of the four; a `Quadruplet` records how far
-from $+1$ the others come, how many pairs are elsewhere off the circle, and how many multipliers sit at the point of
-accumulation. */
-struct Quadruplet {
-  double fourth = 0, fifth = 0;  ///< distance from +1 of the fourth and the fifth multiplier
-  int off_circle = 0;            ///< pairs but the first that leave it by more than their error
-  int at_edge = 0;               ///< multipliers at the accumulation, within 1e-9 in kappa
-};
+/// How many pairs but the first leave the unit circle by more than their error.
+int off_circle(const std::vector<Pair>& pairs);
 
-/// The quadruplet of a spectrum at the frequency `omega_b`.
-Quadruplet quadruplet(const Spectrum& all, double omega_b);
-
-/// How many multipliers lie at the accumulation, within `close` in kappa; the first pair does not count.
+/// How many multipliers lie within `close` in kappa of their point of accumulation, exp(+-2 pi i / omega_b); the first
+/// pair does not count.
 int at_edge(const std::vector<Pair>& pairs, double omega_b, double close = 1e-9);
 
 /// The breather of a longer chain near that of a shorter one, with beads at rest beyond the old ends. Throws NewtonFailed.
@@ -87,16 +71,13 @@ Orbit<double> lengthened(const Shooting<double>& longer, const Orbit<double>& or
                          const NewtonRule<double>& how = {});
 
 /// How many multipliers ten more sites, with beads at rest, add there, within 1e-4 in kappa; `pairs` are those of `orbit`.
-int added_at_edge(Centre centre, const Spot& spot, const Orbit<double>& orbit,
+int added_at_edge(Centre centre, Spot spot, const Orbit<double>& orbit,
                   const std::vector<Pair>& pairs, const NewtonRule<double>& how = {});
 
 /// How far the multipliers of a pair are from +1.
 Estimate from_one(const Pair& pair);
 
-/**
-## A zero of $\kappa$
-
-A cut runs along $s$ at fixed $\omega_b$, or along $\omega_b$ at fixed $s$. */
+/// A cut runs along s at fixed omega_b, or along omega_b at fixed s.
 struct Cut {
   bool along_s = true;   ///< or along omega_b
   double fixed = 1.1;    ///< the other one of the two
@@ -116,25 +97,18 @@ struct Exchange {
 double quick_kappa(Centre centre, const Spot& spot, Orbit<double>& orbit,
                    const NewtonRule<double>& how = {});
 
-/**
-The search needs $\kappa$ at both ends of a bracket and an orbit nearby, which Newton's method follows from
-one trial to the next. An end of the bracket that stays has its value halved, so that it cannot stay
-forever. The slope is that between the last two trials that are at least $10^{-4}$ apart; closer ones would
-show rounding. */
+/// The parameter of a cut, and kappa there.
 struct TrialKappa {
-  double p, kappa;  ///< the parameter on the cut, and what was found there
+  double p, kappa;
 };
 
-/// The zero between two ends where kappa has opposite signs. The search ends when a step is shorter than
-/// `close`; the error is the last step.
+/// The zero between two ends where kappa has opposite signs, from an orbit nearby. The search ends when a step is shorter
+/// than `close`; the error is the last step.
 Exchange exchange_between(Centre centre, const Cut& cut, TrialKappa low, TrialKappa high,
                           Orbit<double> orbit, double close, const NewtonRule<double>& how = {});
 
-/**
-The last step is made with extended precision, from a point that double precision has brought as close as its
-rounding allows. The error of the zero is that of $\kappa$ over the slope, plus a hundredth of the step,
-because the slope is known no better than that. */
-/// The zero after that step, with its error. Throws NewtonFailed.
+/// The zero after a last step with extended precision. Its error is that of kappa over the slope, plus the last
+/// correction. Throws NewtonFailed.
 template <class T>
 Exchange refined_zero(Centre centre, const Cut& cut, Exchange found);
 

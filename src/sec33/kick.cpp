@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <utility>
 
 namespace lattice {
 
@@ -58,27 +57,26 @@ double KickedPath::drift_margin(double c, double energy) const {
   return c * c / 2 / energy / run.energy_drift;
 }
 
-bool MeanPlace::add(const State<double>& now, const std::vector<double>& e) {
-  sum += breather_place(e);
-  path.share = std::min(path.share, window_sum(e, strongest(e)) / window_sum(e, 0, e.size()));
-  if (++samples % samples_of_a_mean != 0) return false;
-  path.add(now.t - sample * 0.5 * double(samples_of_a_mean - 1), sum / double(samples_of_a_mean));
-  sum = 0;
-  return true;
-}
-
 KickedPath follow_kicked(const Method& method, const Chain& chain, const State<double>& start,
                          double sample, double duration, const KickLook& look) {
-  const double means = std::round(duration / (sample * double(samples_of_a_mean)));
-  MeanPlace mean{.sample = sample};
+  constexpr auto many = double(samples_of_a_mean);
+  KickedPath path;
   State<double> now = start;
-  mean.path.run = evolve(method, chain, now, sample * (double(samples_of_a_mean) * means), sample,
-                         [&](const State<double>& state) {
-                           if (state.t == start.t) return true;
-                           const std::vector<double> e = energy_density(chain, state);
-                           return !mean.add(state, e) || look(mean.path, state, e);
-                         });
-  return std::move(mean.path);
+  double sum = 0;
+  std::size_t samples = 0;
+  path.run = evolve(
+      method, chain, now, sample * (many * std::round(duration / (sample * many))), sample,
+      [&](const State<double>& state) {
+        if (state.t == start.t) return true;
+        const std::vector<double> e = energy_density(chain, state);
+        sum += breather_place(e);
+        path.share = std::min(path.share, window_sum(e, strongest(e)) / window_sum(e, 0, e.size()));
+        if (++samples % samples_of_a_mean != 0) return true;
+        path.add(state.t - sample * 0.5 * (many - 1), sum / many);
+        sum = 0;
+        return look(path, state, e);
+      });
+  return path;
 }
 
 }  // namespace lattice

@@ -3,8 +3,8 @@
 # Kicking a breather
 
 When all beads of a breather are at rest they are given the velocities $c\,g_n$, with $g_n$ the discrete gradient
-$y_{n+1}-y_{n-1}$ divided by its norm, so that the kick adds the kinetic energy $c^2/2$. `sec33_mobility` writes kick
-and run out; here they are for the commands, the live page and the tests. */
+$y_{n+1}-y_{n-1}$ divided by its norm, so that the kick adds the energy $c^2/2$. The chapter `sec33_mobility` writes
+kick and run out; here they are for commands, live page and tests. */
 
 #include <algorithm>
 #include <cstddef>
@@ -22,10 +22,9 @@ std::vector<double> kick_direction(const std::vector<double>& y);
 State<double> kicked(State<double> state, double c);
 
 /**
-The centre $X$ of Eq. (24) swings with every oscillation, because Eq. (23) assigns the energy of a contact to the bead
-on its left. We average it over 89 samples at intervals of $T_b(\sqrt5-1)/10$, together eleven periods: since this is
-$T_b/5$ times the golden ratio 0.618, and 89 a Fibonacci number, they are spread evenly over the phases. Nor do the
-steps fall on the same phases in every period, where their errors would add up instead of cancelling. */
+The centre $X$ of Eq. (24) swings with every oscillation, so it is averaged over 89 samples at intervals of
+$T_b(\sqrt5-1)/10$, together eleven periods. This is $T_b/5$ times the golden ratio 0.618, and 89 a Fibonacci number:
+the samples are spread evenly over the phases, and the errors of steps do not add up. */
 inline constexpr std::size_t samples_of_a_mean = 89;
 
 /// Time between two samples of a breather with this period.
@@ -49,15 +48,6 @@ struct KickedPath : Path {
   double mean_speed(double distance, std::size_t start = 0) const;
   /// The energy of a kick, c^2/2, over the energy that the integration gained or lost; `energy` is the breather's.
   double drift_margin(double c, double energy) const;
-};
-
-/// Adds up samples `sample` apart to means of X.
-struct MeanPlace {
-  KickedPath path{};  ///< the means so far
-  double sample, sum = 0;
-  std::size_t samples = 0;
-  /// Whether `now` completes a mean.
-  bool add(const State<double>& now, const std::vector<double>& e);
 };
 
 /// Sees every mean: the path so far, the state and its energy density. It may return false to end the run.

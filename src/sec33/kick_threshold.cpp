@@ -39,7 +39,8 @@ Prediction predict_threshold(const RestingBreather& at, const Estimate& barrier)
   if (!(found[1].frequency2 > 0)) return out;
   out.frequency = pair([](const Pinning& p) { return std::sqrt(p.frequency2); });
   // The threshold goes as the root of the barrier, so the barrier's relative error counts half
-  out.threshold = pair([&](const Pinning& p) { return freeing_kick(barrier.value, p); });
+  out.threshold =
+      pair([&](const Pinning& p) { return std::sqrt(2 * std::abs(barrier.value / p.share)); });
   out.threshold.error += 0.5 * out.threshold.value * std::abs(barrier.error / barrier.value);
   const Estimate cosine = pair([](const Pinning& p) { return std::abs(p.cosine); });
   out.along_mode = {out.threshold.value * cosine.value,

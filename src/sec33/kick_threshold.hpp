@@ -34,9 +34,8 @@ EventCorrected fourteen_stages(double step);
 /// Both breathers of this frequency in harmonic wells, with their barriers at equal frequency and at equal area.
 BreatherPair barriers_at(double omega_b);
 
-/**
-Errors of the prediction come from two tolerances of the linearised flow and from the barrier. If the pinning pair is
-real the slightest kick may move the breather, and there is neither a frequency nor a threshold. */
+/// Its errors come from two tolerances of the linearised flow and from the barrier. If the pinning pair is real the
+/// slightest kick may move the breather, and there is neither a frequency nor a threshold.
 struct Prediction {
   Estimate threshold{}, share{}, frequency{}, barrier{};  ///< c_c, phi, Omega, and E_site - E_bond
   Estimate along_mode{};  ///< c_c of a kick along the shift x, of length one, instead of g
@@ -50,11 +49,8 @@ Prediction predict_threshold(const RestingBreather& at, const Estimate& barrier)
 /// all kicks but those within 1e-7 of the threshold.
 KickedPath decided_path(const RestingBreather& at, double c, const Method& method, double limit);
 
-/**
-Three kicks, 5, 20 and 40 per cent above the prediction, free the breather. The speeds with which the two weaker ones
-pass the maximum lead to the threshold; with the third, the extrapolation goes from farther off, and the largest
-difference is its error. */
-/// Throws std::runtime_error if one of the kicks does not free the breather.
+/// The threshold from the speeds at the maximum after kicks 5, 20 and 40 per cent above the prediction. The two weaker
+/// ones give the value, the third the error. Throws std::runtime_error if one of them does not free the breather.
 Estimate freeing_kick_of(const RestingBreather& at, const Prediction& guess,
                          const EventCorrected& method);
 
