@@ -5,7 +5,7 @@
 #include "check.hpp"
 #include "lattice/gsl/random.hpp"
 #include "lattice/orbits/breather.hpp"
-#include "sec2/fixed_leapfrog.hpp"
+#include "sec2/searches.hpp"
 
 using namespace lattice;
 
@@ -24,7 +24,7 @@ std::pair<Chain, State<double>> walled() {
 }  // namespace
 
 TEST_CASE("shooting by leapfrog has the exact derivative of its map", "[unit][orbits]") {
-  LeapfrogShooting problem;
+  searches::LeapfrogShooting problem;
   problem.chain = walled<Harmonic>().first;
   problem.symmetry = travelling(6, 0, false);
   problem.omega = 1.3;

@@ -4,20 +4,76 @@
 #include <cmath>
 #include <utility>
 
+#include "lattice/events/columns.hpp"
 #include "lattice/gsl/random.hpp"
 #include "lattice/numerics/parallel.hpp"
 
 namespace searches {
 
-using Search = LeapfrogShooting;
+// The derivative of a kick is the linearisation (chain.hpp) about the positions at which it is given
+static void kick_tangent(const Chain& chain, const std::vector<double>& y, double h,
+                         Tangent<double>& tangent) {
+  const Hessian<double> bend = linearise(chain, y);
+  const std::size_t sites = chain.sites, columns = tangent.columns;
+  for (std::size_t n = 0; n < sites; ++n) {
+    const double push = -h * inverse_mass<double>(chain, n);
+    double* row = tangent.row(sites + n);
+    add_scaled(row, tangent.row(n), push * bend.diagonal[n], columns);
+    if (n > 0) add_scaled(row, tangent.row(n - 1), push * bend.off[n - 1], columns);
+    if (n + 1 < sites) add_scaled(row, tangent.row(n + 1), push * bend.off[n], columns);
+  }
+}
 
-/**
-The frequency is that of a breather, $\omega_b = 1.2$. A motion that begins at rest is at rest again after half a period;
-of any other we ask that it returns after a whole one. */
-static std::pair<Search, State<double>> draw(const Series& series, unsigned long seed, int steps) {
+void LeapfrogShooting::advance(State<double>& z, Tangent<double>* tangent, int count,
+                               const std::function<void(const State<double>&)>& watch) const {
+  const std::size_t sites = chain.sites;
+  const double h = period() / steps;
+  const auto drift = [&](double by) {
+    add_scaled(z.y.data(), z.v.data(), by, sites);
+    if (tangent) add_scaled(tangent->row(0), tangent->row(sites), by, sites * tangent->columns);
+  };
+  for (int k = 0; k < count; ++k) {
+    drift(h / 2);
+    const std::vector<double> a = accelerations(chain, z.y);
+    add_scaled(z.v.data(), a.data(), h, sites);
+    if (tangent) kick_tangent(chain, z.y, h, *tangent);
+    drift(h / 2);
+    watch(z);
+  }
+}
+
+// As in shooting.hpp but for how the chain is run: residuals and derivatives follow from the lists of the symmetry
+Evaluation<double> LeapfrogShooting::evaluate(const Vector<double>& x, bool with_jacobian) const {
+  const State<double> start = expand(x);
+  State<double> z = start;
+  const Tangent<double> first = tangent_of<double>(symmetry.unknowns, chain.sites);
+  Tangent<double> tangent = first;
+  advance(z, with_jacobian ? &tangent : nullptr, steps / symmetry.parts,
+          [](const State<double>&) {});
+  Evaluation<double> out;
+  out.residual = residuals(start, z);
+  if (with_jacobian) out.jacobian = slopes(first, tangent);
+  return out;
+}
+
+Equations<double> LeapfrogShooting::equations() const {
+  const auto rows = Eigen::Index(symmetry.equations.size());
+  return {name(),
+          [*this](const Vector<double>& x, const EventTolerance<double>&, bool derivative) {
+            return evaluate(x, derivative);
+          },
+          [rows, size = scale](const Vector<double>& x, bool) {
+            return Sizes<double>{Vector<double>::Constant(x.size(), size),
+                                 Vector<double>::Constant(rows, size)};
+          }};
+}
+
+// A motion that begins at rest is at rest again after half a period; any other has to return after a whole one
+static std::pair<LeapfrogShooting, State<double>> draw(const Series& series, unsigned long seed,
+                                                       int steps) {
   const std::size_t sites = series.sites, middle = sites / 2;
   const bool at_rest = seed % 2 == 1;
-  Search search;
+  LeapfrogShooting search;
   search.chain = {sites, series.wells ? Well{Harmonic{}} : Well{None{}}, Hertz{.floor = 0},
                   series.ends};
   search.omega = 1.2;
@@ -34,9 +90,8 @@ static std::pair<Search, State<double>> draw(const Series& series, unsigned long
   return {search, start};
 }
 
-/**
-A motion that is found is followed for a period and classified. */
-static End classify(const Search& search, const State<double>& start) {
+// A motion that is found is followed for a period and classified
+static End classify(const LeapfrogShooting& search, const State<double>& start) {
   State<double> z = start;
   double swing = 0, overlap = 0;
   search.advance(z, nullptr, search.steps, [&](const State<double>& now) {
@@ -52,10 +107,8 @@ static End classify(const Search& search, const State<double>& start) {
   return std::max(e.front(), e.back()) < 1e-6 * all ? End::localized : End::extended;
 }
 
-/**
-The library's Newton method, with the exact flow, starts from the motion, may move it by no more than a tenth of its
-size, and must end in an orbit of the same kind. */
-static bool confirmed(const Search& search, const Vector<double>& from, End end) try {
+// Newton's method with the exact flow may move the motion by a tenth of its size, and must end in one of the same kind
+static bool confirmed(const LeapfrogShooting& search, const Vector<double>& from, End end) try {
   Equations<double> nearby = search.Shooting<double>::equations();
   nearby.evaluate = [&, exact = nearby.evaluate](const Vector<double>& x,
                                                  const EventTolerance<double>& rule,
@@ -70,8 +123,7 @@ static bool confirmed(const Search& search, const Vector<double>& from, End end)
   return false;
 }
 
-/**
-A motion that fails this test is not dismissed: it is counted as doubtful. */
+// A motion that fails this test is counted as doubtful
 static End run_search(const Series& series, unsigned long seed, int steps) {
   const auto [search, start] = draw(series, seed, steps);
   const NewtonRule<double> rule{.most_steps = 200, .damped = true, .rank = 1e-9};

@@ -2,10 +2,9 @@
 /**
 # Striking an array of cantilevers
 
-In section 3.6 the first cantilever of a resting array is struck, Eq. (28): it gets the velocity $V$ in
-metres per second, and a packet runs away from it. The run is that of the dimensionless chain
-(cantilever.hpp, impact.hpp); this file translates to and from SI units and watches the packet pass a given
-cantilever. */
+In section 3.6 the first cantilever of a resting array is struck, Eq. (28), and a packet runs away from it. The run is
+that of the dimensionless chain (cantilever.hpp, impact.hpp); this file translates to and from SI units and watches the
+packet pass a given cantilever. */
 
 #include <cstddef>
 #include <stdexcept>
@@ -48,9 +47,8 @@ struct Watched {
   std::vector<double> t, force, v, y;
 };
 
-/**
-The article quotes what the packet does at cantilever 80, in SI units: the largest push, velocity and
-deflection, and the internal period. To these we add the time of the strongest push, its arrival. */
+/// The largest push, velocity and deflection of a watched cantilever, the internal period, and the time of the strongest
+/// push, its arrival.
 struct Pulse {
   double arrival, force, velocity, deflection, period;  ///< s, N, m/s, m, s
 };
@@ -58,30 +56,23 @@ struct Pulse {
 /// The pulse at a watched cantilever; throws NoPacket if the packet did not pass it.
 Pulse pulse_of(const Watched& w, const Scales& s);
 
-/**
-One run of the homogeneous array gives both what one cantilever does and how the packet moves.
-
-`pass` makes the run up to a time `until` in ms and watches site `n`, counted from one, where every sample
-is kept, since maxima are read from them. */
+/// How the packet moves, and every sample of one cantilever.
 struct WatchedRun : ImpactRun {
   Watched at{};
 };
 
-/// The run with steps and samples of `r`. Throws FarEndReached like every impact.
+/// The run of the homogeneous array up to `until` ms, with steps and samples of `r`, watched at site `n`, counted from
+/// one. Throws FarEndReached like every impact.
 WatchedRun pass(const StruckArray& blow, std::size_t n, double until, const RunResolution& r);
 
-/**
-The article quotes a speed in sites per second and does not say how it was measured. One reading is a mean:
-`n` over the time at which the packet is strongest at site `n`, where the run was watched. */
+/// Sites per second: `n` over the time at which the packet is strongest at site `n`, where the run was watched.
 double mean_speed(const WatchedRun& run, const StruckArray& blow, std::size_t n);
 
 /// How long, in ms, the packet's force at the watched contact is above `threshold` times its maximum.
 double duration_above(const WatchedRun& run, const StruckArray& blow, double threshold);
 
-/**
-Figure 24 is a map of forces in space and time, and a map of snapshots would miss most of the short
-pushes. So `strongest_forces` gives the strongest push, in newtons, of each contact within each of `bins`
-equal times until `end` (in ms): entry `bin * contacts + n`. */
+/// The strongest push, in newtons, of each contact within each of `bins` equal times until `end` (in ms), entry
+/// `bin * contacts + n`: a map of snapshots would miss most of the short pushes.
 std::vector<double> strongest_forces(const StruckArray& blow, double ratio, double end,
                                      std::size_t bins);
 

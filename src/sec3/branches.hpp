@@ -2,8 +2,8 @@
 /**
 # Branches from rest to a fold
 
-A family of breathers is a branch of periodic orbits. Section 3.2 says of it that it bifurcates from the chain
-at rest and that some quantities grow along it; in soft wells it turns back. */
+A family of breathers is a branch of periodic orbits. It bifurcates from the chain at rest, some quantities grow along
+it, and in soft wells it turns back. */
 
 #include <cmath>
 #include <cstddef>
@@ -20,10 +20,8 @@ inline Estimate fold_of(const Shooting<double>& problem, const Orbit<double>& st
   return fold_of({problem, along_omega<double>(), start, 1, {}, {.first = 0.05, .most = 0.2}});
 }
 
-/**
-At a bifurcation from the chain at rest the amplitude vanishes as $\omega_b \to 1$, and by Eq. (20) like
-$(\omega_b-1)^2$. So we take the exponent between two frequencies close to one, and its change from a pair of
-frequencies farther away is its error. A breather that begins at a finite amplitude has the exponent zero. */
+/// The exponent of the amplitude in omega_b - 1 between two breathers: two near a bifurcation from rest, by Eq. (20),
+/// zero where a family begins at a finite amplitude.
 inline double growth_exponent(const Orbit<double>& lower, const Orbit<double>& upper) {
   return std::log(upper.amplitude / lower.amplitude) /
          std::log((upper.omega - 1) / (lower.omega - 1));
@@ -39,10 +37,8 @@ inline Estimate least_ratio(const std::vector<Estimate>& values) {
   return least;
 }
 
-/**
-A curve that crosses zero again and again does not increase from point to point, but it may do so as a whole. Then
-its *arches*, the pieces between two changes of sign, become higher and higher, and it ends at its highest point.
-An arch is as high as the largest of its values; a curve of one arch has to increase from point to point. */
+/// Does a curve that crosses zero again and again increase as a whole? Its arches, the pieces between two changes of
+/// sign, are as high as the largest of their values; a curve of one arch has to increase from point to point.
 struct Arches {
   Estimate growth;  ///< least ratio of an arch to the one before, or of a single arch's values
   Estimate end_over_before;  ///< the last value over the highest before it

@@ -2,10 +2,9 @@
 /**
 # A breather of any chain
 
-A reader names a chain once, by a few beads in the middle, and the breather decides how long it has to be. Its
-contacts may have any exponent above one and be compressed, its masses and stiffnesses differ from bead to bead.
-What the ansatz does not know is reached on a path at fixed frequency (other_chains.hpp), which begins at the
-breather of equal beads between contacts that are not compressed. */
+A reader names a chain by a few beads in the middle, and the breather decides how long it has to be. Contacts may have
+any exponent above one and be compressed, masses and stiffnesses differ. What the ansatz does not know is reached on a
+path at fixed frequency (other_chains.hpp) from the breather of equal beads between contacts that are not compressed. */
 
 #include <cstddef>
 #include <stdexcept>

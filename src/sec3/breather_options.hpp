@@ -2,9 +2,8 @@
 /**
 # Choosing a breather on the command line
 
-A breather is named by its centre, its frequency, the well of the beads and, around a bond, the phase at
-$t = 0$; how many sites it needs follows from that. If the reader names a chain length as well, it is taken or
-refused with the reason. Contacts may be others than those of the article, and beads of different masses. */
+A breather is named by its centre, its frequency, the well of the beads and, around a bond, the phase at $t = 0$. It
+decides how many sites it needs; a chain length that the reader names is taken or refused with the reason. */
 
 #include <string>
 
@@ -68,8 +67,6 @@ struct ChosenBreather {
   void add_masses(Parameters& p);
 };
 
-/**
-What comes from a chain that does not fit is a complaint about `--sites`. */
 /// `make()`; throws UsageError for a length of the wrong parity or too short for the tail, and for a frequency in the
 /// band of the chain.
 template <class Make>
@@ -100,9 +97,7 @@ inline Fitted find_chosen(const ChosenBreather& chosen, double precision) {
   });
 }
 
-/**
-A chain of two masses has its centre in a bead of mass one. Around a bond it has no centre, nor has one with a single
-other bead. */
+// Neither a chain of two masses nor one with a single other bead is symmetric about a bond
 inline void ChosenBreather::add_masses(Parameters& p) {
   const Allowed range{0.1, 10};
   p.add("mass-ratio", mass_ratio, "mass of every second bead, those next to the centre", range);

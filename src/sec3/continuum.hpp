@@ -2,8 +2,7 @@
 /**
 # How good the quasi-continuum profile is
 
-Two chapters of section 3.2 compare the stationary DpS breather, the limit of a small breather of the chain, with
-its quasi-continuum profile: by the largest difference over the sites, relative to the largest displacement. */
+Beside the stationary DpS breather, the limit of a small breather of the chain. */
 
 #include <cmath>
 #include <cstddef>
