@@ -14,8 +14,8 @@ linearises the discrete p-Schrödinger (DpS) equation about both, and says that
 `profile_site_mu1` and `_mu10`, `imag` against `real` from the tables `spectrum_site_mu1` and `_mu10`, and `rate` and
 `line` of `growth` against `mu`.](fig:09)
 
-All four hold, but narrowly. The two verdicts of the linear theory hang on the sixth digit of one number, and noise of
-that amplitude may carry the stable breather away, too: it depends on what "amplitude" means, which is not said. */
+All four hold, but narrowly: the two verdicts of the linear theory hang on the sixth digit of one number, and noise of
+that amplitude may carry the stable breather away, too, depending on what "amplitude" means. */
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -124,10 +124,9 @@ DpsRun follow(Centre centre, Field v, double time, Accuracy accuracy, const DpsL
 /**
 ## Both spectra (figures 8 and 9)
 
-Drawn as in the article, the two spectra look alike: a point at zero and two arcs on the imaginary axis. The difference
-is visible in the insets only, a pair a thousand times closer to zero than the rest. It is real around a site and
-imaginary around a bond, at both frequencies. The error of each exponent is its change from double to extended precision
-(a mantissa of 64 bits).
+The two spectra look alike: a point at zero and two arcs on the imaginary axis. They differ in a pair a thousand times
+closer to zero than the rest, visible in the insets, which is real around a site and imaginary around a bond. The error
+of each exponent is its change from double to extended precision (a mantissa of 64 bits).
 
 ![The bond-centred breather and its spectrum: all exponents are imaginary. Drawn by fig08_bond_spectrum.py in the same
 way.](fig:08) */
@@ -172,12 +171,11 @@ oppose each other in $u$, and of all eigenvectors of such a chain the one whose 
 largest eigenvalue (Perron–Frobenius, spectrum.hpp). So with $m_2$ the second largest, a breather is spectrally stable
 if and only if $m_2 \le \frac23\mu$. The sign of the *margin* $m_2/\mu-\frac23$ is the whole verdict.
 
-Both margins are five millionths, opposite in sign and equal to four digits. No other eigenvalue is near the edge. A
-verdict that hangs on the sixth digit needs a safe error. We add two changes: from double to quadruple precision, and
-from the chain to one ten sites longer. In quadruple precision $m_2$ is found by another method, bisection on the number
-of eigenvalues above a bound, counted by the signs of pivots (`margin_of`, spectrum.hpp). The run stops if it disagrees
-with Eigen's. What does reverse either verdict is a wrong profile: a relative error of $10^{-4}$ in one strain is enough
-(tests/dps_spectrum.cpp).
+Both margins are five millionths, opposite in sign and equal to four digits. No other eigenvalue is near the edge. The
+error adds two changes: from double to quadruple precision, and from the chain to one ten sites longer. In quadruple
+precision $m_2$ is found by another method, bisection on the number of eigenvalues above a bound, counted by the signs
+of pivots (`margin_of`, spectrum.hpp). The run stops if it disagrees with Eigen's. What does reverse either verdict is a
+wrong profile: a relative error of $10^{-4}$ in one strain is enough (tests/dps_spectrum.cpp).
 
 ![The second eigenvalue of both breathers sits on the edge of instability; what follows in time. Drawn by
 x06_edge_of_instability.py: `m` of `contacts_site` and `contacts_bond` against `k`, then what `paths` and `trials`
@@ -185,9 +183,8 @@ hold.](fig:x06)
 
 Why are they equally far from it, on opposite sides? Both breathers are extrema of one potential for the centre, of the
 period of the chain. If it is a sine, its curvatures at maximum and minimum are opposite and equal, and $\lambda^2$ is
-proportional to them. That both are tiny means that the potential is very flat: even the norms of the two differ by one
-part in a million only. Why it is so flat, and so nearly a sine, we cannot derive. With contacts of exponent two it is
-far less flat (exercise 2).
+proportional to them. That both are tiny means that the potential is very flat; why it is so flat, and so nearly a sine,
+we cannot derive.
 
 | at $\mu = 1$ | article | around a site | around a bond |
 |---|---|---|---|
@@ -223,8 +220,8 @@ void report_margins(Report& report) {
 ## The growth rate is linear in $\mu$ (figure 9, bottom)
 
 If $v_n(t)$ solves Eq. (11), so does $\mu^2v_n(\mu t)$. Hence $\lambda/\mu$ is a pure number. Neither Newton's method
-nor the matrix uses this law, so it tests both: we compute $\lambda$ anew at frequencies over six decades. The real pair
-is there at each of them, and $\lambda/\mu$ varies by no more than rounding (*linearity* in the next table). */
+nor the matrix uses this law, so it tests both: over six decades of $\mu$ the real pair is there, and $\lambda/\mu$
+varies by no more than rounding (*linearity* in the next table). */
 void report_growth(Report& report) {
   std::vector<double> mus{1e-3, 1e-2, 0.1};
   for (int k = 1; k <= 20; ++k) mus.push_back(0.5 * k);
@@ -279,9 +276,9 @@ Estimate rate_of_matrix(const PinnedBreather& breather) {
 
 /**
 **The full matrix.** The article computes the exponents from a matrix of $2N$ rows, without splitting it (`remainders`,
-spectrum.hpp). It agrees on the pair near zero to $10^{-13}$ in double precision. It also shows a trap: the double zero
-of the phase has only one eigenvector, so an error $\delta$ of the matrix moves the two zeros by $\sqrt\delta$, along
-either axis. A small real pair is evidence of an instability only if it is far larger than that, as it is here.
+spectrum.hpp). It agrees on the pair near zero to $10^{-13}$. It also shows a trap: the double zero of the phase has
+only one eigenvector, so an error $\delta$ of the matrix moves the two zeros by $\sqrt\delta$, along either axis. A
+small real pair is evidence of an instability only if it is far larger than that, as it is here.
 
 | quantity | article | here |
 |---|---|---|
@@ -311,10 +308,9 @@ void report_rates(Report& report, const PinnedBreather& site) {
 The article perturbs the site-centred breather of $\mu = 10$ once, "uniformly distributed" and "of amplitude 0.01". So
 we must choose. As $v_n$ is complex, our *main* reading adds $0.01(\xi_n+i\eta_n)$ to every site, with $\xi_n$ and
 $\eta_n$ uniform in $(-1,1)$. In the *narrow* reading they are uniform in $(-\frac12,\frac12)$, so that 0.01 is the
-whole width. Numbers between 0 and 1, as many generators return them, have the same effect, since the contacts do not
-feel a constant that is added to all $v_n$. Real noise, and noise proportional to $u_n$, are two more. One run is an
-accident, so each reading gets sixteen seeds or six. In the last two readings a breather waits longer, so these runs are
-longer. */
+whole width; numbers between 0 and 1 have the same effect, since the contacts do not feel a constant that is added to
+all $v_n$. Real noise, and noise proportional to $u_n$, are two more, under which a breather waits longer. One run is an
+accident, so each reading gets sixteen seeds or six. */
 struct Group {
   const char *reading, *start;  // of the noise; site, bond, or control
   const PinnedBreather& breather;
@@ -379,10 +375,10 @@ void report_map(Report& report, const Group& group) {
 /**
 ## How many leave, and under which noise?
 
-A breather has *left* when its centre is half a site away, $|X| > \frac12$. It has *moved* when it passes the
-neighbouring site, $|X| > 1$: one that only falls into the minimum beside it swings back before. The time of departure
-is that of $|X| = \frac12$; a breather that does not leave departs infinitely late, so a median is not biased by the end
-of the runs. A count has an error unless both tolerances give the same; here they always do. */
+A breather has *left* when its centre is half a site away, $|X| > \frac12$, its time of departure. It has *moved* when it
+passes the neighbouring site, $|X| > 1$: one that only falls into the minimum beside it swings back before. A breather
+that does not leave departs infinitely late, so a median is not biased by the end of the runs. A count has an error
+unless both tolerances give the same; here they always do. */
 void run_trials(std::vector<Group>& groups, bool quick) {
   std::vector<std::pair<const Group*, NoiseTrial*>> all;
   for (Group& group : groups) {
@@ -405,13 +401,12 @@ const NoiseTrials& trials_of(const std::vector<Group>& groups, const std::string
 }
 
 /**
-In the main reading every site-centred breather moves. Its control departs later for every seed; the median of the
-ratios of both times is [3.80](num:sec33_dps_stability.controls_delay). So it is the projection on the growing direction
-that moves the breather, as the article says. But under the same noise five of sixteen *stable* breathers move as well.
-Noise of half that size, the narrow reading, separates the two: all sixteen leave a site and none leaves a bond. Real
-noise separates them, too, although it is slow, and some breathers only fall into the minimum beside their site. Noise
-that is proportional to $u_n$ drives all from a site and most from a bond. (The errors are those of the runs, from two
-tolerances. That of a sample of six or sixteen comes on top.)
+In the main reading every site-centred breather moves. Its control departs later for every seed; the ratio of the
+median times is [3.80](num:sec33_dps_stability.controls_delay). So it is the projection on the growing direction that
+moves the breather, as the article says. But under the same noise five of sixteen *stable* breathers move as well. The
+narrow reading separates the two: all sixteen leave a site and none leaves a bond. So does real noise, although it is
+slow, and some breathers only fall into the minimum beside their site. Noise proportional to $u_n$ drives all from a
+site and most from a bond. (The errors are those of the runs; that of a sample of six or sixteen comes on top.)
 
 | noise, its largest part | runs of each | from a site moved | median departure | from a bond left | counted by $t$ |
 |---|---|---|---|---|---|
@@ -422,8 +417,8 @@ tolerances. That of a sample of six or sixteen comes on top.)
 | real, 0.01 | [6](num:sec33_dps_stability.seeds_real_site) | [3](num:sec33_dps_stability.moved_real_site) | [516.19 ± 0.02](num:sec33_dps_stability.departure_real_site) | [0](num:sec33_dps_stability.left_real_bond) | 750 |
 | $0.01\,u_n$ | [6](num:sec33_dps_stability.seeds_relative_bond) | [6](num:sec33_dps_stability.moved_relative_site) | | [5](num:sec33_dps_stability.left_relative_bond) | 750 |
 
-Does the structure last? The number of sites on which a breather lives is $(\sum|v_n|^2)^2/\sum|v_n|^4$. Around a bond
-it grows by no more than the factor [1.0112](num:sec33_dps_stability.bond_robust_spread), under any of these noises. */
+Does the structure last? Around a bond the number of sites on which a breather lives, $(\sum|v_n|^2)^2/\sum|v_n|^4$,
+grows by no more than the factor [1.0112](num:sec33_dps_stability.bond_robust_spread), under any of these noises. */
 void report_counts(Report& report, const std::vector<Group>& groups) {
   // One noise for both breathers
   const auto &site = trials_of(groups, "_narrow_site"), &bond = trials_of(groups, "_narrow_bond");
@@ -502,10 +497,9 @@ Estimate depinning_push(const PinnedBreather& bond, int halvings) {
 
 /**
 The threshold is two per cent above that of the pendulum. Whether the push exceeds it tells the fate of all sixteen
-bond-centred breathers, wherever within its error the threshold lies. Figure x06 shows both this and, for the
-site-centred ones, that the growing part of the noise tells when each departs. All this needs norm and energy: a run
-stops if either drifts by more than $3\cdot10^{-8}$, a twentieth of what the push at the threshold adds to them. (In the
-finer runs the energy keeps eleven digits, column `energy_drift` of the tables of trials.)
+bond-centred breathers, and the growing part of the noise tells when each site-centred one departs (figure x06). All
+this needs norm and energy: a run stops if either drifts by more than $3\cdot10^{-8}$, a twentieth of what the push at
+the threshold adds to them.
 
 | quantity at $\mu = 10$ | here |
 |---|---|
@@ -535,9 +529,8 @@ void report_pendulum(Report& report, const std::vector<Group>& groups, const Pin
 }
 
 /**
-Figure x06 shows the runs of the main reading one by one; an event that does not happen within 500 units of time is
-`nan`. A breather that stays trembles faster than it is sampled, so its largest distance is known only to a thousandth
-of a site. That is enough: the question is whether it passes a whole one. */
+Figure x06 shows the runs of the main reading one by one. A breather that stays trembles faster than it is sampled, so
+its largest distance is known only to a thousandth of a site. */
 void report_trials(Report& report, const Group& group, const PinnedBreather& site) {
   const std::string time = "unit of time", nan = "; nan where it does not happen";
   Table& table = report.table(
@@ -577,14 +570,13 @@ void report_trials(Report& report, const Group& group, const PinnedBreather& sit
 
 The first three statements hold as printed. The fourth rests on simulations that the article does not show. We confirm
 it in this sense: under all noise that we tried the bond-centred breather stays whole, and under noise of width 0.01 it
-also keeps its place, whereas the site-centred one loses it. If figure 10 has noise of twice that width, it may lose its
-place, too. This does not contradict the article, which prints neither the distribution nor those runs. And a stable
-breather that a strong push carries to the next bond is still a stable breather.
+also keeps its place, whereas the site-centred one loses it. Under noise of twice that width it may lose its place, too.
+This does not contradict the article, and a stable breather that a push carries to the next bond is still stable.
 
 Sixteen seeds are few. In a longer test of the narrow reading, run once with 48 seeds (a number in
 `groups_under_noise`), all site-centred breathers left by $t = 500$, and one bond-centred one in ten times that time. A
 second program with a generator of its own (not part of this repository) counted 48 and none, and with 1000 seeds 25
-that left a bond by $t = 500$. How far a breather comes in the end we did not follow. */
+that left a bond by $t = 500$. */
 void reproduce(Report& report) {
   report.output.note(
       "seed", "GSL mt19937, seeds in the tables of trials; map: " + std::to_string(map_seed));
@@ -607,27 +599,21 @@ void reproduce(Report& report) {
 /**
 ## Try it
 
-**To change it.** Another noise is a line of `groups_under_noise`, another perturbation is `perturbed`, another quantity
-to observe a line in `observe` of `follow`. Another contact law changes
-`contact_eigenvalues` and the factor 1.5 of `exponent`. The figures read columns by name.
+**To change it.** Another noise is a line of `groups_under_noise`, another perturbation is `perturbed`. Another contact
+law changes `contact_eigenvalues` and the factor 1.5 of `exponent`.
 
-1. *Easy.* Scale invariance makes DpS breathers of all frequencies alike. In the chain this holds in the limit
-   $\omega_b\to1$: `build/bin/sec32_barrier barrier --omega 1.001` gives `equal_frequency` = 1.164686e-18, and
-   `build/bin/sec32_barrier barrier --omega 1.002` gives `equal_frequency` = 1.658345e-17.
-   Hint: energies of size $\epsilon^2$ go like $(\omega_b-1)^4$. By which factor should the barrier grow, and how large
-   is what is missing?
+1. *Easy.* DpS breathers of all frequencies are alike. In the chain this holds in the limit $\omega_b\to1$:
+   `build/bin/sec32_barrier barrier --omega 1.001` gives `equal_frequency` = 1.164686e-18, and
+   `build/bin/sec32_barrier barrier --omega 1.002` gives `equal_frequency` = 1.658345e-17. Hint: energies of size
+   $\epsilon^2$ go like $(\omega_b-1)^4$. By which factor should the barrier grow?
 2. *Harder.* How flat is the potential, and is that due to the exponent $3/2$?
    `build/bin/sec32_newton_breathers breather --omega 1.001` gives `energy` = 9.820924e-13, with contacts of exponent
    two `build/bin/sec32_newton_breathers breather --omega 1.001 --contact power --alpha 2` gives `energy` = 7.443482e-7,
    and `build/bin/sec32_barrier barrier --omega 1.001 --contact power --alpha 2` gives `equal_frequency` = 5.924102e-10.
    Hint: compare barrier over energy with that of the first exercise, and `spectrum --alpha 2` with `spectrum`.
-3. *Open.* The margins are opposite to four digits. Is the potential a sine to that accuracy, and how does it look
-   between site and bond?
-4. *Open.* At no exponent from 1.1 to 4 that we tried is the margin zero (`secB_other_numbers`). Do breathers move more
+3. *Open.* At no exponent from 1.1 to 4 that we tried is the margin zero (`secB_other_numbers`). Do breathers move more
    freely where it is small, `--alpha 1.2`?
-5. *Open.* How does a breather that noise has depinned lose its speed in the end, and to what?
-
-## With your own parameters
+4. *Open.* How does a breather that noise has depinned lose its speed in the end, and to what?
 
 `sec33_dps_stability spectrum --centre bond --mu 1 --sites 32` prints all exponents, two for each site
 (one_spectrum.hpp). */

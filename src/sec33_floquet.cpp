@@ -17,9 +17,9 @@ to $+1$ that the breathers are almost free to move. It says that
 and `excess`, and those of the partner, against `s`, from `bond_against_s`.](fig:11)
 
 At $\omega_b = 1.1$ and in the linear well all of this holds except the two values of $s_0$: we find both at
-$s = 0.1525$. These numbers are hard to get. Two
-multipliers are exactly $+1$ for every breather, with one eigenvector between them, so that an error $\eta$ of the
-matrix splits them by $\sqrt\eta$: an error of $10^{-8}$ becomes $10^{-4}$, as much as the instability itself.
+$s = 0.1525$. These numbers are hard to get. Two multipliers are exactly $+1$ for every breather, with one eigenvector
+between them, so that an error $\eta$ of the matrix splits them by $\sqrt\eta$: an error of $10^{-8}$ becomes
+$10^{-4}$, as much as the instability itself.
 
 ## Model
 
@@ -57,10 +57,10 @@ using namespace lattice;
 
 Half a period of the flow and of its derivative, and the eigenvalues of $K$: first for one breather, then for those
 along a line of wells or frequencies. `problem_at` is a chain in wells of anharmonicity `s` with the equations that a
-breather has to fulfil after a quarter (site) or half (bond) of its period;
-`find_breather` solves them by Newton's method from the profile of Eqs. (18) to (20), `follow` from the positions of a
-neighbouring breather. The flow takes steps of variable length and order, to a tolerance of 128 roundings of the number
-type, and ends one at every contact event. `pairs_of(K, f)` leaves out the direction of `f` and calls Eigen. */
+breather has to fulfil after a quarter (site) or half (bond) of its period; `find_breather` solves them by Newton's
+method from the profile of Eqs. (18) to (20), `follow` from a neighbouring breather. The flow takes steps of variable
+length and order, to a tolerance of 128 roundings of the number type, and ends one at every contact event.
+`pairs_of(K, f)` leaves out the direction of `f` and calls Eigen. */
 constexpr double omega_b = 1.1;
 
 /// All pairs of multipliers of a breather but that of a shift in time, the nearest to +1 first.
@@ -120,52 +120,42 @@ The error of $\kappa$ is the difference of the two computations plus the amount 
 pair counts as off the circle if it leaves it by more than its error. The program stops with an error if Newton's method
 does not converge, or if $F$ does not take a shift in time to a shift in time.
 
-## All multipliers at $\omega_b = 1.1$
+## Four multipliers near $+1$
 
-Does the spectrum look as described? We take the article's chains of 31 and 32 sites, and ten sites more for the error.
-(All else is computed on 21 and 22 sites; the bead that is missing at their ends would be pushed by less than rounding.)
-Four multipliers lie near $+1$. The fifth is a thousand times farther away, and no other pair leaves the unit circle.
-The table `multipliers` has them all, with the two of the shift in time, which are exact.
+On the article's chain of 31 sites, and on ten sites more for the error, four multipliers lie near $+1$; the fifth is a
+thousand times farther away. (All else is computed on 21 and 22 sites; the bead that is missing at their ends would be
+pushed by less than rounding.)
 
 | distance from $+1$ at $s = 0$ | article | around a site |
 |---|---|---|
 | fourth multiplier | close to it | [0.000214282 ± 1e-9](num:sec33_floquet.fourth_distance) |
 | fifth multiplier | | [0.229543 ± 2e-12](num:sec33_floquet.fifth_distance) | */
-std::string name_of(Centre centre) {
-  return centre == Centre::bond ? "bond" : "site";
-}
-
 void report_spectrum(Report& report) {
-  const Column bond = count("bond", "1 around a bond, 0 around a site");
-  Table& table = report.table("multipliers", {multiplier_columns(), bond});
-  const auto spectrum_with = [](Centre centre, std::size_t more_sites) {
-    const auto problem = problem_at(centre, {}, more_sites);
-    return stability<double>(problem, find_breather(problem));
+  const auto around_site = [](std::size_t more) {
+    const auto problem = problem_at(Centre::site, {omega_b, 0, more});
+    return stability<double>(problem, find_breather(problem)).pairs;
   };
-  for (Centre centre : both_centres) {
-    const Spectrum all = spectrum_with(centre, 10);
-    for (const auto& [z, error] : multipliers_of(all))
-      table.add({z.real(), z.imag(), std::abs(z), std::arg(z), error, centre == Centre::bond});
-    if (centre == Centre::bond) continue;
-    const Spectrum longer = spectrum_with(centre, 20);
-    const auto distance = [&](std::size_t k) {
-      const Estimate here = from_one(all.pairs[k]), there = from_one(longer.pairs[k]);
-      return Estimate{here.value, here.error + std::abs(there.value - here.value)};
-    };
-    report.facts.add("fourth_distance", distance(0));
-    report.facts.add("fifth_distance", distance(1));
-  }
+  const std::vector<Pair> pairs = around_site(10), longer = around_site(20);
+  const auto distance = [&](std::size_t k) {
+    const Estimate here = from_one(pairs[k]), there = from_one(longer[k]);
+    return Estimate{here.value, here.error + std::abs(there.value - here.value)};
+  };
+  report.facts.add("fourth_distance", distance(0));
+  report.facts.add("fifth_distance", distance(1));
 }
 
 /**
 ## The four multipliers against $s$ (figures 11 and 12)
 
-Each breather is found in a well in the middle and followed from there to $s = -1$ and to $s = 1$. The sign of $\kappa$
-says what a figure of moduli and arguments must show: a pair on the circle has modulus one exactly, a pair on the real
-axis argument zero. Near an exchange of stability the multipliers leave $+1$ like square roots, so the wells are denser
-there.
+Each breather is found in a well in the middle and followed from there to $s = -1$ and to $s = 1$. A pair on the circle
+has modulus one exactly, a pair on the real axis argument zero. Near an exchange of stability the multipliers leave $+1$
+like square roots, so the wells are denser there.
 
 ![The same around a site. The table is `site_against_s`.](fig:12) */
+std::string name_of(Centre centre) {
+  return centre == Centre::bond ? "bond" : "site";
+}
+
 std::array<std::vector<StabilityAt>, 2> report_wells(Report& report) {
   std::vector<double> wells;
   for (int steps = report.quick ? 4 : 40, k = -steps; k <= steps; ++k)
@@ -176,7 +166,7 @@ std::array<std::vector<StabilityAt>, 2> report_wells(Report& report) {
 
   // Pinning pair and largest modulus, well by well
   Estimate largest{};
-  int off_circle = 0;
+  int off = 0;
   std::array<std::vector<StabilityAt>, 2> lines;
   for (Centre centre : both_centres) {
     Table& table =
@@ -197,12 +187,12 @@ std::array<std::vector<StabilityAt>, 2> report_wells(Report& report) {
       const double rate = 2 * std::asinh(std::sqrt(std::max(0.0, kappa)));
       table.add({at.spot.s, at.kappa(), angle, -angle, std::expm1(rate), std::expm1(-rate),
                  at.pairs.front().multiplier_error(), at.largest_modulus()});
-      off_circle += off_circle(at.pairs);
+      off += off_circle(at.pairs);
       largest = larger(largest, excess(at.pairs));
     }
   }
   report.facts.add("largest_excess", largest);
-  report.facts.add("others_off_circle", exact(off_circle));
+  report.facts.add("others_off_circle", exact(off));
   return lines;
 }
 
@@ -246,12 +236,11 @@ std::array<Exchange, 2> report_exchange(Report& report) {
 }
 
 /**
-Could one cause move the exchange around a site to 0.05 and that around a bond to 0.26? To read an exchange from
-computed moduli one must say how far beyond one a multiplier counts as off the circle. Any such threshold $\theta$ ends
-the instability too early around a site and begins it too late around a bond. A range of $\theta$ gives both numbers as
-they are printed, with two decimals. The article names no threshold, so this is a possible cause and no more. Another
-one are errors of the flow: variational equations that do not locate contact events pull one exchange apart into two,
-with a gap of the printed size (`sec33_multiplier_errors`).
+Could one cause move the exchange around a site to 0.05 and that around a bond to 0.26? If a multiplier counts as off
+the circle only beyond some threshold $\theta$, the instability seems to end too early around a site and to begin too
+late around a bond, and a range of $\theta$ gives both printed numbers. The article names no threshold, so this is a
+possible cause and no more. Another one is the flow: variational equations that do not locate contact events pull one
+exchange apart into two, with a gap of the printed size (`sec33_multiplier_errors`).
 
 | quantity | article | here |
 |---|---|---|
@@ -285,12 +274,12 @@ one, in which the pair of the shift in time does not occur; the error of this ro
 The independent route is a program with another integrator (`tests/second`): it finds the same $\kappa$ and both $s_0$
 to seven digits and six. */
 void report_harmonic(Report& report) {
-  int off_circle = 0;
+  int off = 0;
   for (Centre centre : both_centres) {
     const auto problem = problem_at(centre, {});
     const Orbit<double> orbit = find_breather(problem);
     const Spectrum all = stability<Wide>(problem, orbit);
-    off_circle += off_circle(all.pairs);
+    off += off_circle(all.pairs);
     report.facts.add("kappa_" + name_of(centre), all.kappa());
     if (centre == Centre::site) report.facts.add("excess_site", from_one(all.pairs.front()));
 
@@ -299,15 +288,15 @@ void report_harmonic(Report& report) {
     report.facts.add("kappa_by_symmetry_" + name_of(centre),
                      compare(all.kappa().value, pinning_by_symmetry(half, centre)));
   }
-  report.facts.add("harmonic_off_circle", exact(off_circle));
+  report.facts.add("harmonic_off_circle", exact(off));
 }
 
 /**
-The article's conclusion says that the stability depends on the strength and the sign of the anharmonicity. It does. In
-weakly anharmonic wells of either sign the verdict is that of the linear well. A stronger anharmonicity reverses it if
-it is hard, and not if it is soft, down to $s = -1$. At $s = 0$ the two values are opposite and nearly equal, like the
-curvatures of a sine at its top and its bottom. No multiplier of these breathers exceeds one by more than
-[0.000583922](num:sec33_floquet.largest_excess), less than the $10^{-3}$ of the article's conclusion.
+The article's conclusion says that the stability depends on the strength and the sign of the anharmonicity. It does: a
+strong one reverses the verdict of the linear well if it is hard, and not if it is soft, down to $s = -1$. At $s = 0$
+the two values are opposite and nearly equal, like the curvatures of a sine at its top and its bottom. No multiplier of
+these breathers exceeds one by more than [0.000583922](num:sec33_floquet.largest_excess), less than the $10^{-3}$ of the
+article's conclusion.
 
 | $\kappa$ of the pinning pair | around a site | around a bond |
 |---|---|---|
@@ -327,15 +316,15 @@ void report_strength(Report& report) {
 }
 
 /**
-## Four near $+1$ and the others on the circle: on two lines
+## Four near $+1$, the others on the circle: on two lines
 
-The article computed spectra for values of $\omega_b$ in $(1,2]$ and of $s$ in $[-1,1]$ that it does not list, and finds
-this structure always. We look at $\omega_b = 1.1$, where it shows multipliers, in all wells, and at the frequencies
-from 1.01 to 2 in the linear well. On these two lines it holds: the fourth multiplier is near $+1$ and far nearer than
-the fifth, the others are on the circle, and ten more sites add twenty multipliers at $e^{\pm2\pi i/\omega_b}$ (to
-$10^{-4}$ in $\kappa$, because the tail still reaches the first new bead; tried in three wells and at every thirteenth
-frequency). Elsewhere it need not: in the hard well $s = 1$ the pinning pair of the bond-centred breather leaves the
-neighbourhood of $+1$ towards $\omega_b = 2$. `sec33_between` looks at the whole plane.
+The article finds this structure always, for values of $\omega_b$ in $(1,2]$ and of $s$ in $[-1,1]$ that it does not
+list. We look at $\omega_b = 1.1$ in all wells, and at the frequencies from 1.01 to 2 in the linear well. On these two
+lines it holds: the fourth multiplier is far nearer to $+1$ than the fifth, the others are on the circle, and ten more
+sites add twenty multipliers at $e^{\pm2\pi i/\omega_b}$ (to $10^{-4}$ in $\kappa$, because the tail still reaches the
+first new bead; tried in three wells and at every thirteenth frequency). Elsewhere it need not: in the hard well $s = 1$
+the pinning pair of the bond-centred breather leaves $+1$ towards $\omega_b = 2$. `sec33_between` looks at the whole
+plane.
 
 | distance from $+1$ | on the two lines | at $\omega_b = 2$, $s = 1$, around a bond |
 |---|---|---|
@@ -383,10 +372,9 @@ void report_lines(Report& report, std::array<std::vector<StabilityAt>, 2> lines)
 /**
 ## The pinning mode and the gradient (figure 13)
 
-Which motion belongs to the pinning pair? The breather starts from rest, so the eigenvectors of $\lambda$ and
-$1/\lambda$ have the same displacements at $t = 0$ and opposite velocities. We compare these displacements with
-$y_{n+1}(0)-y_{n-1}(0)$, both of length one. (The article's $g_n$ divides by the sum of the squares, but an energy of
-$c^2/2$ needs the root of that sum.) The article calls the two very close; the angle between them is some ten degrees.
+The breather starts from rest, so the eigenvectors of $\lambda$ and $1/\lambda$ have the same displacements at $t = 0$
+and opposite velocities. We compare these displacements with $y_{n+1}(0)-y_{n-1}(0)$, both of length one. The article
+calls the two very close; the angle between them is some ten degrees.
 
 ![Pinning mode and discrete gradient. Drawn by fig13_pinning_mode.gp: `mode` and `gradient` against `n`, from
 `mode_bond` and `mode_site`.](fig:13)
@@ -422,12 +410,12 @@ void report_mode(Report& report) {
 /**
 ## Towards $\omega_b = 1$
 
-The site-centred breather of the DpS equation, of frequency $\mu$, is unstable at a rate of $0.00156\,\mu$ in slow time,
-whatever its size (`sec33_dps_stability`). By Eq. (20) a breather of the chain of size $\epsilon$ has
+The site-centred breather of the DpS equation, of frequency $\mu$, is unstable at a rate of $0.00156\,\mu$ in slow time
+(`sec33_dps_stability`). By Eq. (20) a breather of the chain of size $\epsilon$ has
 $\omega_b-1 = \epsilon^{1/2}/(2\tau_0)$. So if the same happens in the chain, $\ln\lambda/T_b = 0.00156\,(\omega_b-1)$:
 weaker by $O(\epsilon^{1/2})$, as the article says. The exponent is taken between $\omega_b-1 = 2\cdot10^{-4}$ and
-$10^{-4}$, with the change from the pair before as its error. $\kappa$ is so small there that extended precision is
-needed. The limit is approached slowly: at $\omega_b = 1.1$ the rate is only a quarter of it.
+$10^{-4}$ in extended precision, with the change from the pair before as its error. The limit is approached slowly: at
+$\omega_b = 1.1$ the rate is only a quarter of it.
 
 | quantity | article | here |
 |---|---|---|
@@ -467,11 +455,10 @@ void report_slow(Report& report) {
 /**
 ## Differences and limits
 
-The printed exchanges are discrepant. The verdict of the article at $s = 0$ survives, because there $\kappa$ is far
-enough from zero. All this holds at $\omega_b = 1.1$ in quartic wells and is no general rule: in the linear well the two
-breathers exchange their stability six times between $\omega_b = 1.003$ and 2, and next to an exchange a third breather,
-centred on neither site nor bond, may exist (`sec33_between`). Why the potential turns upside down just there is not
-known. */
+The printed exchanges are discrepant; the verdict of the article at $s = 0$ survives. All this holds at
+$\omega_b = 1.1$ in quartic wells and is no general rule: in the linear well the two breathers exchange their stability
+six times between $\omega_b = 1.003$ and 2, and next to an exchange a third breather, centred on neither site nor bond,
+may exist (`sec33_between`). Why the potential turns upside down just there is not known. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
   report_spectrum(report);
@@ -487,13 +474,11 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** Another line through frequencies and wells is a vector of `Spot` for `along`; another well, contact or
-mass is set where `problem_at` makes the chain (exchange.hpp). Instead of $K$ one may look at $M$ itself: it is `F` over
-the whole period, and Eigen has its eigenvalues. The figures read columns by name.
+mass is set where `problem_at` makes the chain (exchange.hpp).
 
 1. *Easy.* At a slightly higher frequency the exchange lies elsewhere:
-   `build/bin/sec33_floquet exchange --centre bond --omega 1.15` gives
-   `s0` = 0.018781, while at 1.05 the command finds none. Hint: on the chart of `sec33_between` the curves of exchange
-   are slanted, and cross $s = 0$ at six frequencies. To which of them does this curve lead?
+   `build/bin/sec33_floquet exchange --centre bond --omega 1.15` gives `s0` = 0.018781. Hint: the curves of exchange
+   (`sec33_between`) are slanted, and cross $s = 0$ at six frequencies. To which of them does this curve lead?
 2. *Harder.* Which breather is stable can be told without multipliers.
    `build/bin/sec32_barrier barrier --omega 1.1 --s 0.05` gives `equal_area` = -1.58248e-13, and
    `build/bin/sec32_barrier barrier --omega 1.1 --s 0.26` gives `equal_area` = 1.66492e-13.
@@ -501,10 +486,8 @@ the whole period, and Eigen has its eigenvalues. The figures read columns by nam
    (`sec33_mobility`). Does this agree with $\kappa$, and with the printed exchanges?
 3. *Open.* Near the ends of soft families other pairs leave the unit circle (`sec33_between`): by which collisions?
 
-## With your own parameters
-
-`sec33_floquet multipliers` prints all multipliers of one breather (multipliers.hpp), and `sec33_floquet exchange` the
-wells in which its pinning pair passes $+1$ (exchanges.hpp). */
+`sec33_floquet multipliers` prints all multipliers of one breather (multipliers.hpp), `sec33_floquet exchange` the wells
+in which its pinning pair passes $+1$ (exchanges.hpp). */
 int main(int argc, char** argv) {
   return run({"sec33_floquet", "3.3", "Stability of the breathers (section 3.3)", reproduce,
               commands<Multipliers, Exchanges>()},
