@@ -14,9 +14,8 @@ anharmonic wells; and that it is the smallest in units of the energy, too.
 
 The article compares the two breathers at equal frequency. A breather that drifts slowly along the chain keeps its
 action, not its frequency, so a moving breather meets the barrier at equal action; the article leaves it for its
-numerical difficulties. We compute both, with their signs. (In section 3.3 the article also reads a barrier of
-$1.92\cdot10^{-11}$ from the kick that frees a breather. That this is close to the one at equal frequency has a reason,
-and that they are not the same number, too: see `sec33_mobility`.)
+numerical difficulties. We compute both, with their signs. (The barrier of $1.92\cdot10^{-11}$ that the article reads
+from the kick that frees a breather is the subject of `sec33_mobility`.)
 
 ## Model
 
@@ -46,10 +45,10 @@ using namespace lattice;
 
 Newton's method finds both breathers of one frequency, around a site on 31 beads and around a bond on 32, as in
 sec32_newton_breathers.cpp, with steps of variable length and order that end at every contact event; energy and area are
-those of the orbit that it integrates. The two energies differ by the
-barrier at equal frequency. Then the frequency of the breather around a site is changed until its area is that of the
-other. Its derivatives along the family, `x_omega` and `energy_omega`, come from the same linear equations as Newton's
-steps. What is left of the difference in area becomes energy by $d\mathcal H = d\mathcal A/T_b$. */
+those of the orbit that it integrates. The two energies differ by the barrier at equal frequency. Then the frequency of
+the breather around a site is changed until its area is that of the other. Its derivatives along the family, `x_omega`
+and `energy_omega`, come from the same linear equations as Newton's steps. What is left of the difference in area
+becomes energy by $d\mathcal H = d\mathcal A/T_b$. */
 /// At one tolerance of the flow: 128 roundings of the type T, or 16 times that if `coarser`.
 template <class T>
 Measured<T> compare_breathers(const BreatherPair& pair, int coarser) {
@@ -103,9 +102,8 @@ void measure_barriers(BreatherPair& pair) {
 ## The barrier against frequency (figure 7)
 
 Both families are followed by arclength from $\omega_b = 1.005$ to 2 in steps of a sixtieth, in the soft well to 1.9,
-just before its folds, and in shorter steps from 1.8 on. The logarithmic scale of the figure hides what matters most:
-both barriers change their signs, and each of the dips is a zero. The table therefore keeps the signs.
-[](finding:barrier.signs)
+just before its folds, and in shorter steps from 1.8 on. Both barriers change their signs, and each of the dips of the
+figure is a zero; the table keeps the signs. [](finding:barrier.signs)
 
 Why does the barrier vanish at all? Along a family, $\mathcal L = \mathcal H-\omega_b\mathcal A/2\pi$ has the derivative
 $-\mathcal A/2\pi$, so that $\mathcal H = \mathcal L-\omega_b\,d\mathcal L/d\omega_b$. Between the two breathers of one
@@ -194,13 +192,10 @@ void report_zeros(Report& report, const Families& families) {
 /**
 ## Does it grow, and does it remain small?
 
-The modulus of the barrier does not increase with the amplitude everywhere, since it falls to nothing at each zero, but
-it does on the whole: in all three wells each arch between two zeros is higher than the one before, and the largest
-barrier is the last one. The article does not say whether it means the curves as a whole or every frequency.
-
-Whether the barrier remains very small depends on the well, and on where one stops. It does in the soft and in the
-linear well. In the hard one it does not, if its branch is followed to $\omega_b = 2$; the article does not say how far
-it goes.
+The modulus of the barrier falls to nothing at each zero, but it increases on the whole: in all three wells each arch
+between two zeros is higher than the one before, and the largest barrier is the last one. It remains very small in the
+soft and in the linear well. In the hard one it does not, if its branch is followed to $\omega_b = 2$; the article does
+not say how far it goes.
 
 | quantity | article | soft well | linear well | hard well |
 |---|---|---|---|---|
@@ -238,11 +233,10 @@ void report_growth(Report& report, const Families& families) {
 /**
 ## Is the linear well's barrier the smallest in units of the energy?
 
-The article says so after its comparison at $1.3$, of a figure that shows the whole curves. On the average over the
-frequencies that all three wells share it is (`pn.ratio_smallest`), and at the upper ends of the curves too. Frequency
-by frequency, which is more than the sentence says, it is not: next to each zero of the soft barrier the ratio of the
-soft well is smaller by any factor, and towards $\omega_b = 1$ the three agree. The error of a mean is its difference
-from the mean over every second frequency.
+The article says so of a figure that shows the whole curves. On the average over the frequencies that all three wells
+share it is (`pn.ratio_smallest`), and at the upper ends of the curves too. Frequency by frequency, which is more than
+the sentence says, it is not: next to each zero of the soft barrier the ratio of the soft well is smaller by any factor,
+and towards $\omega_b = 1$ the three agree. The error of a mean is its difference from that over every second frequency.
 
 | barrier over energy | soft well | linear well | hard well |
 |---|---|---|---|
@@ -342,9 +336,9 @@ void report_limit(Report& report, const BreatherPair& limit) {
 /**
 ## Three to four orders at 1.3
 
-At $1.3$ the soft and the hard barrier exceed the linear one by as much as printed. But this says little, because 1.3 is
-next to a zero of the linear barrier, at which the ratio is infinite. At the neighbouring pairs of the table, a sixtieth
-below and above, the soft barrier is only ten to twenty times larger.
+At $1.3$ the soft and the hard barrier exceed the linear one by as much as printed. But 1.3 is next to a zero of the
+linear barrier, at which the ratio is infinite. A sixtieth below and above, the soft barrier is only ten to twenty times
+larger.
 
 | barrier over that of the linear well | article | here |
 |---|---|---|
@@ -375,11 +369,10 @@ void report_ratio_at_13(Report& report, const Families& families,
 The article prints its own accuracy: for one breather Newton's method left a residual of $1.5\cdot10^{-9}$. By how much
 may the energy be wrong then? An exact breather of a slightly different frequency, $\omega_b+\delta\omega$, leaves such
 a residual, too, because its phase is wrong at $T_b$, and its energy is wrong by $\mathcal H'(\omega_b)\,\delta\omega$.
-We compute one, at two values of $\delta\omega$, and scale both to the printed residual. This is the error that the
-energy of one breather may have, and it is slightly more than the amount by which the printed barrier exceeds ours. So
-the two agree within the accuracy of the article. This reading is generous: were the errors of both breathers alike, the
-difference would be known better, and the article's second number, a last variation of $1.7\cdot10^{-11}$, is much
-smaller; but it tells how far Newton's method has converged and not how accurately it integrates.
+We compute one, at two values of $\delta\omega$, and scale both to the printed residual. This is slightly more than the
+amount by which the printed barrier exceeds ours, so that the two agree within the accuracy of the article. This reading
+is generous: were the errors of both breathers alike, the difference would be known better. (The article's second
+number, a last variation of $1.7\cdot10^{-11}$, does not tell how accurately it integrates.)
 
 | energy | here |
 |---|---|
@@ -397,9 +390,9 @@ double hidden_energy(double residual, double detuning) {
 }
 
 /**
-Ours is known in three ways. The library's own comparison (breather.hpp), which takes other wells and contacts too, has
-to give the same value or the run stops. Double precision, 64-bit and 113-bit mantissas agree. And an independent
-program (`tests/second`), with another integrator and the area by quadrature, finds both at 1.1 to five digits. */
+Ours is known in three ways. The library's own comparison (breather.hpp) has to give the same value or the run stops.
+Double precision, 64-bit and 113-bit mantissas agree. And an independent program (`tests/second`), with another
+integrator and the area by quadrature, finds both at 1.1 to five digits. */
 void report_printed(Report& report, const BreatherPair& at_11) {
   BreatherPair library = at_11;
   measure_in<Wide>(library);
@@ -415,16 +408,15 @@ void report_printed(Report& report, const BreatherPair& at_11) {
 ## Where the soft branches end, and what the barrier does not say
 
 In the soft well the families turn back at a fold, where the stiffening contacts and the softening well balance. Two
-runs with different step lengths locate each fold. We do not pass it.
+runs with different step lengths locate each. We do not pass it.
 
 | fold of the soft branch | around a site | around a bond |
 |---|---|---|
 | $\omega_b$ | [1.91163 ± 7e-12](num:sec32_barrier.fold_soft_site) | [1.91172 ± 3e-11](num:sec32_barrier.fold_soft_bond) |
 
 The barrier says nothing about the potential between the two breathers, which may have further extrema: `sec33_between`
-looks for breathers without symmetry there. Where the barrier at equal area vanishes, the two exchange their stability:
-in the linear well at six close pairs of frequencies, with a zero of this barrier between the two of each pair (those of
-the first pair cannot be told apart). */
+looks for breathers without symmetry there. Where the barrier at equal area vanishes, the two exchange their
+stability. */
 void report_folds(Report& report, const BreatherPair& last) {
   for (int k : {0, 1})
     report.facts.add(k == 0 ? "fold_soft_site" : "fold_soft_bond",
@@ -447,23 +439,19 @@ void reproduce(Report& report) {
 /**
 ## Try it
 
-**To change it.** Other wells are the array `wells`; other families of orbits come from `problem_of`. What is compared
-stands in `compare_breathers`: to compare at equal energy, say, change the line of `missing`. The figure reads
-`barriers` by name.
+**To change it.** Other wells are the array `wells`; what is compared stands in `compare_breathers`: to compare at equal
+energy, say, change the line of `missing`.
 
 1. *Easy.* A pendulum instead of the soft well: `build/bin/sec32_barrier barrier --omega 1.1 --well pendulum` gives
-   `equal_frequency` = 3.59543777e-11, nearly the barrier of the soft well at this frequency. Hint:
-   $1-\cos y = \frac12y^2-\frac1{24}y^4+\dots$, and the amplitude of the breather is a hundredth.
+   `equal_frequency` = 3.59543777e-11. Hint: $1-\cos y = \frac12y^2-\frac1{24}y^4+\dots$, and the amplitude of the
+   breather is a hundredth.
 2. *Easy.* Next to a zero: `build/bin/sec32_barrier barrier --omega 1.01462` gives `equal_area` = -1.86531e-17, some two
-   hundred times the modulus of `equal_frequency`. Which of the two decides where the breather rests? Hint: a breather
-   that moves keeps its action. Its potential does not vanish here.
+   hundred times the modulus of `equal_frequency`. Which of the two decides where the breather rests?
 3. *Harder.* Contacts whose force grows with the square of the overlap:
    `build/bin/sec32_barrier barrier --omega 1.001 --contact power --alpha 2` gives `equal_area` = -1.994595e-13. Divide
    it by `equal_frequency`: what becomes of the factor $-\delta/5$? Hint: with the exponent $\alpha$ the DpS scaling is
-   $\mathcal H = e\,\delta^p$, $p = 2/(\alpha-1)$; repeat the derivation with this $p$.
+   $\mathcal H = e\,\delta^p$, $p = 2/(\alpha-1)$.
 4. *Open.* Follow the soft branch through its fold up to the maximum of the well's potential.
-5. *Open.* Other exponents of the contact: is there one, between those of `secB_other_numbers`, for which the barrier
-   vanishes altogether?
 
 The command `barrier` prints both barriers with your own parameters (commands/one_barrier.hpp). */
 int main(int argc, char** argv) {

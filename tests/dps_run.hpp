@@ -39,8 +39,8 @@ inline lattice::DpsRun run_of(const lattice::PinnedBreather& breather, lattice::
              [&](double t, const lattice::Field& now) {
                run.t.push_back(t);
                run.X.push_back(place_of(breather.centre, now));
-               run.energy_drift = std::max(
-                   run.energy_drift, std::abs(lattice::energy(now, false, alpha) / start - 1));
+               run.drift =
+                   std::max(run.drift, std::abs(lattice::energy(now, false, alpha) / start - 1));
                look(t, now);
              });
   return run;

@@ -31,37 +31,11 @@ double PinnedBreather::freeing_push() const {
   return pair.rate / (std::numbers::pi * shift * (mu - pair.m));
 }
 
-// The arithmetic-geometric mean gives the elliptic integral; every round squares the distance of the two means
-double PinnedBreather::departure(double growing) const {
-  const double speed = 2 * shift * pair.rate * std::abs(growing);
-  double a = std::hypot(speed, pair.rate / std::numbers::pi), b = speed;
-  if (!(speed > 0)) return std::numeric_limits<double>::infinity();
-  while (a - b > 1e-15 * a) {
-    const double mean = (a + b) / 2;
-    b = std::sqrt(a * b);
-    a = mean;
-  }
-  return 1 / (2 * a);
-}
-
-double DpsRun::largest() const {
-  double top = 0;
-  for (const double x : X) top = std::max(top, std::abs(x));
-  return top;
-}
-
 double DpsRun::reaches(double distance) const {
   for (std::size_t k = 1; k < X.size(); ++k)
     if (const double now = std::abs(X[k]), before = std::abs(X[k - 1]); now > distance)
       return t[k - 1] + (t[k] - t[k - 1]) * (distance - before) / (now - before);
   return std::nan("");
-}
-
-DpsRun DpsRun::until(double time) const {
-  DpsRun out = *this;
-  const auto end = std::size_t(std::upper_bound(t.begin(), t.end(), time) - t.begin());
-  out.t.resize(end), out.X.resize(end);
-  return out;
 }
 
 namespace {

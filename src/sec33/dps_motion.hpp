@@ -9,10 +9,7 @@ For a small shift $x$ and push $y$ along the translational mode $V$ (spectrum.hp
 $g$ is the derivative of the centre along $V$. In the potential of a sine, about a site,
 $$\ddot X = \frac{\lambda^2}{2\pi}\sin 2\pi X,$$
 and a push $y$ gives it the initial speed $g(\mu-m)y$. So the push that depins a breather from a bond is
-$y_c = |\lambda|/(\pi g(\mu-m))$. From a site a perturbation whose growing part is $c$ starts with the speed
-$v = 2g\lambda c$, and reaches the next bond after
-$$t = \int_0^{1/2}\frac{dX}{\sqrt{v^2+(\lambda/\pi)^2\sin^2\pi X}},$$
-a complete elliptic integral. */
+$y_c = |\lambda|/(\pi g(\mu-m))$. */
 
 #include <cmath>
 #include <complex>
@@ -36,8 +33,6 @@ struct PinnedBreather {
 
   /// The push at which a pendulum passes the site beside its bond.
   double freeing_push() const;
-  /// When a pendulum that starts from a site with this growing part is half a site away.
-  double departure(double growing) const;
 };
 
 /// Tolerance of the integrator, and samples per unit of time.
@@ -47,23 +42,18 @@ struct Accuracy {
 
 /// What a run is seen to do, sample by sample.
 struct DpsRun {
-  std::vector<double> t{}, X{};        ///< time and displacement
-  std::vector<double> sites{};         ///< on how many sites the breather lives
-  double drift = 0, energy_drift = 0;  ///< of norm or energy, whichever is larger; of the energy
+  std::vector<double> t{}, X{};  ///< time and displacement
+  std::vector<double> sites{};   ///< on how many sites the breather lives
+  double drift = 0;              ///< of norm or energy, whichever is larger
 
-  /// The largest |X|.
-  double largest() const;
   /// When |X| exceeds `distance` for the first time, interpolated; nan if it never does.
   double reaches(double distance) const;
-  /// The run up to a time.
-  DpsRun until(double time) const;
 };
 
 /// One seed of the noise.
 struct NoiseTrial {
   std::size_t seed;
   std::complex<double> kick{};  ///< shift and push of the noise along the translational mode
-  double growing = 0;           ///< size of its growing part
   DpsRun coarse{}, fine{};      ///< at two tolerances
 };
 using NoiseTrials = std::vector<NoiseTrial>;
