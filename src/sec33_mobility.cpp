@@ -350,7 +350,7 @@ oscillation. What is left at equal action, $\varphi\,c^2/2 = dE-\omega_b\,dI$, m
 $$|\varphi|\,\frac{c_c^2}2 = |\tilde E_{PN}|,\qquad\text{not}\qquad \frac{c_c^2}2 = E_{PN}.$$
 The flow, linearised over one period, tells $\varphi$. It has a slow plane, spanned by a shift of the positions and a
 push of the velocities; about a stable centre this is an oscillator of frequency $\Omega$, and the part of the kick in
-the plane gives its kinetic energy (depinning.hpp). We find $\varphi < 0$: the moving breather has *less* energy than
+the plane gives its kinetic energy (kick_threshold.hpp). We find $\varphi < 0$: the moving breather has *less* energy than
 the resting one of the same action, its effective mass is negative, and the stable centre is the one of *higher* energy.
 
 Sign and size follow at small amplitudes, with $\mu = \omega_b-1$. Without contacts a kick along a mode $v$ of length

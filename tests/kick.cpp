@@ -1,6 +1,6 @@
 // Kicking a breather: the kick itself, the breather that drifts, and what linear theory says of both.
 
-#include "sec33/depinning.hpp"
+#include "sec33/kick_threshold.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -9,7 +9,6 @@
 #include "lattice/algebra/eigenvalues.hpp"
 #include "lattice/orbits/floquet.hpp"
 #include "run.hpp"
-#include "sec33/kick_threshold.hpp"
 
 using namespace lattice;
 

@@ -9,7 +9,7 @@ have, the page takes a second tolerance, sixteen times as large, for the error. 
 #include "lattice/integrators/event_corrected.hpp"
 #include "lattice/orbits/floquet.hpp"
 #include "page.hpp"
-#include "sec33/depinning.hpp"
+#include "sec33/kick.hpp"
 
 using namespace lattice;
 

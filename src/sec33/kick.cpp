@@ -57,6 +57,12 @@ double KickedPath::drift_margin(double c, double energy) const {
   return c * c / 2 / energy / run.energy_drift;
 }
 
+Mobility mobility_of(const KickedPath& path) {
+  const double far = path.farthest();
+  if (far > 0.6) return Mobility::free;
+  return std::abs(path.travelled()) < far - 0.02 ? Mobility::pinned : Mobility::undecided;
+}
+
 KickedPath follow_kicked(const Method& method, const Chain& chain, const State<double>& start,
                          double sample, double duration, const KickLook& look) {
   constexpr auto many = double(samples_of_a_mean);

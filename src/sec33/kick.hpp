@@ -50,6 +50,11 @@ struct KickedPath : Path {
   double drift_margin(double c, double energy) const;
 };
 
+/// Free: 0.6 sites from the start, well beyond the next maximum of the potential. Pinned: turned back by 0.02 sites before
+/// that.
+enum class Mobility { undecided, free, pinned };
+Mobility mobility_of(const KickedPath& path);
+
 /// Sees every mean: the path so far, the state and its energy density. It may return false to end the run.
 using KickLook = Observer<KickedPath, State<double>, std::vector<double>>;
 

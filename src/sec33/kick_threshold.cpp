@@ -7,6 +7,82 @@
 
 namespace lattice {
 
+// Inverse iteration turns any guess towards the eigenvector nearest to the shift
+Vector<double> eigenvector_near(const Matrix<double>& m, double value, Vector<double> guess) {
+  const Matrix<double> shifted = m - (value + 1e-5) * Matrix<double>::Identity(m.rows(), m.cols());
+  for (int k = 0; k < 20; ++k) guess = solve_square(shifted, guess).normalized();
+  return guess;
+}
+
+// Around a site half a period and the reflection, around a bond a whole period
+PeriodMap period_map(const Chain& chain, Centre centre, State<double> state, double period,
+                     const EventTolerance<double>& rule) {
+  const auto n = Eigen::Index(chain.sites);
+  const bool site = centre == Centre::site;
+  Tangent<double> tangent(chain.sites, 2 * chain.sites);
+  flow(chain, state, site ? period / 2 : period, rule, &tangent);
+  const auto entry = [&](Eigen::Index i, Eigen::Index k) {
+    const double value = tangent(std::size_t(site ? n - 1 - i : i), std::size_t(k));
+    return site ? -value : value;
+  };
+  PeriodMap map{Matrix<double>(n, n), Matrix<double>(n, n), Matrix<double>::Identity(n, n)};
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index k = 0; k < n; ++k) map.A(i, k) = entry(i, k), map.B(i, k) = entry(i, k + n);
+  // Around a bond even perturbations suffice; the shift in time is odd and drops out
+  if (site) return map;
+  map.basis = Matrix<double>::Zero(n, n / 2);
+  for (Eigen::Index i = 0; i < n / 2; ++i)
+    map.basis(i, i) = map.basis(n - 1 - i, i) = std::sqrt(0.5);
+  return map;
+}
+
+Pinning pinning_of(const Chain& chain, Centre centre, const State<double>& start, double period,
+                   const EventTolerance<double>& rule) {
+  const PeriodMap map = period_map(chain, centre, start, period, rule);
+  const Matrix<double> A = map.basis.transpose() * map.A * map.basis;
+  const Matrix<double> B = map.basis.transpose() * map.B * map.basis;
+  const std::vector<double> direction = kick_direction(start.y);
+  const Vector<double> g =
+      map.basis.transpose() *
+      Eigen::Map<const Vector<double>>(direction.data(), Eigen::Index(direction.size()));
+  const double near = centre == Centre::site ? -1 : 1;
+  // Right and left eigenvectors span the plane: a shift of positions and a push of velocities
+  const Vector<double> x = eigenvector_near(A, near, g);
+  const Vector<double> z = eigenvector_near(A.transpose(), near, g);
+  const double cosine = z.dot(A * x) / z.dot(x), b = z.dot(B * z) / z.dot(x), part = x.dot(g);
+  const double share = b * part * part / (period * x.dot(z));
+  const double miss = 2 * (1 - std::abs(cosine)) / (period * period);
+  if (centre == Centre::bond) return {miss, share, part};
+  // Around a site half a period is taken twice, which doubles the angle
+  return {2 * (1 + std::abs(cosine)) * miss, 2 * cosine * share, part};
+}
+
+double hill_speed(const KickedPath& path, double hill) {
+  std::vector<std::size_t> near;
+  for (std::size_t k = 0; k < path.centre.size(); ++k)
+    if (std::abs(std::abs(path.moved(k)) - hill) <= 0.05) near.push_back(k);
+  if (near.size() < 8) throw std::invalid_argument("too few means of the path lie on the hill");
+  const double first = path.t[near.front()], last = path.t[near.back()], half = (last - first) / 2;
+  // Time is scaled to the interval from -1 to 1, which keeps the cubic fit well conditioned
+  Matrix<double> power(Eigen::Index(near.size()), 4);
+  Vector<double> place(power.rows());
+  for (Eigen::Index i = 0; i < power.rows(); ++i) {
+    const std::size_t k = near[std::size_t(i)];
+    const double u = (path.t[k] - first) / half - 1;
+    power.row(i) << 1, u, u * u, u * u * u;
+    place[i] = std::abs(path.moved(k)) - hill;
+  }
+  const Vector<double> a = least_squares(power, place);
+  // The least slope of the cubic or, if it has none, the slope in the middle
+  return (a[3] > 0 ? a[1] - a[2] * a[2] / (3 * a[3]) : a[1]) / half;
+}
+
+double threshold_from(double c1, double v1, double c2, double v2) {
+  const double square = (c1 * c1 * v2 * v2 - c2 * c2 * v1 * v1) / (v2 * v2 - v1 * v1);
+  if (!(square > 0)) throw std::invalid_argument("these two speeds show no threshold");
+  return std::sqrt(square);
+}
+
 RestingBreather resting_breather(Centre centre, Phase phase, double omega_b, std::size_t sites) {
   const Fitted found = fit_chain(centre, omega_b, 0, centre == Centre::site ? sites | 1 : sites,
                                  sites_of(centre, Length::spare), 1e-16, phase);
