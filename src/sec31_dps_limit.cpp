@@ -19,7 +19,6 @@ the table `dps_error` against `eps`, and `order` of `dps_order`.](fig:x02) */
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <memory>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -144,9 +143,7 @@ The article prints the closed form $\tau_0 = 5\,\Gamma(\frac14)^2/(24\sqrt\pi)$.
 itself with GSL's adaptive quadrature, which copes with the fractional powers at the two ends. The difference is the
 error that we quote: $\tau_0 =$ [1.54506](num:dps.tau0). */
 double tau_0_by_quadrature() {
-  using Workspace =
-      std::unique_ptr<gsl_integration_workspace, void (*)(gsl_integration_workspace*)>;
-  const Workspace workspace(gsl_integration_workspace_alloc(200), gsl_integration_workspace_free);
+  gsl_integration_workspace* workspace = gsl_integration_workspace_alloc(200);
   gsl_function push{[](double t, void*) {
                       const double r = 2 * std::max(0.0, std::cos(t));
                       return r * std::sqrt(r) * std::cos(t);
@@ -156,7 +153,8 @@ double tau_0_by_quadrature() {
   double integral = 0, error = 0;
   gsl_set_error_handler_off();
   const int status =
-      gsl_integration_qags(&push, -half, half, 0, 1e-13, 200, workspace.get(), &integral, &error);
+      gsl_integration_qags(&push, -half, half, 0, 1e-13, 200, workspace, &integral, &error);
+  gsl_integration_workspace_free(workspace);
   if (status) throw Failure(std::string("the integral for tau_0: ") + gsl_strerror(status));
   return 2 * std::numbers::pi / integral;
 }

@@ -19,7 +19,6 @@ breather moves at little cost (section 3.3). The breathers of the chain have a c
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -167,20 +166,18 @@ support is the integral of $dF/|F'|$ from zero to there. The printed $g$ is that
 With $F = z^3$ the integrand behaves like an inverse square root at both ends. GSL has the Gauss rule for exactly that
 weight, named after Chebyshev. We divide the integrand by the weight; 8 and 16 nodes give the error. */
 double half_width(std::size_t nodes) {
-  const double top = 0.3;
-  using Rule =
-      std::unique_ptr<gsl_integration_fixed_workspace, void (*)(gsl_integration_fixed_workspace*)>;
-  const Rule rule(gsl_integration_fixed_alloc(gsl_integration_fixed_chebyshev, nodes, 0, top, 0, 0),
-                  gsl_integration_fixed_free);
+  constexpr double top = 0.3;
+  gsl_integration_fixed_workspace* rule =
+      gsl_integration_fixed_alloc(gsl_integration_fixed_chebyshev, nodes, 0, top, 0, 0);
   if (!rule) throw Failure("half-width of the support: no memory for the rule");
-  gsl_function divided{[](double z, void* end) {
+  gsl_function divided{[](double z, void*) {
                          const double z2 = z * z, slope = z2 * std::sqrt(z * (1.2 - 4 * z));
-                         const double from_end = *static_cast<const double*>(end) - z;
-                         return 3 * z2 * std::sqrt(z * from_end) / slope;
+                         return 3 * z2 * std::sqrt(z * (top - z)) / slope;
                        },
-                       const_cast<double*>(&top)};
+                       nullptr};
   double width = 0;
-  gsl_integration_fixed(&divided, &width, rule.get());
+  gsl_integration_fixed(&divided, &width, rule);
+  gsl_integration_fixed_free(rule);
   return width;
 }
 

@@ -63,6 +63,7 @@ std::vector<double> passages(const NoiseTrials& trials, DpsRun NoiseTrial::*run)
 
 }  // namespace
 
+// Counts
 Estimate passing(const NoiseTrials& trials, double distance, double by) {
   return at_both([&](auto run) {
     return std::count_if(trials.begin(), trials.end(), [&](const NoiseTrial& trial) {
@@ -88,6 +89,7 @@ std::size_t torn(const NoiseTrials& trials) {
   }));
 }
 
+// Sizes and delays
 Estimate largest_spread(const NoiseTrials& trials) {
   return at_both([&](auto run) {
     double most = 0;
