@@ -70,18 +70,18 @@ KickedPath follow_kicked(const Method& method, const Chain& chain, const State<d
   State<double> now = start;
   double sum = 0;
   std::size_t samples = 0;
-  path.run = evolve(method, chain, now, sample * (many * std::round(duration / (sample * many))),
-                    sample, [&](const State<double>& state) {
-                      if (state.t == start.t) return true;
-                      const std::vector<double> e = energy_density(chain, state);
-                      sum += breather_place(e);
-                      path.share = std::min(
-                          path.share, window_sum(e, strongest(e)) / window_sum(e, 0, e.size()));
-                      if (++samples % samples_of_a_mean != 0) return true;
-                      path.add(state.t - sample * 0.5 * (many - 1), sum / many);
-                      sum = 0;
-                      return look(path, state, e);
-                    });
+  const auto see = [&](const State<double>& state) {
+    if (state.t == start.t) return true;
+    const std::vector<double> e = energy_density(chain, state);
+    sum += breather_place(e);
+    path.share = std::min(path.share, window_sum(e, strongest(e)) / window_sum(e, 0, e.size()));
+    if (++samples % samples_of_a_mean != 0) return true;
+    path.add(state.t - sample * 0.5 * double(samples_of_a_mean - 1), sum / many);
+    sum = 0;
+    return look(path, state, e);
+  };
+  const double means = std::round(duration / (sample * many));
+  path.run = evolve(method, chain, now, sample * (many * means), sample, see);
   return path;
 }
 
