@@ -12,7 +12,9 @@ does it get, how does it slow down, and for how long can its motion be known? Th
 - during a few reflections its centre moves like a particle in an almost constant force, which grows with $s$ and $v_0$;
 - it turns for $s\ge0.005$ and not for $s = 0$.
 
-![Energy density after impacts with 1.5 and 1.9, and a zoom.](fig:22)
+![Energy density after impacts with 1.5 and 1.9, a zoom, and the spread of an ensemble. Drawn by
+fig22_turning_maps.py: `e` over `t` and `n` from the table `density_maps`, `mean`, `low` and `high` from `ensemble`, the
+dashed line from `decorrelation`.](fig:22)
 
 We find all of this, except that at $v_0=1.87$ the packet comes to rest later than figure 23 suggests. Which packets
 turn, and why, is the question of two later chapters (`sec34_boomeron_map`, `sec34_boomeron_why`).
@@ -313,7 +315,8 @@ moves on, by a site in thirty units of time. Its velocity vanishes first at $t =
 the trajectory is almost flat there: with half the smoothing it is about 315, still later than the article's times. So
 the packet is close to turning in place, but not in time.
 
-![Velocities close to the turning.](fig:23) */
+![Velocities close to the turning. Drawn by fig23_turning_profiles.gp: `v` against `n` for two `t`, from the table
+`turning_profiles`.](fig:23) */
 double centre_at(const Trajectory& run, double t) {
   return run.smoothed.centre.at(std::size_t(std::lround((t - run.smoothed.t[0]) / sample)));
 }
@@ -591,6 +594,10 @@ void reproduce(Report& report) {
 
 /**
 ## Try it
+
+**To change it.** Wells and contacts are members of `Chain` in `trajectory`; the impacts of a table are lists of
+`Experiment`, $\{v_0, s, t\}$. What counts as a turn is `turning`, and the smoothing is `width`. The figures read
+columns by name.
 
 1. *Easy.* A packet that the article calls close to turning at $t = 238$ turns later:
    `build/bin/sec34_boomeron run --velocity 1.87` gives `apex_site` = 23.175 and `apex_time` = 493. Hint: the velocity

@@ -10,7 +10,8 @@ describe everything. Does it? According to section 3.4 of James, Kevrekidis and 
 - so it does in the chain, where the packet is mainly on seven sites and a little slower (figures 17 and 18);
 - its amplitude is $9\cdot10^{-4}$ in the chain and $13\cdot10^{-4}$ by the DpS equation.
 
-![A struck DpS chain sends out a travelling breather.](fig:16)
+![A struck DpS chain sends out a travelling breather. Drawn by fig16_dps_impact.py: `density` over `n` and `tau` from
+the table `dps_impact_map`; the inset is `dps_impact_profile`.](fig:16)
 
 All of this holds. What is called the amplitude is not printed: the largest displacements of the two packets differ by a
 few per cent only, and the printed numbers are their heights, from crest to trough, in one snapshot.
@@ -224,8 +225,10 @@ is turned into displacements and velocities by Eq. (13), and its energy density 
 were those of beads (`dps_state`). The error of the chain's map is its largest difference between two runs over its
 largest value.
 
-![Chain and DpS approximation at the end of the run.](fig:17)
-![Energy density of both.](fig:18)
+![Chain and DpS approximation at the end of the run. Drawn by fig17_dps_against_chain.gp: `y_lattice` and `y_dps`
+against `n`, from the table `impact_profiles`.](fig:17)
+![Energy density of both. Drawn by fig18_density_maps.py: `e_lattice` and `e_dps` over `n` and `t`, from the table
+`impact_density_maps`.](fig:18)
 
 The DpS equation reproduces the wave train reasonably well, says the article. As the amplitude of the train we take the
 root of the energy of all sites up to ten behind the packets. In the second half of the run those of chain and
@@ -488,6 +491,10 @@ void report_check(const EventCorrected& method) {
 
 /**
 ## Try it
+
+**To change it.** The size of the impact and the end of the run are `eps` and `tau_end`; `sites` must grow with the
+time. Other wells or contacts of the chain are further members of `Chain` in `chain_run`; the DpS equation then has
+another $\tau_0$ or power (dps.hpp). The figures read columns by name.
 
 1. *Easy.* What if the chain is held at its first contact? `build/bin/sec31_dps_limit impact --end fixed` gives
    `amplitude` = 0.6587 and `speed` = 0.4142. Hint: in units of $2\epsilon$ this is $12.6\cdot10^{-4}$; an end that

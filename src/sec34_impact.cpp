@@ -10,7 +10,8 @@ breather (chapter before). Now strike the first bead harder, and let the wells b
           \_/   \_/   \_/   \_/   \_/   \_/       \_/     \_/     \_/
        surface mode                                travelling breather
 
-![Energy density and speed of the packet against impact velocity.](fig:19)
+![Energy density and speed of the packet against impact velocity. Drawn by fig19_impact_velocity.gp: `peak` and `speed`
+against `velocity`, from the table `velocity_sweep`.](fig:19)
 
 Section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) says:
 
@@ -226,7 +227,8 @@ The energy that the packet lacks must be somewhere, and figure 20 shows where. I
 $f_n = -(y_n-y_{n+1})_+^{3/2}$ for a linear and a very soft well after the same impact, $v_0 = 0.94$, just below the
 first escape.
 
-![Contact forces for a linear and a very soft well.](fig:20)
+![Contact forces for a linear and a very soft well. Drawn by fig20_surface_mode.py: `force` over `n` and `t`, from the
+table `surface_mode_forces`.](fig:20)
 
 Why should a soft well keep energy? Between contacts all beads in linear wells swing at the frequency 1, however far
 they move, and what one bead gives, the next one takes up in step. In a soft well the bead that moves far is slower. If
@@ -286,7 +288,8 @@ impact of 1.87 at $s = -\frac16$. In between there are other waves, a slow secon
 *visible* if each rises above everything that lies between them. Both do: the lower of the two is
 [1.34120](num:sec34_impact.snapshot_prominence) times as high as the highest wave there.
 
-![Surface mode and packet side by side.](fig:21) */
+![Surface mode and packet side by side. Drawn by fig21_snapshot.gp: `v` against `n`, from the table
+`surface_mode_snapshot`.](fig:21) */
 Refined<ImpactRun> states_after(double accuracy, const Chain& chain, double v0, double time) {
   return refined(accuracy, [&](const EventCorrected& method) {
     ImpactRun out;
@@ -456,6 +459,10 @@ void report_check(Report& report) {
 
 /**
 ## Try it
+
+**To change it.** Another well is a row of `wells`, for figure 19, or the second member of `Chain` in
+`followed`. Another observation of the packet is a line in the loop of `followed`, and a row of `SweepPoint::measure`.
+The figures read columns by name.
 
 1. *Easy.* Where is the energy in a soft well? `build/bin/sec34_impact run --s -0.7 --velocity 0.9` gives
    `boundary_energy_fraction` = 0.76318 and `packet_energy_fraction` = 0.073459. Hint: with `--s 0` most of it travels;

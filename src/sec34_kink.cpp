@@ -10,7 +10,9 @@ swings over the top and comes down in the next well. What becomes of the travell
      after        (1) (2) (3) (4) (5)     (6) -->    a kink has passed: all are one well on,
               \_/ \_/ \_/ \_/ \_/ \_/ \_/ \_/         and nothing stops the last one
 
-![What a struck chain of pendulums does, and two examples.](fig:x01)
+![What a struck chain of pendulums does, and two examples. Drawn by x01_kink_transition.py: `moved`, `ejected_near` and
+`ejected_far` against `velocity` from the table `kink_transition`; `wells` over `n` and `t` from
+`kink_examples`.](fig:x01)
 
 Section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) answers in one sentence, without a figure: at large
 impact velocity a *kink*, a step of one well that travels along the chain, replaces the breather, and beads are ejected
@@ -138,11 +140,10 @@ velocities is the spacing of the scan; the two velocities between them are undec
 | share of the scan that is neither breather nor kink | | [0.00569801](num:sec34_kink.kink_undecided) |
 
 Why so far above 2? The first bead does not climb alone, but pushes on the second all the way up, and gives away energy.
-If it kept half of $v_0^2/2$ until it stops, it would pass the maximum from $v_0 = 2\sqrt2$ on. (In eleven impacts from
-2 to 4.72, in a program that is not part of this repository, it kept less.) That explains a factor of $\sqrt2$ or
-somewhat more, not the whole. For it is not enough that the first bead passes: after 4.0 and 4.4 it does so and is
-thrown back all the same. In a kink *every* bead passes its maximum; each pays 2 on the way up and gets 2 back on the
-way down, so that a kink, once on its way, can go on. We have no theory that gives 4.7. */
+If it kept half of $v_0^2/2$ until it stops, it would pass the maximum from $v_0 = 2\sqrt2$ on: a factor of $\sqrt2$,
+not the whole. Nor is it enough that the first bead passes, since it can be thrown back later. In a kink *every* bead
+passes its maximum; each pays 2 on the way up and gets 2 back on the way down, so that a kink, once on its way, can go
+on. We have no theory that gives 4.7. */
 void report_examples(Report& report) {
   // Two impacts, one below the transition and one above, show what the counts mean
   Table& examples =
@@ -286,8 +287,8 @@ What the article says in its one sentence is found: at large impact velocity a k
 blow-up. It gives no parameters; chain length, run length and scan are our choice, and the velocity of the transition
 depends on them. A count that has settled may still change: at $v_0 = 4.28$ it has by $t = 200$, but when the breather
 arrives at the far end, before $t = 400$, it throws the last bead off (`sec34_impact run` with these parameters). In a
-longer chain a slow kink may stop before the end: in the other program, with $v_0 = 4.70$, after 244 of 1000 beads. At
-high velocity several kinks follow each other, and which beads leave the far end then depends on all of them. */
+longer chain a slow kink may stop before the end. At high velocity several kinks follow each other, and which beads
+leave the far end then depends on all of them. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "steps 0.1 and 0.05, half of that near the transition");
   report_examples(report);
@@ -298,6 +299,9 @@ void reproduce(Report& report) {
 
 /**
 ## Try it
+
+**To change it.** The well is `Pendulum{}` in `outcome`, the counts are `count_wells`, the wait is `patience`. Another
+well needs a period of its own in `count_wells`. The figure reads columns by name.
 
 1. *Easy.* Does the kink need the whole chain? `build/bin/sec34_kink run --velocity 5 --sites 30` gives `moved` = 30.
    Hint: it is there after a few beads; at 4.5 it is not.

@@ -10,7 +10,8 @@ $$\lambda = (\tau_c/\tau_h)^2,\qquad \dot y_1(0) = \lambda^{5/2} = (\tau_c/\tau_
 if lengths are measured by $\xi = (k/\gamma)^2$, at which well and contact are equally strong, and times by $\tau_c$. A
 travelling breather needs a small $\lambda$: contacts must last for a good part of an oscillation.
 
-![Newton's cradle and an array of clamped cantilevers decorated by beads.](fig:01)
+![Newton's cradle and an array of clamped cantilevers decorated by beads. Drawn by fig01_two_chains.py: the sizes of the
+table `schematic`.](fig:01)
 
 Section 3.5 of James, Kevrekidis and Cuevas (Physica D 251, 2013) puts numbers in: for a cradle $\lambda^{5/2}$ is
 astronomical, for the stiff cantilevers of section 3.6 it is less than one. Here every constant is derived in SI units.
@@ -189,6 +190,9 @@ void reproduce(Report& report) {
 
 /**
 ## Try it
+
+**To change it.** The array's dimensions and materials are the members of `CantileverArray` (cantilever.hpp), the cradle
+is `cradle(g, contact_time)` (sec35/collision.hpp). Another law of contact is the third member of `Chain` in `collide`.
 
 1. *Easy.* Strike the array ten times less: `build/bin/sec35_scales scales --velocity 0.1` gives
    `lambda` = 0.11702 and `contact_time` = 1.79796e-4. Hint: $\tau_h$ grows like $V^{-1/5}$, so that $\lambda$ falls
