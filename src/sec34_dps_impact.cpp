@@ -147,8 +147,8 @@ $|A_n|^2$ and, in its inset, the final profile.
 
 Is this a travelling breather? It must *last*, with one speed and one norm, and what stays behind must be weak. A
 constant speed alone would not do: the front of a linear wave has one, too, but it spreads as $\tau^{1/3}$ and loses
-more than a tenth of its norm (tests/measures.cpp). The packet carries [0.448900](num:sec34_dps_impact.dps_packet_norm)
-of the norm at a speed of [0.36129](num:sec34_dps_impact.dps_speed) sites per unit of $\tau$. Between the halves of its
+more than a tenth of its norm (tests/measures.cpp). The packet carries [0.449](num:sec34_dps_impact.dps_packet_norm)
+of the norm at a speed of [0.361](num:sec34_dps_impact.dps_speed) sites per unit of $\tau$. Between the halves of its
 way both change by a few per cent, since a young packet still sheds its tail.
 
 The article says that the residue at the boundary is no surface mode, because it is extended and not periodic. Both
@@ -232,7 +232,7 @@ against `n`, from the table `impact_profiles`.](fig:17)
 
 The DpS equation reproduces the wave train reasonably well, says the article. As the amplitude of the train we take the
 root of the energy of all sites up to ten behind the packets. In the second half of the run those of chain and
-approximation differ by a fraction of [0.00368126](num:impact.wavetrain) at most. */
+approximation differ by a fraction of [0.00368](num:impact.wavetrain) at most. */
 double train(const std::vector<double>& e, std::ptrdiff_t until) {
   return std::sqrt(std::accumulate(e.begin(), e.begin() + until, 0.0));
 }

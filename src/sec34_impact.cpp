@@ -116,7 +116,7 @@ For each velocity of the sweep we ask for three numbers of the packet: the speed
 least-squares line through $X(t)$ between sites 20 and 60; the largest maximum in time of $e_{n'}$ on the same stretch,
 from parabolas through three samples; and the energy within $m$ sites of the peak when the packet passes site 60. The
 error of the fit is added to that of the speed. How long to wait follows from the chapter before: at small
-$\epsilon = v_0/2$ the packet moves with the speed [0.36129](num:sec34_dps_impact.dps_speed) times $\epsilon^{1/2}$. */
+$\epsilon = v_0/2$ the packet moves with the speed [0.361](num:sec34_dps_impact.dps_speed) times $\epsilon^{1/2}$. */
 // Three times what the slowest packets need to come to the end of the stretch
 double time_for(double velocity) {
   return 3 * fit_to / (0.36 * std::sqrt(velocity / 2));
@@ -255,8 +255,8 @@ void report_forces(Report& report) {
 /**
 Energy is *trapped* if the first five sites hold more than the packet does, long after the impact: when the packet
 passes site 60. Both shares are interpolated between the two samples around that instant. In the soft well the first
-five sites keep [0.798919](num:sec34_impact.trapped_soft) of the energy, in the linear one
-[0.101827](num:sec34_impact.trapped_linear). The impact of figure 21 is included.
+five sites keep [0.799](num:sec34_impact.trapped_soft) of the energy, in the linear one
+[0.102](num:sec34_impact.trapped_linear). The impact of figure 21 is included.
 
 | $v_0$, $s$ | first five sites | packet | speed of the packet |
 |---|---|---|---|
@@ -286,7 +286,7 @@ void report_shares(Report& report, const std::string& name, double s, double v0)
 The article shows surface mode and travelling breather together, in the velocities of all beads at $t = 587$ after an
 impact of 1.87 at $s = -\frac16$. In between there are other waves, a slow second packet among them. We call the two
 *visible* if each rises above everything that lies between them. Both do: the lower of the two is
-[1.34120](num:sec34_impact.snapshot_prominence) times as high as the highest wave there.
+[1.34](num:sec34_impact.snapshot_prominence) times as high as the highest wave there.
 
 ![Surface mode and packet side by side. Drawn by fig21_snapshot.gp: `v` against `n`, from the table
 `surface_mode_snapshot`.](fig:21) */
@@ -322,7 +322,7 @@ exceed one per cent of its amplitude, the width is $2k+1$. The tail is the large
 the ten sites that follow the window of Eq. (24). Both are taken in linear wells while the centre moves from site 40 to
 60. A contact of unit overlap pushes as hard as a well pulls back at unit displacement; so $v_0 = 1$ counts as moderate.
 
-After such an impact the packet has [11.0000](num:sec34_impact.packet_width_moderate) sites: the contacts push as
+After such an impact the packet has [11.0](num:sec34_impact.packet_width_moderate) sites: the contacts push as
 strongly as the wells, the DpS limit is left, and two more sites on either side rise above the hundredth. The article
 speaks of *mainly* seven sites and of *moderate* velocities without a measure for either. The hundredth and the velocity
 are ours, so this is no contradiction. The tail is small, and grows with the impact velocity.
@@ -363,8 +363,8 @@ $$v_0^2/2 > W\bigl((-s)^{-1/2}\bigr) = 1/(4|s|).$$
 Above this bound there is no sharp threshold. The outcome depends on details of the collisions, and islands of
 velocities at which no bead escapes lie between velocities at which one does. So we quote a band, from the lowest
 velocity with an escape to the highest without, on a grid of 801 velocities and up to $t = 500$. At $s = -\frac16$ it
-reaches from [2.1130](num:sec34_impact.blowup_first_escape_s_1_6) to
-[2.5120](num:sec34_impact.blowup_last_survivor_s_1_6), with five islands; at $s = -0.7$ there are three (table
+reaches from [2.11](num:sec34_impact.blowup_first_escape_s_1_6) to
+[2.51](num:sec34_impact.blowup_last_survivor_s_1_6), with five islands; at $s = -0.7$ there are three (table
 `blowup_scan`). Both scans begin with survivors and end with escapes. [](finding:blowup.bands)
 
 Every velocity is run with two steps on a chain that nothing can cross within the time. What must agree is the

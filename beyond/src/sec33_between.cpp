@@ -118,8 +118,8 @@ with a breather around a bond, and [1730](num:sec33_between.chart_nodes_site) ar
 | farther than 0.1 | [202](num:sec33_between.farther_bond) | [1.65 ± 0.01](num:sec33_between.farther_from_bond) | [201](num:sec33_between.farther_site) | [1.65 ± 0.01](num:sec33_between.farther_from_site) |
 | a modulus exceeds one by more than $10^{-3}$ | [823](num:sec33_between.large_bond) | [1.15 ± 0.01](num:sec33_between.large_from_bond) | [94](num:sec33_between.large_site) | [1.16 ± 0.01](num:sec33_between.large_from_site) |
 
-The largest excess is [1.06121](num:sec33_between.range_largest), around a bond at $\omega_b = 2$ and $s = 1$. Near the ends of
-soft families multipliers beside the four leave the circle too, by up to [0.0493672](num:sec33_between.range_others). Wherever
+The largest excess is [1.06](num:sec33_between.range_largest), around a bond at $\omega_b = 2$ and $s = 1$. Near the ends of
+soft families multipliers beside the four leave the circle too, by up to [0.0494](num:sec33_between.range_others). Wherever
 longer chains were tried the added multipliers accumulate at the same point. At all but [2](num:sec33_between.chart_same_sign)
 nodes one of the two breathers has its pinning pair on the circle and the other one not. */
 void report_range(Report& report, const std::vector<OnChart>& seen, double spacing) {
@@ -250,8 +250,8 @@ void report_exchanges(Report& report, const Chart& grid) {
 
 At $s = 0$ we locate for both breathers, in extended precision (a 64-bit mantissa), the exchanges that the grid shows; on one
 twenty-five times as dense, run once from $\omega_b = 1.003$, there are no others up to 2. [](finding:exchange.six) They lie at
-[1.01794](num:sec33_between.window_1), [1.07504](num:sec33_between.window_2), [1.16086](num:sec33_between.window_3),
-[1.26186](num:sec33_between.window_4), [1.32615](num:sec33_between.window_5), and [1.49164](num:sec33_between.window_6). In the
+[1.02](num:sec33_between.window_1), [1.08](num:sec33_between.window_2), [1.16](num:sec33_between.window_3),
+[1.26](num:sec33_between.window_4), [1.33](num:sec33_between.window_5), and [1.49](num:sec33_between.window_6). In the
 *window* between two of them one breather is stable. Up to the first it is the bond, as in the DpS equation, and then they take
 turns: at 1.1, between the second and the third, it is the bond again, between the last two the site. Each exchange is a close
 pair, one of the site-centred and one of the bond-centred breather. Their order tells whether both are stable between them or
@@ -315,8 +315,8 @@ to $a-4b$ at the bond: both are stable in this interval if $b<0$, and both unsta
 tiny beside the $a$ of other wells. Half way, at $a = 0$, all three curvatures are $16\pi^2|b|$ in size. So $\kappa$, proportional to
 minus the curvature, is there as large for the third breather as for the site, where it has grown from the exchange on, over
 half the interval. At $\omega_b = 1.1$ half of [3.22e-7](num:sec33_between.exchange_gap) times the slope
-[7.5451e-8](num:sec33_floquet.exchange_slope) is within four per cent of what we find,
-[1.262e-14](num:sec33_between.kappa_between_in_s). What determines the sign of $b$ we do not know.
+[7.55e-8](num:sec33_floquet.exchange_slope) is within four per cent of what we find,
+[1.26e-14](num:sec33_between.kappa_between_in_s). What determines the sign of $b$ we do not know.
 
 Newton's equations for the third breather are nearly singular, as it can be shifted almost freely. We prescribe its centre,
 $$Q = \frac{\sum_n n\,\bigl(y_n(0)^2 + y_n(T_b/2)^2\bigr)}{\sum_n \bigl(y_n(0)^2+y_n(T_b/2)^2\bigr)},$$
@@ -348,8 +348,8 @@ std::vector<FamilyEnds> family_ends(const std::vector<ExchangePair>& edges) {
 
 /**
 [](finding:exchange.between) Half way the first of these families is at $s =$
-[0.152520](num:sec33_between.middle_between_in_s), the second at $\omega_b =$
-[1.32606](num:sec33_between.middle_between_in_omega). At the other exchanges no third breather was looked for. */
+[0.153](num:sec33_between.middle_between_in_s), the second at $\omega_b =$
+[1.33](num:sec33_between.middle_between_in_omega). At the other exchanges no third breather was looked for. */
 void report_between(Report& report, const std::vector<ExchangePair>& edges) {
   const std::vector<FamilyEnds> families = family_ends(edges);
   report.facts.add("exchange_gap", families[0].edge.width());

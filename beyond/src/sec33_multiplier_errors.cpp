@@ -137,7 +137,7 @@ void report_defect(Report& report) {
 /**
 ## Which computations give 0.26 and 0.05
 
-Near the exchange of stability $\kappa$ changes by [7.5451e-8](num:sec33_floquet.exchange_slope) per unit of
+Near the exchange of stability $\kappa$ changes by [7.55e-8](num:sec33_floquet.exchange_slope) per unit of
 $s$, so an error of $10^{-8}$ in $\kappa$ moves the exchange by more than a tenth in $s$.
 
 And it moves the exchange around a site and that around a bond in *opposite* directions. As $s$ grows, $\kappa$ falls
@@ -255,7 +255,7 @@ FoundZero read_zero(const std::vector<double>& kappa, std::size_t stride) {
 /**
 The table holds all fourteen settings, a tolerance or an increment, with a dash where no zero is found twice; `rk8pd` and
 `rkf45` are GSL's methods of Prince and Dormand (order eight) and of Fehlberg (order five). What matters is on which side
-of the accurate value, [0.152519](num:floquet.s0_site) for both centres within a millionth, the two zeros of a setting
+of the accurate value, [0.153](num:floquet.s0_site) for both centres within a millionth, the two zeros of a setting
 lie, and how far apart they are; the article has 0.05 and 0.26:
 
 | setting | around a site | around a bond |

@@ -38,7 +38,7 @@ site 40, and it *stays* if it never gets beyond site 8. We wait ten times as lon
 to reach site 40, and after strong impacts, where all is faster, accordingly less (turning.hpp). So a packet
 that turns further out than site 40 is said to escape, which is a limit of the map and no
 statement about the chain: with $s=1$ and $v_0=1.5$ the map says *escaped*, and the packet does turn, at site
-[183.239](num:sec34_boomeron.apex_site_150). */
+[183](num:sec34_boomeron.apex_site_150). */
 constexpr double horizon = 40;
 
 /**
@@ -232,12 +232,12 @@ void report_law(Report& report) {
 
 Site 40 is our choice. If the contour were the boundary between packets that turn and packets that do not turn at all,
 it would not depend on it. So we bisect again for a turning point at half and at twice that distance. At $v_0=0.1$
-$\chi_c$ falls from [1.554](num:sec34_boomeron_map.kappa_010_site_20) at site 20 to
-[1.338](num:sec34_boomeron_map.kappa_010_site_40) at 40 and [1.179](num:sec34_boomeron_map.kappa_010_site_80) at 80, and
+$\chi_c$ falls from [1.55](num:sec34_boomeron_map.kappa_010_site_20) at site 20 to
+[1.34](num:sec34_boomeron_map.kappa_010_site_40) at 40 and [1.18](num:sec34_boomeron_map.kappa_010_site_80) at 80, and
 with it the $\chi_0$ of a line through six impacts from $0.1$ to $2.5$, from
 [1.26](num:sec34_boomeron_map.kappa_0_site_20) over [1.06](num:sec34_boomeron_map.kappa_0_site_40) to
 [0.887](num:sec34_boomeron_map.kappa_0_site_80). A $\chi_0$ depends on the impacts, too: the twelve from $0.01$ to 3,
-with which the law was fitted for site 40, give [1.022](num:sec34_boomeron_map.law_kappa_0). For the contours are not
+with which the law was fitted for site 40, give [1.02](num:sec34_boomeron_map.law_kappa_0). For the contours are not
 quite lines and bend down towards weak impacts. So none of these is the limit at $v_0 \to 0$, which lies lower: at
 $v_0 = 2.5\cdot10^{-5}$ another program, not part of this repository, finds $\chi_c = 1.16$, $1.00$ and $0.87$. */
 void report_horizons(Report& report) {
@@ -315,11 +315,11 @@ void report_any_s(Report& report) {
 
 [](finding:turning.contour) The exponent $-3/2$ belongs to the chain; $\chi_0$ belongs to the horizon and to the impacts
 that are fitted. Above $v_0=1$ the points seem to lie on another power law, and a fit gives the exponent
-[-1.236](num:sec34_boomeron_map.power_large_impacts); but the slope changes along the contour, and this is a mean.
+[-1.24](num:sec34_boomeron_map.power_large_impacts); but the slope changes along the contour, and this is a mean.
 
 **At the article's least hardness, $s=0.005$, packets turn before site 40 after very strong impacts only.** At $v_0=1.9$
 it takes $s$ above [0.908](num:sec34_boomeron_map.s_needed_at_19) to turn a packet before site 40 (if $s$ is far larger, it stays at the
-struck end), and at $s=0.005$ an impact of [128.4](num:sec34_boomeron_map.v0_needed_at_s_0005), far above the velocities
+struck end), and at $s=0.005$ an impact of [128](num:sec34_boomeron_map.v0_needed_at_s_0005), far above the velocities
 that the article prints. It does not say for which impact and until when it looked, and whether a weaker packet turns
 further out we do not know. At $s=0$ none turned before site 40. */
 void reproduce(Report& report) {

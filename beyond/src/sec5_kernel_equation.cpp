@@ -164,9 +164,9 @@ double least_peak(std::size_t k, double alpha) {
 Even solutions are found by Newton's method (kernel_wave.hpp), for each $k$ one with the central contact closed at $t
 = 0$ and one with it open. They are the two orbits of the chapters before, named by the sign of the central velocity
 $\dot y_0$ at the instant at which positions are odd. Two grids give the errors (two_signs.hpp). At $k = 1$ the energies
-are [0.180834](num:sec5_kernel_equation.energy_plus) and [0.180834](num:sec5_kernel_equation.energy_minus); up to $k = 6$
+are [0.181](num:sec5_kernel_equation.energy_plus) and [0.181](num:sec5_kernel_equation.energy_minus); up to $k = 6$
 they are those of the lattice. The actions differ by
-[-2.43979e-11](num:sec5_kernel_equation.action_difference), plus minus minus, so that the sign plus, whose phase is
+[-2.44e-11](num:sec5_kernel_equation.action_difference), plus minus minus, so that the sign plus, whose phase is
 pinned, has the larger quotient. */
 std::vector<TwoGridWave> waves(const std::vector<std::size_t>& ks) {
   std::vector<std::vector<TwoGridWave>> found(2 * ks.size());
@@ -194,8 +194,8 @@ constexpr StopRule rule{1e-10, 60000, 25};
 /**
 [30](num:sec5_kernel_equation.ascents_finished) of [30](num:sec5_kernel_equation.ascent_starts) random starts meet the
 stopping rule (some still creep). The lowest of them ends at the quotient
-[1.1552](num:sec5_kernel_equation.ascent_lowest), where the waves have
-[1.15521](num:sec5_kernel_equation.quotient_plus). All ends lie within [3e-6](num:sec5_kernel_equation.ascent_spread) of
+[1.16](num:sec5_kernel_equation.ascent_lowest), where the waves have
+[1.16](num:sec5_kernel_equation.quotient_plus). All ends lie within [3e-6](num:sec5_kernel_equation.ascent_spread) of
 each other, and the grid with half the points changes this spread by as much: a second maximum is not seen in these
 starts, nor excluded, since two that are closer would not be told apart. */
 Table ascent_table(const std::vector<Ascent>& all, std::size_t shown) {
@@ -260,13 +260,13 @@ bool larger_is_pinned(const TwoSigns& c) {
 
 /**
 [](finding:travelling.exchanges) The quotients exchange their order at $\alpha =$
-[5.82355](num:sec5_kernel_equation.exchange_1), [3.10428](num:sec5_kernel_equation.exchange_2),
-[2.30736](num:sec5_kernel_equation.exchange_3), [1.94497](num:sec5_kernel_equation.exchange_4),
-[1.73825](num:sec5_kernel_equation.exchange_5), [1.60461](num:sec5_kernel_equation.exchange_6),
-[1.51174](num:sec5_kernel_equation.exchange_7), [1.44347](num:sec5_kernel_equation.exchange_8) and
-[1.39092](num:sec5_kernel_equation.exchange_9). At all exponents of the table beyond the largest of these, up to $\alpha
+[5.82](num:sec5_kernel_equation.exchange_1), [3.10](num:sec5_kernel_equation.exchange_2),
+[2.31](num:sec5_kernel_equation.exchange_3), [1.94](num:sec5_kernel_equation.exchange_4),
+[1.74](num:sec5_kernel_equation.exchange_5), [1.60](num:sec5_kernel_equation.exchange_6),
+[1.51](num:sec5_kernel_equation.exchange_7), [1.44](num:sec5_kernel_equation.exchange_8) and
+[1.39](num:sec5_kernel_equation.exchange_9). At all exponents of the table beyond the largest of these, up to $\alpha
 = 8$, the sign minus has the larger quotient. In $1/(\alpha-1)$ the exchanges lie
-[0.267906](num:sec5_kernel_equation.exchange_spacing_first) to [0.3031](num:sec5_kernel_equation.exchange_spacing_last)
+[0.268](num:sec5_kernel_equation.exchange_spacing_first) to [0.303](num:sec5_kernel_equation.exchange_spacing_last)
 apart; a tenth one is beyond double precision. At [35](num:sec5_kernel_equation.phases_agree) of the
 [35](num:sec5_kernel_equation.phases_compared) exponents of the table at which the difference and $\kappa$ are beyond
 their errors, the phase of the larger quotient is pinned and that of the other is not. */
@@ -320,14 +320,16 @@ void report_exchanges(Report& report, const std::vector<TwoSigns>& all) {
 }
 
 /**
-Stability does not pass from one sign to the other in one point. With growing $\alpha$ the phase of the sign plus is
-pinned from [3.10381](num:sec5_kernel_equation.kappa_plus_exchange_2) on and that of the sign minus up to
-[3.10475](num:sec5_kernel_equation.kappa_minus_exchange_2): between them both are pinned, so that a third wave, without
-symmetry, should separate them there. At the exchange of the largest $\alpha$ it is the other way round: plus is pinned
-up to [5.79556](num:sec5_kernel_equation.kappa_plus_exchange_1), minus only from
-[5.85298](num:sec5_kernel_equation.kappa_minus_exchange_1) on, and between them neither is. There an iteration from a
-disturbed wave, made once by Fourier transforms on a circle of sixteen shifts (not part of this repository), comes to a
-wave without symmetry, at the exchange with a quotient $4\times10^{-6}$ above those of both signs.
+Stability does not pass from one sign to the other in one point. At the second exchange both phases are pinned over a
+short range of $\alpha$, so that a third wave, without symmetry, should separate them there. At the first one, that of
+the largest $\alpha$, there is a short range in which neither is pinned. There another program (an iteration from a
+disturbed wave by Fourier transforms) finds a wave without symmetry, with a quotient $4\times10^{-6}$ above those of
+both signs.
+
+| phase pinned, as $\alpha$ grows | sign plus | sign minus |
+|---|---|---|
+| second exchange | from [3.10381 ± 6e-9](num:sec5_kernel_equation.kappa_plus_exchange_2) on | up to [3.10475 ± 8e-10](num:sec5_kernel_equation.kappa_minus_exchange_2) |
+| first exchange | up to [5.79556 ± 8e-9](num:sec5_kernel_equation.kappa_plus_exchange_1) | from [5.85298 ± 9e-11](num:sec5_kernel_equation.kappa_minus_exchange_1) on |
 
 Beyond the table, computed once with the functions of this chapter and the limit of `--alpha` lifted, the quotient of
 the sign minus is the larger one at fourteen exponents from 8.5 to 40. But from $\alpha = 8.5636$ on $\kappa$ is
@@ -368,7 +370,7 @@ void report_bounds(Report& report, const std::vector<TwoGridWave>& all) {
 A wave of type II has $V = 0$ and another $T$. Along the family that begins at $T = 2\pi$ (kernel_wave.hpp) $V$
 changes its sign, and the secant method finds the zero. It is the first orbit of type II of the chapter on families,
 which is found there on a lattice, and has
-$T/2\pi =$ [0.897407](num:sec5_kernel_equation.turns_type_two). */
+$T/2\pi =$ [0.897](num:sec5_kernel_equation.turns_type_two). */
 void report_type_two(Report& report) {
   std::array<std::vector<KernelWave>, 2> found;
   parallel_for(2, [&](std::size_t i) {

@@ -304,11 +304,11 @@ from the cut packet. The residuals are [7e-14](num:sec5_travelling_breathers.res
 [8e-17](num:sec5_travelling_breathers.residual_rounded) after rounding. A thousand shifts leave
 [2e-14](num:sec5_travelling_breathers.left_by_thousand_shifts) of the amplitude behind, no more than the error of the
 steps. That of $k = 1$, the fastest of type I, has the speed $1/(2\pi)$ and the energy
-[0.180834](num:sec5_travelling_breathers.energy_plus); with the other sign it is higher by only
-[7.843e-11](num:sec5_travelling_breathers.energy_difference). So little pins the internal phase, and the multipliers
-agree: $\kappa =$ [-8.8883e-11](num:sec5_travelling_breathers.kappa_k1_plus) with the sign plus,
-[8.888e-11](num:sec5_travelling_breathers.kappa_k1_minus) with the sign minus, a growth of
-[1.8856e-5](num:sec5_travelling_breathers.growth_k1_minus) per shift. At $k = 2$ no $\kappa$ is left above the errors.
+[0.181](num:sec5_travelling_breathers.energy_plus); with the other sign it is higher by only
+[7.84e-11](num:sec5_travelling_breathers.energy_difference). So little pins the internal phase, and the multipliers
+agree: $\kappa =$ [-8.89e-11](num:sec5_travelling_breathers.kappa_k1_plus) with the sign plus,
+[8.89e-11](num:sec5_travelling_breathers.kappa_k1_minus) with the sign minus, a growth of
+[1.89e-5](num:sec5_travelling_breathers.growth_k1_minus) per shift. At $k = 2$ no $\kappa$ is left above the errors.
 [](finding:travelling.stability) */
 void report_stability(Report& report, const Exact& e) {
   const auto in_double = phase_and_rest(type_one<double>(e.k), e.orbit, {});
