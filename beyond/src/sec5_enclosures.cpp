@@ -424,10 +424,9 @@ void reproduce(Report& report) {
 2. *Harder.* How much narrower would the energies of the chain's breathers have to be for their barrier to have a sign?
    `build/bin/sec32_barrier barrier --omega 1.1` gives `equal_frequency` = 1.62422e-11.
    Hint: compare with the widths that `sec5_enclosures breather` prints for both centres.
-3. *Harder.* Has the barrier at equal area the sign of the DpS limit?
-   `build/bin/sec32_barrier barrier --omega 1.01` gives `equal_area` = -7.99392e-18.
-   Hint: the area takes the place of the norm. The enclosed `barrier_equal_norm` goes like $\mu^5$; does this one between
-   $\omega_b-1 = 0.01$ and 0.1?
+3. *Harder.* Has the barrier at equal area the sign of the DpS limit? `build/bin/sec32_barrier barrier --omega 1.01`
+   gives `equal_area` = -7.99392e-18. Hint: the area takes the place of the norm. The enclosed `barrier_equal_norm` goes
+   like $\mu^5$; does this one between $\omega_b-1 = 0.01$ and 0.1?
 4. *Open.* Does the site-centred breather leave its place in the full DpS equation, as a theorem?
 5. *Open.* The waves with $k \ge 2$: only the integrals of $|K|$ and $K_+$ change. How does the margin fall with $k$?
 6. *Open.* Is there a third even wave at $k = 1$? The balls of uniqueness exclude it near the two known ones only. */

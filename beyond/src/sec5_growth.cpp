@@ -208,14 +208,19 @@ as large in 400 units of slow time. The second nearly fits on a ring of 39 sites
 [0.00193](num:sec5_growth.growth_on_39) at most; on twice that ring, with noise of one per cent, it keeps
 [0.016](num:sec5_growth.share_left_fifth) in 300 units.
 
-In the chain both waves are exponentially unstable. A modulation of $q = \frac\pi2$ grows at
-[0.0180](num:sec5_growth.growth_quarter_6) per unit of slow time for $\epsilon = 10^{-6}$, at
-[0.0534](num:sec5_growth.growth_quarter_4) for $10^{-4}$, [0.0810](num:sec5_growth.growth_quarter_3) for $10^{-3}$
-and [0.0732](num:sec5_growth.growth_quarter_2) for $10^{-2}$. Between the two smallest amplitudes the growth has the
-order [0.248](num:sec5_growth.order_quarter) and on 39 sites [0.242](num:sec5_growth.order_fifth), close to $\frac14$:
-corrections of the size $\epsilon^{1/2}$ split a double exponent by the root of their size. So here the chain does not
-agree with the DpS equation up to $\epsilon^{1/2}$. Four waves below $\frac\pi2$ show no growth beyond
-[5e-5](num:sec5_growth.growth_below_quarter), the root of an error, at the same $\epsilon$. */
+In the chain both waves are exponentially unstable; the table has the growth of a modulation of $q = \frac\pi2$. Between
+the two smallest amplitudes the growth has the order [0.248](num:sec5_growth.order_quarter) and on 39 sites
+[0.242](num:sec5_growth.order_fifth), close to $\frac14$: corrections of the size $\epsilon^{1/2}$ split a double
+exponent by the root of their size. So here the chain does not agree with the DpS equation up to $\epsilon^{1/2}$. Four
+waves below $\frac\pi2$ show no growth beyond [5e-5](num:sec5_growth.growth_below_quarter), the root of an error, at the
+same $\epsilon$.
+
+| $\epsilon$ | growth per unit of slow time |
+|---|---|
+| $10^{-6}$ | [0.0179886 ± 2e-7](num:sec5_growth.growth_quarter_6) |
+| $10^{-4}$ | [0.0533953 ± 4e-8](num:sec5_growth.growth_quarter_4) |
+| $10^{-3}$ | [0.0809977 ± 2e-7](num:sec5_growth.growth_quarter_3) |
+| $10^{-2}$ | [0.0731881 ± 2e-7](num:sec5_growth.growth_quarter_2) | */
 /// The largest growth in the chain of four waves below pi/2 at four amplitudes.
 double growth_below_quarter(std::size_t steps) {
   double most = 0;
@@ -486,7 +491,8 @@ void reproduce(Report& report) {
    `build/bin/sec5_growth growth --modulation 0.02` gives `growth` = 0.0129423.
    Hint: halve $Q$, then the amplitude. Where dispersion does not depend on it, the edge $Q_*$ is proportional to it.
 4. *Open.* Do standing waves, $\cos qn$, have a band of instability in closed form?
-5. *Open.* With the losses of an experiment (the chapter on damping), which breathers are left when the waves are gone? */
+5. *Open.* With the losses of an experiment (the chapter on damping), which breathers are left when the waves are gone?
+   */
 int main(int argc, char** argv) {
   return run({"sec5_growth", "5", "Modulational instability without precompression (section 5)",
               reproduce, commands<OnePlaneWave>()},

@@ -77,8 +77,8 @@ What becomes of a member that is no exact orbit? We set it free in a resting cha
 oscillating. If the pulses in the contacts repeat themselves after $T$, it does so with the amplitude
 $|1-e^{-iT}|\,|g(1)|$ (chapter on exact travelling breathers). A member that sheds loses energy, and its pulses repeat
 themselves only nearly, so that this can only give the order of magnitude, and we measure how well it does. The integral
-$g(1)$ needs no quadrature: it is the change of $e^{it}Z$, with the sum $Z$ taken over the beads on the right of the contact
-only. */
+$g(1)$ needs no quadrature: it is the change of $e^{it}Z$, with the sum $Z$ taken over the beads on the right of the
+contact only. */
 struct Left {
   double beads = 0, pulse = 0;  ///< both relative to the amplitude
 };
@@ -279,15 +279,17 @@ which speeds are possible. But with $T$ as an unknown there are as many equation
 function theorem an orbit at which their derivative is invertible continues to $s \ne 0$. We follow it by
 pseudo-arclength, so that we can pass *folds*, at which a branch turns back in $s$ (branches_in_s.hpp).
 
-In soft wells none of the four branches of type I ends within the steps that we spend on it: ten, and two for $k = 4$,
-reach $s =$ [-1.16](num:sec5_travelling_families.soft_k1) ($k = 1$), [-1.38](num:sec5_travelling_families.soft_k2) ($k
-= 2$), [-1.39](num:sec5_travelling_families.soft_k3) ($k = 3$) and [-0.049](num:sec5_travelling_families.soft_k4) ($k =
-4$). Followed further, that of $k = 1$ folds at $s =$ [-5.73](num:sec5_travelling_families.soft_fold_k1). In a run
-made once, which is not part of this program, that of $k = 2$ folded at $-54.4$, and those of $k = 3$ and $4$ reached
-$-13.9$. In hard wells those of $k = 1$, 2 and 3 fold at [0.0103](num:sec5_travelling_families.fold_k1),
-[0.326](num:sec5_travelling_families.fold_k2) and [1.90](num:sec5_travelling_families.fold_k3), and come back from
-there to an orbit of type II at $s = 0$, for $k = 1$ after two folds more close to $s = 0$. The slower the orbit, the
-later it folds: slow orbits are small and feel the quartic term less. */
+In soft wells none of the four branches of type I ends within the steps that we spend on it, ten, and two for $k = 4$.
+Followed further, that of $k = 1$ folds at $s =$ [-5.73](num:sec5_travelling_families.soft_fold_k1). In hard wells those
+of $k = 1$, 2 and 3 fold, and come back from there to an orbit of type II at $s = 0$, for $k = 1$ after two folds more
+close to $s = 0$. The slower the orbit, the later it folds: slow orbits are small and feel the quartic term less.
+
+| $k$ | soft wells: followed to $s =$ | hard wells: fold at $s =$ |
+|---|---|---|
+| 1 | [-1.163](num:sec5_travelling_families.soft_k1) | [0.0103004 ± 2e-9](num:sec5_travelling_families.fold_k1) |
+| 2 | [-1.38](num:sec5_travelling_families.soft_k2) | [0.325582 ± 5e-7](num:sec5_travelling_families.fold_k2) |
+| 3 | [-1.392](num:sec5_travelling_families.soft_k3) | [1.90266 ± 2e-11](num:sec5_travelling_families.fold_k3) |
+| 4 | [-0.049](num:sec5_travelling_families.soft_k4) | | */
 using Start = std::pair<std::size_t, Orbit<double>>;  ///< k and its orbit at s = 0
 
 // The folds come from shorter steps than the branches
