@@ -42,7 +42,7 @@ $$\ddot y_n+y_n+\nu\dot y_n = \psi_n-\psi_{n+1},\qquad
 | $t_v$ | `viscous` | viscous time of a contact ($A$ in driven_chain.hpp) | $\tau_c$ |
 | $C_R$ | `restitution` | coefficient of restitution of two cantilevers that collide at 1 m/s; it fixes $t_v$ | 1 |
 | $\theta(t)$ | `slow_clock` | time of the slow clock | $\tau_c$ |
-| $\sigma$, $\Lambda$ | `growth`, `limit` | growth rate of a shift, $\sigma/(\omega_b-1)$ in the DpS limit | $1/\tau_c$ |
+| $\sigma$, $\Lambda$ | `growth`, `limit` | growth of a shift, $\sigma/(\omega_b-1)$ in the DpS limit | $1/\tau_c$ |
 
 The article does not say whether 10 ms is the lifetime of the energy or of the amplitude, which is twice as long; here
 it is that of the energy, and $T_E$ is varied from 1 to 100 ms. */
@@ -114,7 +114,7 @@ Packet two_runs(double velocity, double lifetime, double viscous, double ms, dou
 /**
 We read the place of the packet in two ways. One is the centre of the energy. The other counts contacts: the packet is
 at a contact when the push there is *strongest*. Between two contacts it moves evenly, and its speed is a mean over the
-last five (arrivals.hpp). The steps are 0.1 and 0.05. */
+last five (arrivals.hpp). The steps are 0.1 and 0.05, in units of $\tau_c$. */
 constexpr double ten_ms = 10;  // the time, and the article's lifetime
 const double t10 = units.time(ten_ms);
 
@@ -164,7 +164,8 @@ Estimate error_of(const Estimate& predicted, const Estimate& found) {
 
 We strike with three velocities and take seven lifetimes; the law starts from the run without losses. With $T_E = 10$ ms
 the change of velocity is indeed moderate and that of frequency small. The clock alone would leave $e^{-1/4}\simeq 0.78$
-of the speed; we read more because the mean over five contacts goes back to faster ones.
+of the speed. We read more, partly because the mean over five contacts goes back to faster ones; the rest is within the
+few per cent by which such a mean jumps from one contact to the next (columns `speed` and `speed_law`).
 
 | impact of 1 m/s, after 10 ms | article | here |
 |---|---|---|
@@ -198,6 +199,7 @@ const Packet& find(const std::vector<DampedPacket>& all, double velocity, double
   return std::ranges::find_if(all, same)->found;
 }
 
+// Each quantity from the runs, and beside it what the law predicts
 Columns damped_columns() {
   return {number("velocity", "impact velocity", "m/s"),
           number("lifetime", "of the energy; 0: no damping", "ms"),

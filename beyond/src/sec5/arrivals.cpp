@@ -60,6 +60,7 @@ void Maxima::add(double t, double x, double step) {
   left_ = middle_, middle_ = x, ++seen_;
 }
 
+// Without losses all weights are one
 Arrival arrival(std::vector<Maximum> pushes, std::vector<Maximum> speeds) {
   const std::size_t i = strongest(pushes, 0, 3), k = strongest(speeds, 0, 2);
   Arrival out;
@@ -97,6 +98,7 @@ Travelled travelled_after(const Arrivals& arrivals, double t) {
   return out;
 }
 
+// Straight lines between the steps
 double centre_after(const Arrivals& arrivals, double t) {
   const auto& all = arrivals.centres;
   const auto next =
@@ -106,6 +108,7 @@ double centre_after(const Arrivals& arrivals, double t) {
   return next[-1].height + part * (next->height - next[-1].height);
 }
 
+// Straight lines in the logarithm of the velocity
 double seen_until(const Arrivals& arrivals, double resolution) {
   const auto& all = arrivals.contacts;
   const auto low = std::find_if(all.begin(), all.end(),
