@@ -21,16 +21,18 @@ namespace {
 Arrivals packet_arrivals(const DrivenChain& driven, double velocity, double duration, double step) {
   const std::size_t contacts = driven.chain.sites - 1;
   State<double> state = struck(driven.chain.sites, velocity);
+  const TimeGrid grid = time_grid(duration, step, step);
   std::vector<Maxima> push(contacts);
   Arrivals out;
-  evolve(driven, state, time_grid(duration, step, step),
-         [&](const State<double>& now, const EnergyBudget&) {
-           for (std::size_t n = 0; n < contacts; ++n)
-             push[n].add(now.t, std::pow(std::max(now.y[n] - now.y[n + 1], 0.0), 1.5), step);
-           const auto e = energy_density(driven.chain, now);
-           out.centres.push_back({now.t, energy_centre(e, 0, e.size())});
-           return true;
-         });
+  evolve(driven, state, grid, [&](const State<double>& now, const EnergyBudget&) {
+    for (std::size_t n = 0; n < contacts; ++n) {
+      const double overlap = std::max(now.y[n] - now.y[n + 1], 0.0);
+      push[n].add(now.t, overlap * std::sqrt(overlap), grid.step());
+    }
+    const auto e = energy_density(driven.chain, now);
+    out.centres.push_back({now.t, energy_centre(e, 0, e.size())});
+    return true;
+  });
   for (const Maxima& m : push) out.add(arrival(m.all, {}));
   return out;
 }
