@@ -368,7 +368,7 @@ reaches from [2.11](num:sec34_impact.blowup_first_escape_s_1_6) to
 `blowup_scan`). Both scans begin with survivors and end with escapes. [](finding:blowup.bands)
 
 Every velocity is run with two steps on a chain that nothing can cross within the time. What must agree is the
-*outcome*; where it does not, the velocity is disputed and counts for neither edge. The scans begin far above the energy
+*outcome*; where it does not, the velocity is disputed and counts for neither edge. The scans begin above the energy
 bound, which is 1.73 for $s = -\frac16$ and 0.85 for $s = -0.7$, and so they cannot test it. The sweep of figure 19 can:
 it has a run at every velocity from 0.01 up to the band and would end with an error if a bead escaped.
 

@@ -178,9 +178,9 @@ void report_array(Report& report, const CantileverArray& array) {
 Of the printed numbers one is not found, the compression 0.76; that for $\lambda^{5/2}$ of the cradle is found with
 $g = 10$ m/s² only. Hertz's coefficient needs the Young modulus of the beads,
 $\gamma = \mathcal E\sqrt{2R}/(3(1-\nu^2))$ with their radius $R$ and Poisson's ratio $\nu$; the article prints the
-symbol of the beam's, which would give a $\lambda$ that is not small. A beam is described by one number, the deflection
-of its middle: its higher modes and its twisting are left out, and so is whatever a contact does beyond Hertz's static
-law. */
+symbol of the beam's, which would give a $\lambda$ far from small (exercise 3). A beam is described by one number, the
+deflection of its middle: its higher modes and its twisting are left out, and so is whatever a contact does beyond
+Hertz's static law. */
 void reproduce(Report& report) {
   const CantileverArray array;
   report_collision(report);
