@@ -10,9 +10,9 @@ has passed swinging a little. So it loses energy, slows down, and turns into som
                  \_____/                    ---> X(t)
         phase turns by theta, amplitude |z(n)|
 
-The same chain has exact travelling breathers, which leave nothing behind, but only at isolated speeds
-(`sec5_travelling_breathers`). Does one of them capture the packet? The article does not ask this, and prints no number
-for it. In chains with linear wells, over 16,000 sites, we find the following.
+The same chain has exact travelling breathers, which leave nothing behind, but those that we know have isolated speeds
+(`sec5_travelling_breathers`). Does one of them capture the packet? The article does not ask. Over 16,000 sites, in
+linear wells, we find:
 
 - No exact breather captures the packets of the two impacts that we follow.
 - The tail weakens all the way, but more slowly than the $1/n$ of a simple energy balance. Its final law is open.
@@ -38,14 +38,15 @@ from one bead to the next, both read at the same time.
 An exact travelling breather repeats itself one site further on after the *shift time* $T$, the inverse of its speed:
 $y_n(t+T) = y_{n-1}(t)$. The contact forces cancel in $Z = \sum_n z_n$, so that $Z\propto e^{-it}$. The shift does not
 change $Z$ either, hence $e^{-iT}Z = Z$. Either $T = 2\pi k$ with a whole number $k$ (*type I*) or $Z = 0$ (*type II*).
-The oscillation of an exact breather turns by $\vartheta = T$ modulo $2\pi$ from bead to bead. A packet is not bound to
-this. While its envelope moves on by a site, its *internal phase* may turn by the extra angle $T-\vartheta$, modulo
-$2\pi$. If $\vartheta$ tends to zero at some other $T$, nothing is left behind either, but one site further on the
-packet is the same only up to the phase of its oscillation: it is quasi-periodic. */
+An exact breather turns by $\vartheta = T$, modulo $2\pi$, from bead to bead. A packet is not bound to this: while its
+envelope moves on by a site, its *internal phase* may turn by the extra angle $T-\vartheta$. If $\vartheta$ tends to
+zero at some other $T$, nothing is left behind either, but one site further on the packet is the same only up to the
+phase of its oscillation: it is quasi-periodic. */
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -76,18 +77,19 @@ struct Frame {
   double step;              // of the integrator, order six, event-corrected
 };
 
-/// A packet, row by row: `left` is |z_n|, `angle` is theta; speed and energies are means.
-struct Course {
-  std::vector<double> t, site, left, angle, energy, contact, speed;
+/// A packet, row by row. Speed and energies are means since the row before.
+struct PacketRow {
+  double t, site, left, angle, speed, energy, contact;  // `left` is |z_n|, `angle` is theta
 };
+using Course = std::vector<PacketRow>;
 
 Course follow(double v0, const Frame& frame, std::size_t rows) {
   const Chain chain{frame.sites};
   State<double> state(chain.sites);  // y_n = 0
   state.v[0] = v0;                   // Eq. (26)
-  Course out;
+  Course course;
   double begin_t = 0, begin_x = 0, energy = 0, contact = 0, samples = 0, dropped_energy = 0;
-  for (std::size_t dropped = 0; out.t.size() < rows;) {
+  for (std::size_t dropped = 0; course.size() < rows;) {
     evolve(EventCorrected{frame.step}, chain, state, 1, 1);
     const std::vector<double> e = energy_density(chain, state);  // Eq. (23)
     const auto peak = front_packet(e);  // the foremost site with the largest density of eleven
@@ -99,17 +101,15 @@ Course follow(double v0, const Frame& frame, std::size_t rows) {
     const double x = energy_centre(e, *peak) + double(dropped);
     for (std::size_t n = *peak - 6; n <= *peak + 6; ++n) {
       energy += e[n];
-      contact += contact_energy(chain, state.y.data(), n + 1);  // of the contact before site n
+      contact += contact_energy(chain, state.y.data(), n + 1);  // of beads n and n + 1
     }
     ++samples;
     // A row, if it has come to the next site: what it leaves behind, and the means
-    if (x >= 20 * std::pow(10.0, double(out.t.size()) / 12)) {
+    if (x >= 20 * std::pow(10.0, double(course.size()) / 12)) {
       const std::size_t n = *peak - 11;
       const std::complex<double> z(state.y[n], state.v[n]), behind(state.y[n - 1], state.v[n - 1]);
-      out.t.push_back(state.t), out.site.push_back(x);
-      out.left.push_back(std::abs(z)), out.angle.push_back(std::arg(z / behind));
-      out.energy.push_back(energy / samples), out.contact.push_back(contact / samples);
-      out.speed.push_back((x - begin_x) / (state.t - begin_t));
+      course.push_back({state.t, x, std::abs(z), std::arg(z / behind),
+                        (x - begin_x) / (state.t - begin_t), energy / samples, contact / samples});
       begin_t = state.t, begin_x = x, energy = contact = samples = 0;
     }
     if (*peak + 20 > chain.sites) {
@@ -117,7 +117,7 @@ Course follow(double v0, const Frame& frame, std::size_t rows) {
       dropped_energy += total(e) - total(energy_density(chain, state));
     }
   }
-  return out;
+  return course;
 }
 
 /**
@@ -128,10 +128,10 @@ constexpr std::array frames{Frame{64, 16, 0.2}, Frame{96, 16, 0.1}};
 /**
 ## The tail (figure x22)
 
-How should the tail fall? The pulse of force in one contact gives a bead the complex amplitude $g = \int e^{it}f(t)\,dt$,
-and that in the next contact takes it back, turned by $\vartheta$. So the bead keeps
-$|z| = |1-e^{i\vartheta}|\,|g| \simeq |\vartheta|\,|g|$ and the energy $|z|^2/2$, which the packet loses. If the packet's
-energy is linear in a small $\vartheta$, $E \simeq E_\infty + b\,\vartheta$, then
+How should the tail fall? The pulse of force in one contact gives a bead the complex amplitude
+$g = \int e^{it}f(t)\,dt$, and that in the next contact takes it back, turned by $\vartheta$. So the bead keeps
+$|z| = |1-e^{i\vartheta}|\,|g| \simeq |\vartheta|\,|g|$, and with it the energy $|z|^2/2$, which the packet loses. If
+the packet's energy is linear in a small $\vartheta$, $E \simeq E_\infty + b\,\vartheta$, then
 $$b\,\frac{d\vartheta}{dn} = -\frac{g^2\vartheta^2}2,\qquad \frac1\vartheta = \frac{g^2}{2b}\,n+\dots,$$
 and $\vartheta$ and the tail fall like $1/n$, *provided that $g$ and $b$ tend to constants*. With $g$ and $b$ of the run
 itself this is only the balance of energy. The law is tested by whether $|g|$ and the growth of $1/\vartheta$ per site
@@ -154,86 +154,90 @@ is no law either.
 constexpr std::size_t decade = 12, half = 6, third = 4;  // rows
 
 /// The straight line through the last rows, `intervals` of them and one more.
-Line late_line(const std::vector<double>& x, const std::vector<double>& y, std::size_t intervals) {
-  const auto from = std::ptrdiff_t(x.size() - 1 - intervals);
-  return fit_line({x.begin() + from, x.end()}, {y.begin() + from, y.end()});
+template <class X, class Y>
+Line late_line(const Course& c, std::size_t intervals, X x, Y y) {
+  std::vector<double> xs, ys;
+  for (std::size_t i = c.size() - 1 - intervals; i < c.size(); ++i)
+    xs.push_back(std::invoke(x, c[i])), ys.push_back(std::invoke(y, c[i]));
+  return fit_line(xs, ys);
 }
 
-std::vector<double> logs(std::vector<double> x) {
-  for (double& value : x) value = std::log10(value);
-  return x;
+double tail_exponent(const Course& c) {
+  const auto site = [](const PacketRow& row) { return std::log10(row.site); };
+  const auto left = [](const PacketRow& row) { return std::log10(row.left); };
+  return late_line(c, decade, site, left).slope;
 }
 
 /// Growth of 1/theta per site, over the third of a decade that begins with row i.
 double growth(const Course& c, std::size_t i) {
-  return (1 / c.angle[i + third] - 1 / c.angle[i]) / (c.site[i + third] - c.site[i]);
+  return (1 / c[i + third].angle - 1 / c[i].angle) / (c[i + third].site - c[i].site);
 }
 
 /// |g| = |z|/theta on the same stretch.
 double pulse(const Course& c, std::size_t i) {
-  return std::sqrt(c.left[i] / c.angle[i] * c.left[i + third] / c.angle[i + third]);
+  return std::sqrt(c[i].left / c[i].angle * c[i + third].left / c[i + third].angle);
+}
+
+/// The share lost in the last decade, of either energy.
+double lost(const Course& c, double PacketRow::*energy) {
+  return 1 - c.back().*energy / c[c.size() - 1 - decade].*energy;
+}
+
+/// The mean contact energy when the packet was young, rows 4 to 9.
+double early_contact(const Course& c) {
+  double mean = 0;
+  for (std::size_t i = 4; i < 10; ++i) mean += c[i].contact / 6;
+  return mean;
 }
 
 void report_tail(Quantities& facts, const TwoRuns<Course>& runs) {
-  const std::size_t last = runs.fine.t.size() - 1;
-  const auto lost = [=](const std::vector<double>& x) { return 1 - x[last] / x[last - decade]; };
-  const auto add = [&](const std::string& name, auto of, const std::string& unit = "") {
+  const std::size_t end = runs.fine.size() - 1 - third;
+  const std::string early = "sites 200 to 431", share = "share, in the last decade of sites";
+  const auto add = [&](const std::string& name, auto of, const std::string& unit) {
     facts.add(name + "_v66", runs.of(of), unit);
   };
-  // The tail
-  add("tail_exponent",
-      [](const Course& c) { return late_line(logs(c.site), logs(c.left), decade).slope; });
+  add("tail_exponent", tail_exponent, "");
   add(
       "angle_growth_early", [](const Course& c) { return growth(c, decade); },
-      "of its inverse, per site, sites 200 to 431");
+      "of its inverse, per site, " + early);
   add(
-      "angle_growth", [=](const Course& c) { return growth(c, last - third); },
+      "angle_growth", [=](const Course& c) { return growth(c, end); },
       "of its inverse, per site, at the end");
   add(
-      "pulse_early", [](const Course& c) { return pulse(c, decade); }, "|g(1)|, sites 200 to 431");
+      "pulse_early", [](const Course& c) { return pulse(c, decade); }, "|g(1)|, " + early);
   add(
-      "pulse", [=](const Course& c) { return pulse(c, last - third); }, "|g(1)|, at the end");
-  // What the packet loses
+      "pulse", [=](const Course& c) { return pulse(c, end); }, "|g(1)|, at the end");
+  // What the packet loses, its phase, and the contact energy with which it began
   add(
-      "energy_lost", [=](const Course& c) { return lost(c.energy); },
-      "share, in the last decade of sites");
+      "energy_lost", [](const Course& c) { return lost(c, &PacketRow::energy); }, share);
   add(
-      "contact_energy_lost", [=](const Course& c) { return lost(c.contact); },
-      "share, in the last decade of sites");
-  // Its phase, and its contact energy when it was young
+      "contact_energy_lost", [](const Course& c) { return lost(c, &PacketRow::contact); }, share);
   add(
-      "angle_end", [=](const Course& c) { return c.angle[last]; }, "at the end");
+      "angle_end", [](const Course& c) { return c.back().angle; }, "at the end");
   add(
-      "turn_end", [=](const Course& c) { return 1 / c.speed[last] - c.angle[last] - two_pi; },
+      "turn_end", [](const Course& c) { return 1 / c.back().speed - c.back().angle - two_pi; },
       "of the internal phase from site to site, at the end");
-  add(
-      "contact_energy_early",
-      [](const Course& c) {
-        double mean = 0;
-        for (std::size_t i = 4; i < 10; ++i) mean += c.contact[i] / 6;
-        return mean;
-      },
-      "mean, sites 43 to 113");
+  add("contact_energy_early", early_contact, "mean, sites 43 to 113");
 }
 
 /**
 ## Between the exact breathers (figure x22)
 
-Where does the packet end? Plotted against $\vartheta$, its speed and its energies are nearly straight, and we extrapolate
-them to $\vartheta = 0$ by lines through the last half decade of sites. Shorter and longer stretches, a quarter and a
-whole decade, give other values; the largest difference is added to the error, and is most of it. */
+Where does the packet end? Against $\vartheta$ its speed and its energies are nearly straight lines. We extrapolate them
+to $\vartheta = 0$ from the last half decade of sites. Shorter and longer stretches, a quarter of a decade and a whole
+one, give other values; the largest difference is added to the error, and is most of it. */
 struct EndState {
   double speed, energy, contact;  // where theta = 0
   double contact_late;            // mean over the stretch
 };
 
 EndState end_state(const Course& c, std::size_t rows = half) {
-  const auto limit = [&](const std::vector<double>& y) {
-    return late_line(c.angle, y, rows).intercept;
+  const auto limit = [&](double PacketRow::*of) {
+    return late_line(c, rows, &PacketRow::angle, of).intercept;
   };
   double late = 0;
-  for (std::size_t i = 1; i <= rows; ++i) late += c.contact[c.contact.size() - i] / double(rows);
-  return {limit(c.speed), limit(c.energy), limit(c.contact), late};
+  for (std::size_t i = 1; i <= rows; ++i) late += c[c.size() - i].contact / double(rows);
+  return {limit(&PacketRow::speed), limit(&PacketRow::energy), limit(&PacketRow::contact), late};
 }
 
 template <class Of>
@@ -249,7 +253,7 @@ We compare the end with exact breathers. Those of type I are single points in th
 seven of them, $k = 1$ to 7, we draw a smooth curve, the *line of type I*: between the points it holds no exact breather
 that we know, and beyond $k = 1$ it is an extrapolation. Two quantities change little along it. At small amplitude the
 speed $c$ scales like $E^{1/4}$, so one is the *scaled speed* $cE^{-1/4}$; the other is the mean contact energy over
-$c^5$. The curve is the polynomial through all seven, and its difference without the slowest one is added to the error. */
+$c^5$. The curve is the polynomial through all seven points. What the slowest one changes is added to the error. */
 struct TypeOneLine {
   std::vector<double> speed{}, scaled_speed{}, scaled_contact{};  // k = 7 to 1
 
@@ -377,14 +381,13 @@ void report_courses(Report& report, const std::vector<double>& velocities,
        number("speed", "mean speed since the last row", "site per unit of time"),
        number("turns", "shift time over 2 pi"), number("energy", "mean energy of the packet"),
        number("contact", "mean contact energy of the packet")});
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    const auto& [c, f] = runs[k];
-    for (std::size_t i = 0; i < f.t.size(); ++i)
-      table.add({velocities[k], f.t[i], f.site[i], std::log10(f.site[i]),
-                 compare(c.left[i], f.left[i]), std::log10(f.left[i]),
-                 compare(c.angle[i], f.angle[i]), 1 / f.angle[i], f.speed[i],
-                 1 / (two_pi * f.speed[i]), f.energy[i], f.contact[i]});
-  }
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    for (std::size_t i = 0; i < runs[k].fine.size(); ++i) {
+      const PacketRow &c = runs[k].coarse[i], &f = runs[k].fine[i];
+      table.add({velocities[k], f.t, f.site, std::log10(f.site), compare(c.left, f.left),
+                 std::log10(f.left), compare(c.angle, f.angle), 1 / f.angle, f.speed,
+                 1 / (two_pi * f.speed), f.energy, f.contact});
+    }
 }
 
 void report_packets(Report& report) {
@@ -510,29 +513,25 @@ equation are computed by different integrators and different equations, and agre
 |---|---|---|
 | $E/c^4$ | [](num:sec5_travelling_packets.dps_energy_over_c4) | [](num:sec5_travelling_packets.limit_of_type_one) |
 | $cE^{-1/4}$ | [](num:sec5_travelling_packets.dps_scaled_speed) | | */
-struct SmallOrbit {
-  std::size_t k;
-  Estimate scaled;  // energy over the fourth power of the speed
-};
-
-std::vector<SmallOrbit> small_orbits(int sign, const std::vector<std::size_t>& ks) {
-  std::vector<SmallOrbit> list;
+std::vector<Estimate> scaled_energies(int sign, const std::vector<std::size_t>& ks) {
+  std::vector<Estimate> list;
   TypeOneOrbits orbits(sign);
   for (std::size_t k : ks) {
     const Estimate e = energy_of_type_one(k, orbits.orbit_at(k));
-    const double scale = std::pow(two_pi * double(k), 4);
-    list.push_back({k, {e.value * scale, e.error * scale}});
+    const double scale = std::pow(two_pi * double(k), 4);  // 1 / c^4
+    list.push_back({e.value * scale, e.error * scale});
   }
   return list;
 }
 
 /// The value at 1/k = 0 of the parabola through three orbits, the last of which is `last`.
-double limit_of(const std::vector<SmallOrbit>& list, std::size_t last) {
+double limit_of(const std::vector<std::size_t>& ks, const std::vector<Estimate>& scaled,
+                std::size_t last) {
   double sum = 0;
   for (std::size_t i = last - 2; i <= last; ++i) {
-    double w = list[i].scaled.value;
+    double w = scaled[i].value;
     for (std::size_t j = last - 2; j <= last; ++j)
-      if (j != i) w *= double(list[i].k) / (double(list[i].k) - double(list[j].k));
+      if (j != i) w *= double(ks[i]) / (double(ks[i]) - double(ks[j]));
     sum += w;
   }
   return sum;
@@ -542,11 +541,11 @@ void report_small_orbits(Report& report) {
   std::vector<std::size_t> ks{5, 6, 8};
   if (!report.quick) ks.insert(ks.end(), {10, 15, 20});
   const int signs[] = {1, -1};
-  std::array<std::vector<SmallOrbit>, 2> lists;
-  parallel_for(2, [&](std::size_t i) { lists[i] = small_orbits(signs[i], ks); });
+  std::array<std::vector<Estimate>, 2> scaled;
+  parallel_for(2, [&](std::size_t i) { scaled[i] = scaled_energies(signs[i], ks); });
   const std::size_t last = ks.size() - 1;
   report.facts.add("limit_of_type_one",
-                   compare(limit_of(lists[0], last - 1), limit_of(lists[0], last)),
+                   compare(limit_of(ks, scaled[0], last - 1), limit_of(ks, scaled[0], last)),
                    "of energy over the fourth power of the speed");
   Table& table = report.table(
       "small_orbits", {count("k", "oscillations a site"), count("sign", "of the central velocity"),
@@ -554,7 +553,8 @@ void report_small_orbits(Report& report) {
                        estimate("scaled_energy", "energy over the fourth power of the speed", "",
                                 "difference of two computations")});
   for (std::size_t i : {0, 1})
-    for (const SmallOrbit& o : lists[i]) table.add({o.k, signs[i], 1 / double(o.k), o.scaled});
+    for (std::size_t j = 0; j <= last; ++j)
+      table.add({ks[j], signs[i], 1 / double(ks[j]), scaled[i][j]});
 }
 
 void report_dps(Report& report) {
@@ -603,10 +603,10 @@ $1/k$.
 two; whether there are orbits that repeat themselves only after several sites; a proof for type II. The reversal of
 direction at $s > 0$ is not explained by the exact orbits that we know.
 
-**To change it.** Other impacts are the list in `report_packets`; their frames are `frames`. Wells are the second member
-of `Chain` in `follow`, but then the frequency of a passed bead depends on its amplitude, and $\vartheta$ means less.
-Another reading of the tail is one more line where `follow` writes a row, and a column in `report_courses`. The stretches
-of the extrapolation are `decade`, `half` and `third`. The figures read columns by name. */
+**To change it.** Other impacts are the list in `report_packets`, their frames `frames`. Wells are the second member of
+`Chain` in `follow`, but then the frequency of a passed bead depends on its amplitude, and $\vartheta$ means less.
+Another reading of the tail is a member of `PacketRow` and a column in `report_courses`. The stretches of fits are `decade`,
+`half` and `third`. The figures read columns by name. */
 void reproduce(Report& report) {
   report_packets(report);
   report_small_orbits(report);
