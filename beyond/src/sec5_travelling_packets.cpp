@@ -122,8 +122,33 @@ Course follow(double v0, const Frame& frame, std::size_t rows) {
 
 /**
 Each impact is followed twice, the second time in a frame half as long again and with half the step. The difference is
-the error, which includes what a frame cuts off. */
+the error, which includes what a frame cuts off. Figure x22 draws the rows as they are; only two columns need errors,
+the others are means that fluctuate. */
 constexpr std::array frames{Frame{64, 16, 0.2}, Frame{96, 16, 0.1}};
+
+void report_courses(Report& report, const std::vector<double>& velocities,
+                    const std::vector<TwoRuns<Course>>& runs) {
+  const std::string two = "difference of two frames and steps";
+  Table& table = report.table(
+      "courses",
+      {number("velocity", "of the impact"), number("t", "time"),
+       number("site", "centre of the packet", "site"), number("log_site", "its log10"),
+       estimate("left", "amplitude of the bead left behind", "", two),
+       number("log_left", "log10 of the amplitude"),
+       estimate("angle", "phase from one bead left behind to the next", "",
+                "against the largest: " + two),
+       number("inverse_angle", "one over the angle"),
+       number("speed", "mean speed since the last row", "site per unit of time"),
+       number("turns", "shift time over 2 pi"), number("energy", "mean energy of the packet"),
+       number("contact", "mean contact energy of the packet")});
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    for (std::size_t i = 0; i < runs[k].fine.size(); ++i) {
+      const PacketRow &c = runs[k].coarse[i], &f = runs[k].fine[i];
+      table.add({velocities[k], f.t, f.site, std::log10(f.site), compare(c.left, f.left),
+                 std::log10(f.left), compare(c.angle, f.angle), 1 / f.angle, f.speed,
+                 1 / (two_pi * f.speed), f.energy, f.contact});
+    }
+}
 
 /**
 ## The tail (figure x22)
@@ -144,13 +169,13 @@ is no law either.
 
 | after $v_0 = 0.66$ | expected | here |
 |---|---|---|
-| exponent of the tail, last decade of sites | $-1$ | [](num:sec5_travelling_packets.tail_exponent_v66) |
-| growth of $1/\vartheta$ per site, sites 200 to 431 | | [](num:sec5_travelling_packets.angle_growth_early_v66) |
-| the same at the end | equal | [](num:sec5_travelling_packets.angle_growth_v66) |
-| $\lvert g\rvert$, sites 200 to 431 | | [](num:sec5_travelling_packets.pulse_early_v66) |
-| the same at the end | equal | [](num:sec5_travelling_packets.pulse_v66) |
-| share of its energy lost in the last decade of sites | | [](num:sec5_travelling_packets.energy_lost_v66) |
-| share of its contact energy | less | [](num:sec5_travelling_packets.contact_energy_lost_v66) | */
+| exponent of the tail, last decade of sites | $-1$ | [-0.72067 ± 6e-5](num:sec5_travelling_packets.tail_exponent_v66) |
+| growth of $1/\vartheta$ per site, sites 200 to 431 | | [0.0094495 ± 8e-7](num:sec5_travelling_packets.angle_growth_early_v66) |
+| the same at the end | equal | [0.00208 ± 8e-5](num:sec5_travelling_packets.angle_growth_v66) |
+| $\lvert g\rvert$, sites 200 to 431 | | [0.0308411 ± 5e-7](num:sec5_travelling_packets.pulse_early_v66) |
+| the same at the end | equal | [0.01113 ± 2e-5](num:sec5_travelling_packets.pulse_v66) |
+| share of its energy lost in the last decade of sites | | [0.0171 ± 0.0001](num:sec5_travelling_packets.energy_lost_v66) |
+| share of its contact energy | less | [0.0026 ± 0.0001](num:sec5_travelling_packets.contact_energy_lost_v66) | */
 constexpr std::size_t decade = 12, half = 6, third = 4;  // rows
 
 /// The straight line through the last rows, `intervals` of them and one more.
@@ -192,32 +217,25 @@ double early_contact(const Course& c) {
 
 void report_tail(Quantities& facts, const TwoRuns<Course>& runs) {
   const std::size_t end = runs.fine.size() - 1 - third;
-  const std::string early = "sites 200 to 431", share = "share, in the last decade of sites";
-  const auto add = [&](const std::string& name, auto of, const std::string& unit) {
+  const auto add = [&](const std::string& name, const std::string& unit, auto of) {
     facts.add(name + "_v66", runs.of(of), unit);
   };
-  add("tail_exponent", tail_exponent, "");
-  add(
-      "angle_growth_early", [](const Course& c) { return growth(c, decade); },
-      "of its inverse, per site, " + early);
-  add(
-      "angle_growth", [=](const Course& c) { return growth(c, end); },
-      "of its inverse, per site, at the end");
-  add(
-      "pulse_early", [](const Course& c) { return pulse(c, decade); }, "|g(1)|, " + early);
-  add(
-      "pulse", [=](const Course& c) { return pulse(c, end); }, "|g(1)|, at the end");
+  add("tail_exponent", "", tail_exponent);
+  add("angle_growth_early", "of its inverse, per site, sites 200 to 431",
+      [](const Course& c) { return growth(c, decade); });
+  add("angle_growth", "of its inverse, per site, at the end",
+      [=](const Course& c) { return growth(c, end); });
+  add("pulse_early", "|g(1)|, sites 200 to 431", [](const Course& c) { return pulse(c, decade); });
+  add("pulse", "|g(1)|, at the end", [=](const Course& c) { return pulse(c, end); });
   // What the packet loses, its phase, and the contact energy with which it began
-  add(
-      "energy_lost", [](const Course& c) { return lost(c, &PacketRow::energy); }, share);
-  add(
-      "contact_energy_lost", [](const Course& c) { return lost(c, &PacketRow::contact); }, share);
-  add(
-      "angle_end", [](const Course& c) { return c.back().angle; }, "at the end");
-  add(
-      "turn_end", [](const Course& c) { return 1 / c.back().speed - c.back().angle - two_pi; },
-      "of the internal phase from site to site, at the end");
-  add("contact_energy_early", early_contact, "mean, sites 43 to 113");
+  add("energy_lost", "share, in the last decade of sites",
+      [](const Course& c) { return lost(c, &PacketRow::energy); });
+  add("contact_energy_lost", "share, in the last decade of sites",
+      [](const Course& c) { return lost(c, &PacketRow::contact); });
+  add("angle_end", "at the end", [](const Course& c) { return c.back().angle; });
+  add("turn_end", "of the internal phase from site to site, at the end",
+      [](const Course& c) { return 1 / c.back().speed - c.back().angle - two_pi; });
+  add("contact_energy_early", "mean, sites 43 to 113", early_contact);
 }
 
 /**
@@ -310,25 +328,25 @@ both packets ten times as far and saw no capture.
 
 | at the end | exact, or on the line | here |
 |---|---|---|
-| $T/2\pi$ after $v_0 = 0.66$ | whole | [](num:sec5_travelling_packets.final_turns_v66) |
-| after $v_0 = 1.5$ | whole | [](num:sec5_travelling_packets.final_turns_v150) |
-| $cE^{-1/4}$ after $v_0 = 0.66$ | [](num:sec5_travelling_packets.type_one_scaled_speed_v66) | [](num:sec5_travelling_packets.final_scaled_speed_v66) |
-| after $v_0 = 1.5$ | [](num:sec5_travelling_packets.type_one_scaled_speed_v150) | [](num:sec5_travelling_packets.final_scaled_speed_v150) |
-| contact energy after $v_0 = 0.66$ | [](num:sec5_travelling_packets.contact_energy_of_type_one_v66) | [](num:sec5_travelling_packets.final_contact_energy_v66) |
-| the same near site 100 | | [](num:sec5_travelling_packets.contact_energy_early_v66) |
-| the same in the last half decade | | [](num:sec5_travelling_packets.contact_energy_late_v66) |
-| after $v_0 = 1.5$ | [](num:sec5_travelling_packets.contact_energy_of_type_one_v150) | [](num:sec5_travelling_packets.final_contact_energy_v150) |
-| $\vartheta$ at the last site, $v_0 = 0.66$ | 0 | [](num:sec5_travelling_packets.angle_end_v66) |
-| turn of the internal phase there | 0 | [](num:sec5_travelling_packets.turn_end_v66) |
-| $\kappa$ of the orbit $k = 1$ | | [](num:sec5_travelling_breathers.kappa_k1_plus) | */
+| $T/2\pi$ after $v_0 = 0.66$ | whole | [1.1566 ± 0.0003](num:sec5_travelling_packets.final_turns_v66) |
+| after $v_0 = 1.5$ | whole | [0.847 ± 0.001](num:sec5_travelling_packets.final_turns_v150) |
+| $cE^{-1/4}$ after $v_0 = 0.66$ | [0.25466 ± 2e-5](num:sec5_travelling_packets.type_one_scaled_speed_v66) | [0.25467 ± 3e-5](num:sec5_travelling_packets.final_scaled_speed_v66) |
+| after $v_0 = 1.5$ | [0.2312 ± 0.0001](num:sec5_travelling_packets.type_one_scaled_speed_v150) | [0.2312 ± 0.0002](num:sec5_travelling_packets.final_scaled_speed_v150) |
+| contact energy after $v_0 = 0.66$ | [0.01333 ± 2e-5](num:sec5_travelling_packets.contact_energy_of_type_one_v66) | [0.013329 ± 4e-6](num:sec5_travelling_packets.final_contact_energy_v66) |
+| the same near site 100 | | [0.0135176 ± 2e-8](num:sec5_travelling_packets.contact_energy_early_v66) |
+| the same in the last half decade | | [0.013349 ± 1e-5](num:sec5_travelling_packets.contact_energy_late_v66) |
+| after $v_0 = 1.5$ | [0.0824 ± 0.0007](num:sec5_travelling_packets.contact_energy_of_type_one_v150) | [0.08242 ± 6e-5](num:sec5_travelling_packets.final_contact_energy_v150) |
+| $\vartheta$ at the last site, $v_0 = 0.66$ | 0 | [0.0197 ± 0.0002](num:sec5_travelling_packets.angle_end_v66) |
+| turn of the internal phase there | 0 | [0.8867 ± 0.0001](num:sec5_travelling_packets.turn_end_v66) |
+| $\kappa$ of the orbit $k = 1$ | | [-8.8883e-11 ± 3e-15](num:sec5_travelling_breathers.kappa_k1_plus) | */
 void report_end(Quantities& facts, const std::string& name, const TwoRuns<Course>& runs,
                 const TypeOneLine& line) {
-  const auto add = [&](const std::string& what, auto of, const std::string& unit = "") {
+  const auto add = [&](const std::string& what, const std::string& unit, auto of) {
     facts.add(what + name, extrapolated(runs, of), unit);
   };
   // On the line at the packet's own speed, by seven orbits and by six
-  const auto add_line = [&](const std::string& what, const std::vector<double>& y, int power,
-                            const std::string& unit = "") {
+  const auto add_line = [&](const std::string& what, const std::string& unit,
+                            const std::vector<double>& y, int power) {
     const auto on_line = [&](double c, std::size_t from) {
       return line.at(c, y, from) * std::pow(c, power);
     };
@@ -336,18 +354,16 @@ void report_end(Quantities& facts, const std::string& name, const TwoRuns<Course
     e.error += std::abs(on_line(end_state(runs.fine).speed, 1) - e.value);
     facts.add(what + name, e, unit);
   };
-  add(
-      "final_speed", [](const EndState& end) { return end.speed; }, "site per unit of time");
-  add("final_energy", [](const EndState& end) { return end.energy; });
-  add("final_turns", [](const EndState& end) { return 1 / (two_pi * end.speed); });
-  add("final_scaled_speed",
+  add("final_speed", "site per unit of time", [](const EndState& end) { return end.speed; });
+  add("final_energy", "", [](const EndState& end) { return end.energy; });
+  add("final_turns", "", [](const EndState& end) { return 1 / (two_pi * end.speed); });
+  add("final_scaled_speed", "",
       [](const EndState& end) { return end.speed / std::pow(end.energy, 0.25); });
-  add_line("type_one_scaled_speed", line.scaled_speed, 0);
-  add(
-      "contact_energy_late", [](const EndState& end) { return end.contact_late; },
-      "mean, last half decade of sites");
-  add("final_contact_energy", [](const EndState& end) { return end.contact; });
-  add_line("contact_energy_of_type_one", line.scaled_contact, 5, "at the final speed");
+  add_line("type_one_scaled_speed", "", line.scaled_speed, 0);
+  add("contact_energy_late", "mean, last half decade of sites",
+      [](const EndState& end) { return end.contact_late; });
+  add("final_contact_energy", "", [](const EndState& end) { return end.contact; });
+  add_line("contact_energy_of_type_one", "at the final speed", line.scaled_contact, 5);
 }
 
 // The line as a curve in the plane of shift time and energy
@@ -361,33 +377,6 @@ void report_line(Report& report, const TypeOneLine& line) {
   };
   for (int i = 0; i <= 40; ++i) add(0, 0.8 + 0.0125 * i);
   add(1, 1);
-}
-
-/**
-All this comes from the courses of the two impacts, which figure x22 draws as they are. Two columns have errors; the
-others are means that fluctuate. */
-void report_courses(Report& report, const std::vector<double>& velocities,
-                    const std::vector<TwoRuns<Course>>& runs) {
-  const std::string two = "difference of two frames and steps";
-  Table& table = report.table(
-      "courses",
-      {number("velocity", "of the impact"), number("t", "time"),
-       number("site", "centre of the packet", "site"), number("log_site", "its log10"),
-       estimate("left", "amplitude of the bead left behind", "", two),
-       number("log_left", "log10 of the amplitude"),
-       estimate("angle", "phase from one bead left behind to the next", "",
-                "against the largest: " + two),
-       number("inverse_angle", "one over the angle"),
-       number("speed", "mean speed since the last row", "site per unit of time"),
-       number("turns", "shift time over 2 pi"), number("energy", "mean energy of the packet"),
-       number("contact", "mean contact energy of the packet")});
-  for (std::size_t k = 0; k < runs.size(); ++k)
-    for (std::size_t i = 0; i < runs[k].fine.size(); ++i) {
-      const PacketRow &c = runs[k].coarse[i], &f = runs[k].fine[i];
-      table.add({velocities[k], f.t, f.site, std::log10(f.site), compare(c.left, f.left),
-                 std::log10(f.left), compare(c.angle, f.angle), 1 / f.angle, f.speed,
-                 1 / (two_pi * f.speed), f.energy, f.contact});
-    }
 }
 
 void report_packets(Report& report) {
@@ -415,8 +404,9 @@ A travelling breather is now $A_n(\tau+\tau_T) = e^{i\varphi}A_{n-1}(\tau)$ with
 $\sum A_n$ is conserved, so that either $\varphi = 0$ (type I) or $\sum A_n = 0$ (type II). But $A_n$ may be multiplied
 by any constant phase factor, so nothing pins the internal phase here.
 
-The equation has no scale of its own, and we choose $\tau_T = 2\pi$. Newton's method looks for fields with the symmetry
-$A_n(\tau) = -\bar A_{-n}(-\tau)$, for which half a shift is enough: with $w_n = e^{-i\varphi/2}A_n(\tau_T/2)$,
+The equation has no scale of its own, and we choose $\tau_T = 2\pi$. Newton's method looks for fields on the sites $-8$
+to 9 with the symmetry $A_n(\tau) = -\bar A_{-n}(-\tau)$, for which half a shift is enough. With
+$w_n = e^{-i\varphi/2}A_n(\tau_T/2)$ the equations are
 $$\mathrm{Re}\,(w_n+w_{1-n}) = 0,\qquad \mathrm{Im}\,(w_n-w_{1-n}) = 0,\qquad n = 1,\dots,9.$$
 The equations of the first kind add up to $V\sin(\varphi/2) = 0$, where $\sum A_n(0) = iV$. We leave out one of them and
 find a solution for every $\varphi$ that we try; $V$ shows what is missed (dps_travelling.hpp). The first guess is the
@@ -457,9 +447,9 @@ impacts are on the other side, at negative $\varphi$, and there $|V|$ grows.
 
 | $\lvert\sum A_n\rvert$ over $(\sum\lvert A_n\rvert^2)^{1/2}$ | expected | here |
 |---|---|---|
-| $\varphi = 0$ | | [](num:sec5_travelling_packets.dps_sum) |
-| $\varphi = 0.5$ | 0, if of type II | [](num:sec5_travelling_packets.dps_sum_half) |
-| $\varphi = -0.25$ | 0, if of type II | [](num:sec5_travelling_packets.dps_sum_impact) | */
+| $\varphi = 0$ | | [0.117175 ± 3e-15](num:sec5_travelling_packets.dps_sum) |
+| $\varphi = 0.5$ | 0, if of type II | [0.0138902 ± 8e-16](num:sec5_travelling_packets.dps_sum_half) |
+| $\varphi = -0.25$ | 0, if of type II | [0.271304 ± 6e-15](num:sec5_travelling_packets.dps_sum_impact) | */
 double relative_sum(const DpsMember& m) {
   return std::abs(m.V) / std::sqrt(m.norm);
 }
@@ -511,8 +501,8 @@ equation are computed by different integrators and different equations, and agre
 
 | limit of small amplitude | DpS equation | chain, $k\to\infty$ |
 |---|---|---|
-| $E/c^4$ | [](num:sec5_travelling_packets.dps_energy_over_c4) | [](num:sec5_travelling_packets.limit_of_type_one) |
-| $cE^{-1/4}$ | [](num:sec5_travelling_packets.dps_scaled_speed) | | */
+| $E/c^4$ | [65.5523 ± 8e-13](num:sec5_travelling_packets.dps_energy_over_c4) | [65.56 ± 0.01](num:sec5_travelling_packets.limit_of_type_one) |
+| $cE^{-1/4}$ | [0.351441 ± 1e-15](num:sec5_travelling_packets.dps_scaled_speed) | | */
 std::vector<Estimate> scaled_energies(int sign, const std::vector<std::size_t>& ks) {
   std::vector<Estimate> list;
   TypeOneOrbits orbits(sign);
@@ -605,8 +595,8 @@ direction at $s > 0$ is not explained by the exact orbits that we know.
 
 **To change it.** Other impacts are the list in `report_packets`, their frames `frames`. Wells are the second member of
 `Chain` in `follow`, but then the frequency of a passed bead depends on its amplitude, and $\vartheta$ means less.
-Another reading of the tail is a member of `PacketRow` and a column in `report_courses`. The stretches of fits are `decade`,
-`half` and `third`. The figures read columns by name. */
+Another reading of the tail is a member of `PacketRow` and a column in `report_courses`. The stretches of fits are
+`decade`, `half` and `third`. The figures read columns by name. */
 void reproduce(Report& report) {
   report_packets(report);
   report_small_orbits(report);
