@@ -11,18 +11,18 @@ has passed swinging a little. So it loses energy, slows down, and turns into som
         phase turns by theta, amplitude |z(n)|
 
 The same chain has exact travelling breathers, which leave nothing behind, but those that we know have isolated speeds
-(`sec5_travelling_breathers`). Does one of them capture the packet? The article does not ask. Over 16,000 sites, in
-linear wells, we find:
+(`sec5_travelling_breathers`). Does one of them capture the packet? The article does not ask, and prints nothing with
+which our numbers could be compared. Over 16,000 sites, in linear wells, we find:
 
 - No exact breather captures the packets of the two impacts that we follow.
 - The tail weakens all the way, but more slowly than the $1/n$ of a simple energy balance. Its final law is open.
-- Speed and energy approach a smooth line drawn through exact breathers, at a point between two of them. The energy in
-  the contacts, which hardly changes on the way, seems to select this point.
+- Speed and energy approach a smooth line drawn through exact breathers, but at a point where we know none. The energy
+  in the contacts, which hardly changes on the way, seems to select this point.
 - At small amplitude the exact breathers tend to a travelling breather of the DpS equation (figure x23).
 
-![The tail of an impact's packet weakens, and its speed and energy tend to a point between exact breathers. Drawn by
-x22_tail_of_a_packet.py: `left`, `inverse_angle`, and `energy` against `turns`, from `courses`; `energy` against `turns`
-from `line_of_type_one`.](fig:x22)
+![The tail of an impact's packet weakens, and its speed and energy tend to the line through exact breathers. Drawn by
+x22_tail_of_a_packet.py: `left` and `inverse_angle` against `site`, and `energy` against `turns`, from `courses`;
+`energy` against `turns` from `line_of_type_one`.](fig:x22)
 
 [](finding:travelling.packets)
 
@@ -74,7 +74,7 @@ constexpr double two_pi = 2 * std::numbers::pi;
 
 struct Frame {
   std::size_t sites, drop;  // how many beads it has, how many are dropped at a time
-  double step;              // of the integrator, order six, event-corrected
+  double step;  // of the integrator, which has order six and corrects for contact events
 };
 
 /// A packet, row by row. Speed and energies are means since the row before.
@@ -239,7 +239,7 @@ void report_tail(Quantities& facts, const TwoRuns<Course>& runs) {
 }
 
 /**
-## Between the exact breathers (figure x22)
+## Where speed and energy end (figure x22)
 
 Where does the packet end? Against $\vartheta$ its speed and its energies are nearly straight lines. We extrapolate them
 to $\vartheta = 0$ from the last half decade of sites. Shorter and longer stretches, a quarter of a decade and a whole
