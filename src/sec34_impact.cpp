@@ -86,11 +86,12 @@ struct Followed {
 Followed followed(const EventCorrected& method, double s, double v0, double time,
                   double until = fit_to + 2) {
   const Chain chain{90, Quartic{s}};
-  const std::size_t denser_by = std::size_t(1) << method.halvings;  // than in the coarsest run
+  // End states can be compared only if all resolutions end at the same instant: a sample of the coarsest
+  const std::size_t denser_by = std::size_t(1) << method.halvings;
   std::size_t sample = 0;
   Followed out;
   out.run = impact(method, chain, v0, out.end, time, denser(0.2), [&](const State<double>& now) {
-    const bool seen_by_all = sample++ % denser_by == 0;
+    const bool may_end = sample++ % denser_by == 0;
     const std::vector<double> e = energy_density(chain, now);  // Eq. (23)
     const auto peak = front_packet(e);                         // n'
     if (!peak || now.t == 0) return true;
@@ -98,8 +99,7 @@ Followed followed(const EventCorrected& method, double s, double v0, double time
     out.stays.push_back(boundary_share(e, 5));
     const double X = out.path.centre.back();
     if (X > 40) out.front.add(e, *peak);
-    // End states can be compared only if all resolutions end at the same instant
-    return !(seen_by_all && X >= until);
+    return !(may_end && X >= until);
   });
   return out;
 }
@@ -234,7 +234,8 @@ Why should a soft well keep energy? Between contacts all beads in linear wells s
 they move, and what one bead gives, the next one takes up in step. In a soft well the bead that moves far is slower. If
 the impact is strong enough, this exceeds what the contact adds: the first bead swings at a frequency below 1, while its
 neighbours move less and are, by themselves, faster. So they are driven below their resonance, and the energy stays
-where it is. This explains by frequencies and proves nothing: we have not computed the surface mode as a periodic orbit.
+where it is. This is an explanation by frequencies, not a proof: we have not computed the surface mode as a periodic
+orbit.
 */
 void report_forces(Report& report) {
   Table& forces = report.table("surface_mode_forces",
@@ -325,7 +326,7 @@ the ten sites that follow the window of Eq. (24). Both are taken in linear wells
 After such an impact the packet has [11.0](num:sec34_impact.packet_width_moderate) sites: the contacts push as
 strongly as the wells, the DpS limit is left, and two more sites on either side rise above the hundredth. The article
 speaks of *mainly* seven sites and of *moderate* velocities without a measure for either. The hundredth and the velocity
-are ours, so this is no contradiction. The tail is small, and grows with the impact velocity.
+are ours. The tail is small, and grows with the impact velocity.
 
 | amplitude of the tail over that of the peak | article | here |
 |---|---|---|
@@ -364,7 +365,7 @@ Above this bound there is no sharp threshold. The outcome depends on details of 
 velocities at which no bead escapes lie between velocities at which one does. So we quote a band, from the lowest
 velocity with an escape to the highest without, on a grid of 801 velocities and up to $t = 500$. At $s = -\frac16$ it
 reaches from [2.11](num:sec34_impact.blowup_first_escape_s_1_6) to
-[2.51](num:sec34_impact.blowup_last_survivor_s_1_6), with five islands; at $s = -0.7$ there are three (table
+[2.51](num:sec34_impact.blowup_last_survivor_s_1_6), with islands of survival in between (table
 `blowup_scan`). Both scans begin with survivors and end with escapes. [](finding:blowup.bands)
 
 Every velocity is run with two steps on a chain that nothing can cross within the time. What must agree is the
@@ -397,8 +398,9 @@ struct Trial {
 /**
 Inside the band the packets of those impacts that do not blow up can be faster, perhaps because the collision that keeps
 the first bead from escaping feeds the packet. The curves of figure 19 therefore end one grid spacing below the band.
-Their last points, up to 0.05 below it, are erratic and are marked in the figure: the first bead almost escapes before
-it returns. Each is right for its own velocity, but a finer scan would find more structure. */
+Their last points, up to 0.05 below it, the velocity of figure 20 among them, are erratic and are marked in the figure:
+the first bead almost escapes before it returns. Each is right for its own velocity, but a finer scan would find more
+structure. */
 std::vector<double> report_blowup(Report& report) {
   Table& scan =
       report.table("blowup_scan",

@@ -51,10 +51,11 @@ Steps of 0.1 and 0.05 give the error. The independent route is the conservation 
 the relative motion, $\frac14mV^2$, is in the contact, $\frac25\gamma\,x^{5/2}$, when $x = (5/8)^{2/5}\,\delta$. The
 program stops unless both agree to $10^{-7}$.
 
-The contact time is the printed one. The largest compression is not; the article quotes both from other works. With the
-reduced mass $\mu = \frac12m$ it is $(\mu V^2/K)^{2/5}$, $K = \frac45\gamma$. A possible cause of the quoted 0.76 is
-$\gamma$ in the place of $K$, which gives $2^{-2/5}\,\delta$. The quoted contact time has the right constant: at given
-$V$ it is proportional to the compression, and with 0.76 it would be far from 2.43.
+The contact time is the printed one, if this is cut off after two decimals. The largest compression is not; the article
+quotes both from other works. With the reduced mass $\mu = \frac12m$ it is $(\mu V^2/K)^{2/5}$, $K = \frac45\gamma$. A
+possible cause of the quoted 0.76 is $\gamma$ in the place of $K$, which gives $2^{-2/5}\,\delta$. The quoted contact
+time has the right constant: at given $V$ it is proportional to the compression, and with 0.76 it would be far from
+2.43.
 
 A cradle whose strings have the length $L$ has $\tau_c^2 = L/g$. A collision of steel balls was measured to take 0.077
 ms, and this over the contact time in units of $\tau_h$ is $\tau_h$. As $\lambda^{5/2} = (L/g\tau_h^2)^{5/2}$ contains
@@ -96,11 +97,11 @@ void report_collision(Report& report) {
 
 The article replaces a beam of the length $\ell$ by a spring and a point mass, with factors that it prints with two or
 three digits, so we compute them. We integrate $u'''' = x^4u$ for the deflection $u$, where $x$ is now the wavenumber
-times $\ell$, along half of the beam (cantilever.hpp), in 200 and in 400 steps. The stiffness is that against a steady
-push at the middle; the wavenumber is then $x = 0$ and the solution a cubic, which the Runge–Kutta method reproduces
-exactly, so that only rounding is left. For the frequency an independent route is $\cos x\cosh x = 1$. Two beads at the
-middle change the shape of the vibration, so that one point mass for beam and beads is an approximation, by a thousandth
-of the frequency.
+times $\ell$, along half of the beam, from the clamped end, where $u = u' = 0$, to the middle, where $u' = 0$ by
+symmetry (cantilever.hpp), in 200 and in 400 steps. The stiffness is that against a steady push at the middle; the
+wavenumber is then $x = 0$ and the solution a cubic, which the Runge–Kutta method reproduces exactly, so that only
+rounding is left. For the frequency an independent route is $\cos x\cosh x = 1$. Two beads at the middle change the
+shape of the vibration, so that one point mass for beam and beads is an approximation, by a thousandth of the frequency.
 
 | of a clamped beam | article | here |
 |---|---|---|
