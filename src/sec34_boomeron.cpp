@@ -347,7 +347,7 @@ void report_profiles(Report& report, const Estimate& apex) {
 
 /**
 Can the digits of $v_0$ that are not printed explain this? They leave a range from 1.865 to 1.875. Over it the velocity
-vanishes first at 320 at the earliest, and with half the smoothing hardly before 300, well after the article's 240.
+vanishes first at 320 at the earliest (with half the smoothing at 296), well after the article's 240.
 A velocity profile, as in figure 23, does not tell a packet at rest from one that moves slowly.
 
 | $s=1$, $v_0=1.87$ | article | here |
