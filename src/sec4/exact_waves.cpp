@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "lattice/algebra/eigenvalues.hpp"
-#include "lattice/numerics/line_fit.hpp"
 
 namespace lattice {
 
@@ -133,7 +132,8 @@ double PhaseOfWave::growth(double a, double modulation, std::size_t harmonics) c
 Estimate PhaseOfWave::phi_from_growth(double a) const {
   const auto c = nls();
   return at_zero_amplitude(a, [&](double x) {
-    return growth(x, fastest_modulation(c, x)) / (x * x / 4) * c.omega * std::abs(c.omega_2);
+    const double fastest = std::sqrt(-c.h() * x * x / (2 * c.curvature));
+    return growth(x, fastest) / (x * x / 4) * c.omega * std::abs(c.omega_2);
   });
 }
 
@@ -166,22 +166,17 @@ BandEdges band_edges(double d, double threshold) {
   return {compare(0.0, formula), apart, compare(0.0, leftover)};
 }
 
-// The Fourier sum of y + i v / omega over the sites
-static std::complex<double> fourier(const State<double>& state, double wavenumber, double omega) {
-  std::complex<double> sum = 0;
-  for (std::size_t n = 0; n < state.y.size(); ++n)
-    sum += std::complex<double>(state.y[n], state.v[n] / omega) *
-           std::polar(1.0, -wavenumber * double(n + 1));
-  return sum;
-}
-
 double measured_frequency(const Method& method, const Chain& ring, const PlaneWave& wave,
                           double periods) {
   State<double> state = on_ring(wave, ring.sites);
   const double time = 2 * pi * periods / wave.omega;
   double turned = 0, last = 0;
   evolve(method, ring, state, time, 0.5, [&](const State<double>& now) {
-    const double phase = std::arg(fourier(now, wave.q, wave.omega));
+    std::complex<double> sum = 0;  // of y + i v / omega
+    for (std::size_t n = 0; n < ring.sites; ++n)
+      sum += std::complex<double>(now.y[n], now.v[n] / wave.omega) *
+             std::polar(1.0, -wave.q * double(n + 1));
+    const double phase = std::arg(sum);
     if (now.t > 0) turned += std::remainder(phase - last, 2 * pi);
     last = phase;
   });
@@ -199,71 +194,6 @@ Estimate measured_beta(const Chain& ring, double q, double omega) {
     });
   };
   return compare(from(0.2), from(0.1));
-}
-
-double measured_growth(const Method& method, const Chain& ring, const PlaneWave& wave, int turns,
-                       double expected) {
-  State<double> state = on_ring(wave, ring.sites);
-  const double modulation = 2 * pi * turns / double(ring.sites);
-  for (std::size_t n = 0; n < ring.sites; ++n) {
-    const double factor = 1 + 1e-6 * std::cos(modulation * double(n + 1));
-    state.y[n] *= factor;
-    state.v[n] *= factor;
-  }
-  std::vector<double> times, logs;
-  evolve(method, ring, state, 8 / expected, 0.02 / expected, [&](const State<double>& now) {
-    if (now.t < 4 / expected) return;
-    times.push_back(now.t);
-    logs.push_back(std::log(std::abs(fourier(now, wave.q + modulation, wave.omega))));
-  });
-  return fit_line(times, logs).slope;
-}
-
-// A whole number of wavelengths
-Soliton::Soliton(const PhaseOfWave& of, std::size_t wavelength, double epsilon)
-    : phonon(of),
-      eps(epsilon),
-      nls(of.nls()),
-      sites(wavelength * std::size_t(std::ceil(28 / (epsilon * double(wavelength))))) {}
-
-Chain Soliton::ring() const {
-  return {sites, Quartic{phonon.s}, CompressedHertz{phonon.d}, Ends::periodic};
-}
-
-// 2 eps M sech(z) cos(theta) and its derivative with respect to time
-State<double> Soliton::at(double t) const {
-  const double height = 2 * eps * std::sqrt(-nls.curvature / nls.h()), c = nls.group_velocity;
-  const double frequency = nls.omega - eps * eps * nls.curvature / 2;
-  State<double> state(sites);
-  state.t = t;
-  for (std::size_t i = 0; i < sites; ++i) {
-    const double n = double(i) - double(sites) / 2;
-    const double z = eps * std::remainder(n - c * t, double(sites));
-    const double theta = phonon.q * n - frequency * t, sech = height / std::cosh(z);
-    state.y[i] = sech * std::cos(theta);
-    state.v[i] = sech * (frequency * std::sin(theta) + c * eps * std::tanh(z) * std::cos(theta));
-  }
-  return state;
-}
-
-// The chain runs, the ansatz is evaluated
-AnsatzError ansatz_error(const Soliton& soliton, double tau, double step, std::size_t looks) {
-  const double time = tau / (soliton.eps * soliton.eps);
-  const Chain ring = soliton.ring();
-  State<double> state = soliton.at(0);
-  AnsatzError worst;
-  const auto look = [&](const State<double>& now) {
-    const State<double> ansatz = soliton.at(now.t);
-    double squares = 0;
-    for (std::size_t i = 0; i < soliton.sites; ++i) {
-      const double y = now.y[i] - ansatz.y[i], v = now.v[i] - ansatz.v[i];
-      squares += y * y + v * v;
-      worst.largest = std::max({worst.largest, std::abs(y), std::abs(v)});
-    }
-    worst.l2 = std::max(worst.l2, std::sqrt(squares));
-  };
-  evolve(Splitting{blanes_moan_6_14(), step}, ring, state, time, time / double(looks), look);
-  return worst;
 }
 
 }  // namespace lattice
