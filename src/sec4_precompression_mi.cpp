@@ -41,7 +41,6 @@ bent phase drives more energy there. So the question is one of two signs, $\Phi 
 #include "commands/phonon_band.hpp"
 #include "lattice/impact/impact.hpp"
 #include "sec4/exact_waves.hpp"
-#include "sec4/nls_checks.hpp"
 #include "sec4/packets.hpp"
 
 using namespace lattice;
@@ -518,7 +517,7 @@ void report_impacts(Report& report) {
 
 The printed $\beta$ could contain a slip, so we measure it in two ways that do not use the formula: by the frequency of
 exact waves, integrated for 60 periods, and by the growth of their modulations. Both give points on the curves of
-figure 25 (nls_checks.hpp). The frequency confirms $\beta$ to a fraction of
+figure 25 (exact_waves.hpp). The frequency confirms $\beta$ to a fraction of
 [0.0003](num:sec4_precompression_mi.beta_apart_by_shift).
 
 ![Measured points on the curves of figure 25. Drawn by x07_measured_coefficient.gp: `shift_phi` and `growth_phi` over

@@ -16,6 +16,7 @@ nothing of $\beta$. */
 
 #include "lattice/integrators/integrate.hpp"
 #include "lattice/numerics/estimate.hpp"
+#include "report/program.hpp"
 #include "sec4/phonons.hpp"
 
 namespace lattice {
@@ -70,10 +71,8 @@ struct PhaseOfWave {
   Estimate phi_from_growth(double a) const;
 };
 
-/**
-At the edges of the band $\Phi(0) = -\frac32 s$ and $\Phi(\pi) = \frac32(s-s_\pi)$ with a threshold $s_\pi$. Both are
-tested over a range of wells, and by exact waves of amplitude 0.005 for $s$ at 0.05 on either side, with 6 and with 12
-harmonics. */
+/// At the edges of the band Phi(0) = -3/2 s and Phi(pi) = 3/2 (s - threshold). Both are tested over a range of wells,
+/// and by exact waves of amplitude 0.005 for s at 0.05 on either side, with 6 and with 12 harmonics.
 struct BandEdges {
   Estimate formula,  ///< by how much the identities are missed
       growth,  ///< by which fraction the growth on the unstable side is not that of the NLS equation
@@ -89,5 +88,12 @@ double measured_frequency(const Method& method, const Chain& ring, const PlaneWa
 /// beta at zero amplitude from runs with two steps, by omega_nl^2 = omega^2 + beta a^2/2; `omega` is the linear
 /// frequency.
 Estimate measured_beta(const Chain& ring, double q, double omega);
+
+/// The table of figure x07: beta from the frequency of exact waves on 48 beads, and Phi from the growth of their
+/// modulations where these are slow: not at q = pi/2, where backscattered waves grow faster, and not within 0.05 of
+/// q_c, where the curvature vanishes. Only the column `beta` comes from the formula.
+void report_beta(Report& report);
+/// The chain starts from a soliton: its largest distance from the ansatz of Eq. (35) up to t = eps^-2, and local orders.
+void report_ansatz(Report& report);
 
 }  // namespace lattice

@@ -16,6 +16,13 @@ static Window around(std::size_t peak, std::size_t half_width, std::size_t sites
   return {peak > half_width ? peak - half_width : 0, std::min(sites, peak + half_width + 1)};
 }
 
+// The site, counted from one, of the largest entry in `range`
+static double largest_in(const std::vector<double>& a, Window range) {
+  const auto first = a.begin() + std::ptrdiff_t(range.first),
+             last = a.begin() + std::ptrdiff_t(range.last);
+  return double(std::max_element(first, last) - a.begin() + 1);
+}
+
 // Slide a window along the chain and keep the centre of the one that holds the most energy
 std::size_t richest(const std::vector<double>& e, std::size_t half_width) {
   double sum = window_sum(e, 0, half_width), best = sum;
@@ -46,11 +53,8 @@ Traits traits(const std::vector<PacketSample>& samples) {
   std::vector<double> log_t, share, boundary, t, centre;
   for (const PacketSample& p : samples) {
     if (p.t < samples.back().t / 4) continue;
-    log_t.push_back(std::log(p.t));
-    share.push_back(std::log(p.share));
-    boundary.push_back(std::log(p.boundary));
-    t.push_back(p.t);
-    centre.push_back(p.centre);
+    log_t.push_back(std::log(p.t)), t.push_back(p.t), centre.push_back(p.centre);
+    share.push_back(std::log(p.share)), boundary.push_back(std::log(p.boundary));
   }
   const double speed = fit_line(t, centre).slope;
   double least = std::numeric_limits<double>::infinity();
@@ -102,10 +106,8 @@ static Eigen::Vector3d sech_step(const Sech& f, const std::vector<double>& a, Wi
 }
 
 Sech fit_sech(const std::vector<double>& a, Window range, double width) {
-  const auto first = a.begin() + std::ptrdiff_t(range.first),
-             last = a.begin() + std::ptrdiff_t(range.last);
-  const auto top = std::max_element(first, last);
-  Sech f{*top, double(top - a.begin() + 1), width, 0};
+  const double top = largest_in(a, range);
+  Sech f{a[std::size_t(top) - 1], top, width, 0};
   double now = misfit(f, a, range);
   for (int i = 0; i < 100; ++i) {
     const Eigen::Vector3d step = sech_step(f, a, range);
@@ -133,12 +135,8 @@ Snapshot snapshot(const Chain& chain, const State<double>& state) {
   };
   const double centre = packet_sample(state.t, energy_density(chain, state)).centre;
   Snapshot out = about(centre);
-  const Window packet = around(std::size_t(centre) - 1, compressed_half_width, chain.sites);
-  const auto a = out.envelope.amplitude.begin();
-  const double top =
-      double(std::max_element(a + std::ptrdiff_t(packet.first), a + std::ptrdiff_t(packet.last)) -
-             a) +
-      1;
+  const double top = largest_in(
+      out.envelope.amplitude, around(std::size_t(centre) - 1, compressed_half_width, chain.sites));
   return std::abs(top - centre) > double(envelope_half_width) / 2 ? about(top) : out;
 }
 

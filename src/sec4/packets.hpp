@@ -3,8 +3,7 @@
 # Packets among phonons
 
 Under precompression the largest single density need not belong to a packet. The packet is where the sites within 20 of
-one another hold the most energy, and how it fares is read from a few numbers at each instant: after an impact, and on a
-ring. */
+one another hold the most energy. */
 
 #include <array>
 #include <cmath>
@@ -58,7 +57,6 @@ struct Sech {
   double at(double n) const { return height / std::cosh((n - centre) / width); }
 };
 /// The sech that fits the values `a` in `range` best, by the Gauss-Newton method from their maximum and this `width`.
-/// A step that does not lessen the misfit is halved; if no part of it does, we have arrived.
 Sech fit_sech(const std::vector<double>& a, Window range, double width);
 
 /**
@@ -77,11 +75,9 @@ Snapshot snapshot(const Chain& chain, const State<double>& state);
 /// the sech's height: nothing is left of the sech there.
 double tail_amplitude(const Snapshot& shot, int side);
 
-/**
-On a ring the number of sites that share the energy does not measure the packet: it counts the background too. So we
-take the width of the highest hump at half its height, of the density averaged over five neighbours, because within half
-a wavelength the carrier makes it oscillate. */
-/// That width, in sites; all of them if the density does not fall to half of its height.
+/// On a ring, where the participation number counts the background too: width in sites of the highest hump at half its
+/// height, of the density averaged over five neighbours, because the carrier makes it oscillate; all sites if the
+/// density does not fall to half of its height.
 double packet_width(const std::vector<double>& density);
 
 /// What is seen of a ring at one instant.
@@ -110,11 +106,8 @@ struct Formed {
 };
 Formed formed(const WatchedRing& coarse, const WatchedRing& fine);
 
-/**
-An instability magnifies differences, so what becomes of a ring is asked of two runs side by side, whose steps differ by
-a factor of two. They are looked at every 50 units of time, and stop when their relative distance has reached a tenth:
-later statements would be merely statistical. */
-/// Two runs side by side, the finer one second.
+/// Two runs with two steps side by side, the finer one second, looked at every 50 units of time. An instability
+/// magnifies differences: the runs stop when their relative distance has reached a tenth.
 struct RingPair {
   std::vector<std::array<RingSample, 2>> samples{};
   Estimate agree{};                     ///< how long the runs agree; exact if they have not parted
@@ -135,10 +128,8 @@ RingPair side_by_side(const Chain& ring, const State<double>& start, double long
                       const std::array<double, 2>& steps,
                       double patience = std::numeric_limits<double>::infinity());
 
-/**
-A pulse splits when the second window holds half of the first or more, in both runs, after the pulse has gone round the
-ring once as one. This could be a pulse that spreads; so later the energy is to be gathered and shared in the same
-way. */
+/// A pulse splits when the second window holds half of the first or more, in both runs, after the pulse has gone round
+/// the ring once as one; it may only have spread, so later the energy is to be gathered and shared in the same way.
 struct PulseSplits {
   Estimate one_pulse_for;        ///< the longest time for which it was one pulse before
   Estimate splits_at, apart_at;  ///< nan if it does not
