@@ -233,20 +233,19 @@ void report_stay(Report& report, StruckArray blow, const std::array<double, 2>& 
   std::array<ImpactRun, 2> start;
   parallel_for(2, [&](std::size_t k) { start[k] = approach(blow, steps[k]); });
   const double ratios[] = {1.6, 1, 0.925};
-  std::array<std::array<Stay, 2>, 3> at;
+  std::array<TwoRuns<Stay>, 3> at;
   parallel_for(6, [&](std::size_t i) {
-    at[i / 2][i % 2] = stay(blow, ratios[i / 2], start[i % 2], steps[i % 2], steps[0]);
+    Stay& one = i % 2 ? at[i / 2].fine : at[i / 2].coarse;
+    one = stay(blow, ratios[i / 2], start[i % 2], steps[i % 2], steps[0]);
   });
-  const auto add = [&](const char* name, std::size_t i, auto of, const char* unit = "") {
-    report.facts.add(name, compare(of(at[i][0]), of(at[i][1])), unit);
-  };
   const auto before = [](const Stay& s) { return s.before[0]; };
   const auto kept = [](const Stay& s) { return s.near[1] / s.near[0]; };
-  add("before_75_16", 0, before, "share of the energy");
-  add("before_75_without", 1, before, "share of the energy");
-  add("kept_before_16", 0, [](const Stay& s) { return s.before[1] / s.before[0]; });
-  add("kept_16", 0, kept);
-  add("kept_0925", 2, kept);
+  const auto left = [](const Stay& s) { return s.before[1] / s.before[0]; };
+  report.facts.add("before_75_16", at[0].of(before), "share of the energy");
+  report.facts.add("before_75_without", at[1].of(before), "share of the energy");
+  report.facts.add("kept_before_16", at[0].of(left));
+  report.facts.add("kept_16", at[0].of(kept));
+  report.facts.add("kept_0925", at[2].of(kept));
 }
 
 /**
@@ -270,25 +269,20 @@ constexpr std::size_t watched_site = 80;
 
 struct Passage {
   StruckArray blow;
-  std::array<WatchedRun, 2> runs{};
+  TwoRuns<WatchedRun> runs{};
 
   explicit Passage(const StruckArray& how) : blow(how) {
     parallel_for(2, [&](std::size_t i) {
-      const RunResolution fine{0.05, 0.05}, coarse{0.1, 0.1};
-      runs[i] = pass(blow, watched_site, 60, i ? fine : coarse);
+      const double step = i ? 0.05 : 0.1;
+      (i ? runs.fine : runs.coarse) = pass(blow, watched_site, 60, {step, step});
     });
-  }
-  /// A quantity of both runs, and one of the pulse at n = 80 in both.
-  template <class Of>
-  Estimate both(Of of) const {
-    return compare(of(runs[0]), of(runs[1]));
   }
   template <class Of>
   Estimate pulse(Of of) const {
-    return both([&](const WatchedRun& run) { return of(pulse_of(run.at, blow.scales)); });
+    return runs.of([&](const WatchedRun& run) { return of(pulse_of(run.at, blow.scales)); });
   }
   Estimate speed_over(std::size_t sites) const {
-    return both([&](const WatchedRun& run) { return mean_speed(run, blow, sites); });
+    return runs.of([&](const WatchedRun& run) { return mean_speed(run, blow, sites); });
   }
 };
 
@@ -327,7 +321,7 @@ void report_packet(Report& report, const Passage& at) {
     const auto slope = [&](const WatchedRun& run) {
       return run.path.line(from, to)->slope / tau_c;
     };
-    facts.add("speed_" + std::to_string(from) + "_to_" + std::to_string(to), at.both(slope),
+    facts.add("speed_" + std::to_string(from) + "_to_" + std::to_string(to), at.runs.of(slope),
               "sites/s");
   }
 
@@ -337,28 +331,26 @@ void report_packet(Report& report, const Passage& at) {
                                     {"duration_hundredth", 0.01},
                                     {"duration_two_thousandth", 5e-4}}) {
     const auto above = [&](const WatchedRun& run) { return duration_above(run, at.blow, share); };
-    facts.add(name, at.both(above), "ms");
+    facts.add(name, at.runs.of(above), "ms");
   }
-  facts.add("energy_drift", at.both([](const WatchedRun& run) { return run.run.energy_drift; }));
+  facts.add("energy_drift", at.runs.of([](const WatchedRun& run) { return run.run.energy_drift; }));
 }
 
 /**
-## The wave train
-
 What the packet leaves behind is, the article says, a fairly extended wave train. Just before the packet meets the
 defect we take the sites up to ten behind its largest one, as in section 3.4. They hold
 [0.562407](num:sec36_cantilever_defect.wavetrain_share) of the energy, and by their participation number
 $(\sum e_n)^2/\sum e_n^2$ [32.1373](num:cantilever.wavetrain) of them share it. */
 void report_wave_train(Report& report, const ScatteringSetup& setup) {
-  const auto in_train = [&](double (*of)(const std::vector<double>&)) {
-    const auto train = [&](const std::vector<double>& density) {
-      return of({density.begin(), density.begin() + std::ptrdiff_t(*front_packet(density)) - 10});
-    };
-    return compare(train(setup.start[0].density), train(setup.start[1].density));
+  const auto train = [&](std::size_t k) {
+    std::vector<double> e = setup.start[k].density;
+    e.resize(*front_packet(e) - 10);
+    return e;
   };
-  report.facts.add("wavetrain_sites", in_train([](const auto& e) { return participation(e); }),
-                   "site");
-  report.facts.add("wavetrain_share", quotient(in_train(total), exact(struck_energy(setup.blow))),
+  const std::vector<double> coarse = train(0), fine = train(1);
+  report.facts.add("wavetrain_sites", compare(participation(coarse), participation(fine)), "site");
+  report.facts.add("wavetrain_share",
+                   quotient(compare(total(coarse), total(fine)), exact(struck_energy(setup.blow))),
                    "share of the energy");
 }
 
@@ -393,8 +385,8 @@ void report_dps(Report& report, const Passage& array) {
   };
   const auto largest = [](const WatchedRun& run) { return largest_modulus(run.at.t, run.at.y); };
   const auto slope = [](const WatchedRun& run) { return run.path.line(20, 60)->slope; };
-  report.facts.add("dps_deflection_apart", apart(deflection, array.both(largest)));
-  report.facts.add("dps_speed_apart", apart(speed, array.both(slope)));
+  report.facts.add("dps_deflection_apart", apart(deflection, array.runs.of(largest)));
+  report.facts.add("dps_speed_apart", apart(speed, array.runs.of(slope)));
 }
 
 /**
@@ -410,8 +402,7 @@ shares over `ratio`, from `defect_map`.](fig:x09) */
 Sweep map_of_defects(const std::filesystem::path& folder, const ScatteringSetup& setup, bool quick,
                      Part part) {
   const std::string all = "share of the energy, see the chapter",
-                    arriving = "share of what arrives, see the chapter",
-                    two = "difference of two resolutions";
+                    arriving = "share of what arrives, see the chapter";
   std::vector<double> radii;
   for (int k = 40; k <= 160; ++k)  // in eightieths, closer to each other around one
     if (quick ? k % 10 == 0 : k % 2 == 0 || (k > 68 && k < 92)) radii.push_back(double(k) / 80);
@@ -424,7 +415,8 @@ Sweep map_of_defects(const std::filesystem::path& folder, const ScatteringSetup&
        estimate("reflected", all), estimate("near", all), estimate("transmitted", all),
        estimate("near_earlier", all),
        estimate("net_reflected", arriving, "",
-                two + ", against the neighbouring rows: it is zero by definition without a defect"),
+                "difference of two resolutions, against the neighbouring rows: it is zero by "
+                "definition without a defect"),
        estimate("net_near", arriving), estimate("net_transmitted", arriving),
        number("budget", "sum of the three shares less one")},
       radii.size(),
@@ -499,14 +491,15 @@ void report_experiment(Report& report, const Passage& at) {
   facts.add("range_width", apart(exact(at.blow.array.width), 1e-2));
   facts.add("range_load", apart(at.pulse([](const Pulse& p) { return p.force; }), 1));
   facts.add("small_period", exact(2 * std::numbers::pi * scales.tau_c() * 1e3), "ms");
-  facts.add("travel_10ms",
-            at.both([&](const WatchedRun& run) { return run.path.travelled(80, scales.time(10)); }),
+  facts.add("travel_10ms", at.runs.of([&](const WatchedRun& run) {
+    return run.path.travelled(80, scales.time(10));
+  }),
             "sites");
   facts.add("periods_10ms", at.pulse([](const Pulse& p) { return 10 / (p.period * 1e3); }));
 }
 
 /**
-## Checks
+## Checks and limits
 
 A conserved energy does not prove the forces right, so an array with a heavy defect, close enough to the impact to be
 hit hard, is also computed by an independent method, GSL's adaptive one of order eight, and must arrive at the same
@@ -522,8 +515,6 @@ void report_check(Report& report, const StruckArray& blow) {
 }
 
 /**
-## Differences and limits
-
 The article prints neither the way of its speed nor the threshold of its duration. We choose those that give the printed
 numbers; others that are as natural give other numbers. It gives no energies for its reflections. Hertz's coefficient
 needs the Young modulus of the beads, while the article prints the symbol of the beam's. Replacing a beam with beads by
