@@ -601,6 +601,8 @@ struct OneRing {
     const auto [coarse, fine] = *std::max_element(
         pair.samples.begin(), pair.samples.end(),
         [](const auto& a, const auto& b) { return a[1].peak_over_mean < b[1].peak_over_mean; });
+
+    // What the looks have seen
     const Estimate none{std::nan(""), std::nan("")};
     Answers a{"a shorter --longest"};
     a.add("gathered", gathered ? pair.gathering() : none, "",
@@ -608,11 +610,10 @@ struct OneRing {
           "energy density and less than half of the sites share the energy",
           why);
     a.add("agree", pair.agree, "", "time up to which the runs with two steps agree");
-    a.add(
-        "width", gathered ? pair.width() : none, "site",
-        "least width of the packet at half height in these looks, until half as long again or the "
-        "end",
-        why);
+    a.add("width", gathered ? pair.width() : none, "site",
+          "least width of the packet at half height in these looks, until half as long again or "
+          "the end",
+          why);
     a.add("highest", compare(coarse.peak_over_mean, fine.peak_over_mean), "",
           "largest energy density over the mean that any of these looks sees");
     return a.table;
