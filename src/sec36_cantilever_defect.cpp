@@ -469,9 +469,9 @@ void report_map(Report& report, const ScatteringSetup& setup) {
 The article's conclusion gives ranges: beads of about 1 cm diameter, loads of about 1 N, beams of about 1 cm width,
 breather periods of 0.15 ms at small amplitude. The array of section 3.6 is within a factor of three of the first three,
 and the period of weak breathers tends to that of one beam alone. In 10 ms, the lifetime of breathers measured in
-diatomic chains, the article expects about 20 sites and 70 oscillations if damping changes speed and frequency
-moderately. Without damping the packet covers this from $n = 80$ on. With damping it covers fewer sites, and its
-frequency hardly changes (`sec5_experiment`).
+diatomic chains, the article expects about 20 sites and 70 oscillations if damping is moderate. Without damping the
+packet covers this from $n = 80$ on. With damping it covers fewer sites, and its frequency hardly changes
+(`sec5_experiment`).
 
 | quantity | article | here |
 |---|---|---|
@@ -523,24 +523,24 @@ the contacts are left out. */
 void reproduce(Report& report) {
   const StruckArray blow;
   const Passage homogeneous(blow);
-  const ScatteringSetup setup{blow, report.quick};
-  report_forces(report, blow);
-  report_shares(report, setup);
-  report_stay(report, blow, setup.steps);
   report_packet(report, homogeneous);
-  report_wave_train(report, setup);
   report_dps(report, homogeneous);
-  report_map(report, setup);
   report_experiment(report, homogeneous);
   report_check(report, blow);
+  report_forces(report, blow);
+  const ScatteringSetup setup{blow, report.quick};
+  report_stay(report, blow, setup.steps);
+  report_shares(report, setup);
+  report_wave_train(report, setup);
+  report_map(report, setup);
 }
 
 /**
 ## Try it
 
-**To change it.** Two changed beams instead of one are two masses and three contacts in
-`cantilever_chain` (cantilever.hpp); the three windows are the sums in `shares`, the time is `defect_passed`. The
-figures read columns by name.
+**To change it.** Two changed beams instead of one are two masses and three contacts in `cantilever_chain`
+(cantilever.hpp); the three windows are the sums in `shares`, the time is `defect_passed`. A new quantity is a
+`report.facts.add`, a new column one more entry of a table; the scripts in `figures/` read columns by name.
 
 1. *Easy.* How much does a slightly heavier defect let pass? `build/bin/sec36_cantilever_defect run --ratio 1.1` gives
    `net_transmitted` = 0.29443. Hint: its mass differs by an eighth, its own frequency by six per cent only.

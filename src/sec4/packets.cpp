@@ -223,23 +223,22 @@ RingPair side_by_side(const Chain& ring, const State<double>& start, double long
   std::array<State<double>, 2> state{start, start};
   RingPair out;
   const auto method = [&](std::size_t k) { return Splitting{blanes_moan_6_14(), steps[k]}; };
-  bool together = true;
   Progress progress("ring", 1);
-  while (together && state[1].t < longest && !(state[1].t > patience * out.gathered)) {
+  while (state[1].t < longest && !(state[1].t > patience * out.gathered)) {
     std::array<RingSample, 2> seen;
     for (std::size_t k : {0, 1}) {
       evolve(method(k), ring, state[k], interval, interval);
       seen[k] = ring_sample(ring, state[k]);
     }
     progress.reach(state[1].t / longest);
-    together = distance(state[0], state[1]) < 0.1;
-    if (!together) break;
+    out.agree = Estimate{state[1].t, interval};
+    if (!(distance(state[0], state[1]) < 0.1)) return out;
     out.samples.push_back(seen);
     if (!std::isnan(out.gathered) || !seen[0].gathered || !seen[1].gathered) continue;
     out.gathered = seen[1].t;
     for (std::size_t k : {0, 1}) out.packet[k] = watch_packet(method(k), ring, state[k]);
   }
-  out.agree = together ? exact(state[1].t) : Estimate{state[1].t, interval};
+  out.agree = exact(state[1].t);
   return out;
 }
 
