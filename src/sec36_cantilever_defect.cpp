@@ -54,10 +54,10 @@ using namespace lattice;
 ## The experiment
 
 Strike the first beam, follow the packet to the defect (`blow.impact` takes the radius, the end of the run in
-milliseconds and the time between samples), let it meet a defect of any size, and 75 ms after the impact, the end of
-figure 24, divide the energy among the beams before the defect, the nine around it, and those behind. Until the packet
-arrives the defect is exactly at rest, so all runs share the way there. Steps are event-corrected (event_corrected.hpp);
-a run whose far end moves is refused. */
+milliseconds and the time between samples), let it meet a defect of any size, and look 75 ms after the impact, the end
+of figure 24, how the energy is divided among the beams before the defect, the nine around it, and those behind. Until
+the packet arrives the defect is at rest to the last bit, so all runs share the way there. Steps are event-corrected
+(event_corrected.hpp); a run whose far end moves is refused. */
 constexpr double defect_passed = 75;  // ms
 
 /// Strikes the first beam and stops when the fifth beam before the defect begins to move.
@@ -208,7 +208,7 @@ this one has a hundred beams more.
 |---|---|---|
 | before the defect at 75 ms, 1.6 radii | small | [0.00389406 ± 2e-11](num:cantilever.trapped) |
 | the same without a defect | | [0.00147795 ± 2e-11](num:sec36_cantilever_defect.before_75_without) |
-| of the former, left at 100 ms | loosely trapped | [0.866036 ± 1e-8](num:sec36_cantilever_defect.kept_before_16) |
+| left at 100 ms of that before the defect at 75 ms, 1.6 radii | loosely trapped | [0.866036 ± 1e-8](num:sec36_cantilever_defect.kept_before_16) |
 | around the defect, left at 100 ms of that at 75 ms, 1.6 radii | | [0.726684 ± 7e-8](num:sec36_cantilever_defect.kept_16) |
 | the same, 0.925 radii | | [0.997443 ± 3e-8](num:sec36_cantilever_defect.kept_0925) | */
 struct Stay {
@@ -290,8 +290,8 @@ struct Passage {
 Speed and duration depend on how they are measured, which the article does not print. For the speed we divide $n$ by the
 time of the largest force at $n = 80$, where the article evaluates all else. The packet slows down as it sheds energy,
 so that slopes of the energy centre $X(t)$, as in section 3.4, depend on where they are taken. The *duration* is the
-time from the first to the last instant at which the force is a given share of its maximum. Whenever the threshold is
-lowered by enough, one more pulse counts. A thousandth of the force is a hundredth of the compression, by which we also
+time from the first to the last instant at which the force is a given share of its maximum. With a lower
+threshold more pulses count. A thousandth of the force is a hundredth of the compression, by which we also
 say in section 3.4 which sites a packet occupies.
 
 | other readings | here |
@@ -392,10 +392,11 @@ void report_dps(Report& report, const Passage& array) {
 /**
 ## Which defects reflect, and which trap (figure x09)
 
-The radius varies by a factor of four, the mass of the beads by one of 64. The shares change smoothly, and heavy and
-light defects reflect. Is it because a defect's own frequency, $\mu^{-1/2}$, is far from the packet's? Not only: at 0.8
-radii the two agree to about one per cent, and more than nine tenths are reflected. We do not know the reason.
-[](finding:defect.map) The trapped state at 0.925 radii is close to a breather of the defect (`sec36_trapped_mode`).
+The radius varies by a factor of four, and with it the mass of the beads by a factor of 64. The shares change smoothly,
+and heavy and light defects reflect. Is it because a defect's own frequency, $\mu^{-1/2}$, is far from the packet's? Not
+only: at 0.8 radii the two agree to about one per cent, and more than nine tenths are reflected. We do not know the
+reason. [](finding:defect.map) The trapped state at 0.925 radii is close to a breather of the defect
+(`sec36_trapped_mode`).
 
 ![Reflected, remaining and transmitted energy against the radius of the defect. Drawn by x09_defect_map.py: the net
 shares over `ratio`, from `defect_map`.](fig:x09) */
@@ -467,10 +468,10 @@ void report_map(Report& report, const ScatteringSetup& setup) {
 ## What an experiment would see
 
 The article's conclusion gives ranges: beads of about 1 cm diameter, loads of about 1 N, beams of about 1 cm width,
-breather periods of 0.15 ms at small amplitude. The array of section 3.6 is within a factor of three of the first three,
-and the period of weak breathers tends to that of one beam alone. In 10 ms, the lifetime of breathers measured in
-diatomic chains, the article expects about 20 sites and 70 oscillations if damping is moderate. Without damping the
-packet covers this from $n = 80$ on. With damping it covers fewer sites, and its frequency hardly changes
+breather periods of 0.15 ms at small amplitude. The array of section 3.6 is within a factor of three of diameter, load
+and width, and the period of weak breathers tends to that of one beam alone. In 10 ms, the lifetime of breathers
+measured in diatomic chains, the article expects about 20 sites and 70 oscillations if damping is moderate. Without
+damping the packet covers this from $n = 80$ on. With damping it covers fewer sites, and its frequency hardly changes
 (`sec5_experiment`).
 
 | quantity | article | here |
