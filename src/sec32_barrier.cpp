@@ -326,7 +326,7 @@ $\mathcal A/2\pi = e\,\delta^4-\frac45e\,\delta^5$, hence $\mathcal H = \mathcal
 area $e\,\delta^4$ is the same for both breathers, and the one with the larger $e$ has a $\delta$ that is smaller by a
 quarter of the relative difference: the barrier at equal area is $-\delta/5$ times the one at equal frequency, smaller
 by orders of magnitude, and of the opposite sign. At $\omega_b = 1.001$ the computed ratio divided by this prediction is
-[1.01843](num:sec32_barrier.equal_area_law). */
+[1.02](num:sec32_barrier.equal_area_law). */
 void report_limit(Report& report, const BreatherPair& limit) {
   const Estimate law = quotient(limit.equal_area, limit.equal_frequency);
   const double size_of_law = (limit.omega - 1) / 5;

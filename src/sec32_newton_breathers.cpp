@@ -311,7 +311,7 @@ its own size (`scaled_rule`). Where both exist their difference is the error.
 `n`.](fig:05)
 
 The law demands a straight line of $\ln(-\ln|y_n|)$. At the last site where it can be formed the exponent is
-[1.4999](num:sec32_newton_breathers.tail_exponent), with its change from the site before as its error. An exponential
+[1.50](num:sec32_newton_breathers.tail_exponent), with its change from the site before as its error. An exponential
 tail would have the exponent one. */
 /// |y_n(0)| of a breather on so many sites, at index n + 51; zero beyond the end of the chain.
 template <class T>

@@ -404,7 +404,7 @@ site and most from a bond. (The errors are those of the runs; that of a sample o
 | $0.01\,u_n$ | [6](num:sec33_dps_stability.seeds_relative_bond) | [6](num:sec33_dps_stability.moved_relative_site) | | [5](num:sec33_dps_stability.left_relative_bond) | 750 |
 
 Does the structure last? Around a bond the number of sites on which a breather lives, $(\sum|v_n|^2)^2/\sum|v_n|^4$,
-grows by no more than the factor [1.0112](num:sec33_dps_stability.bond_robust_spread), under any of these noises. */
+grows by no more than the factor [1.01](num:sec33_dps_stability.bond_robust_spread), under any of these noises. */
 void report_counts(Report& report, const std::vector<Group>& groups) {
   // One noise for both breathers
   const auto &site = trials_of(groups, "_narrow_site"), &bond = trials_of(groups, "_narrow_bond");

@@ -295,7 +295,7 @@ void report_harmonic(Report& report) {
 The article's conclusion says that the stability depends on the strength and the sign of the anharmonicity. It does: a
 strong one reverses the verdict of the linear well if it is hard, and not if it is soft, down to $s = -1$. At $s = 0$
 the two values are opposite and nearly equal, like the curvatures of a sine at its top and its bottom. No multiplier of
-these breathers exceeds one by more than [0.000583922](num:sec33_floquet.largest_excess), less than the $10^{-3}$ of the
+these breathers exceeds one by more than [0.000584](num:sec33_floquet.largest_excess), less than the $10^{-3}$ of the
 article's conclusion.
 
 | $\kappa$ of the pinning pair | around a site | around a bond |

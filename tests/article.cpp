@@ -27,7 +27,7 @@
 #include "sec34/packet.hpp"
 #include "sec35/collision.hpp"
 #include "sec4/exact_waves.hpp"
-#include "sec4/rings.hpp"
+#include "sec4/packets.hpp"
 
 using namespace lattice;
 
@@ -851,8 +851,11 @@ TEST_CASE("4.1: Phi changes its sign at q_c with cos q_c = v_1 (1 - cos q_c)^2, 
           "[article][pre.inflection]") {
   const double v1 = contact_series(0.5).v1, q_c = inflection(v1), x = 1 - std::cos(q_c);
   CHECK(agrees(exact(v1 * x * x), std::cos(q_c), Rel{1e-10}));
-  for (double s : {-1.0 / 6, 0.0, 1.0})
-    CHECK(agrees(exact(sign_change_of_phi(0.5, s, 0.9, 1.4)), q_c, Rel{1e-10}));
+  for (double s : {-1.0 / 6, 0.0, 1.0}) {
+    const auto phi = [s](double q) { return coefficients(q, 0.5, s).phi; };
+    CHECK(phi(0.9) * phi(1.4) < 0);
+    CHECK(phi(q_c * (1 - 1e-10)) * phi(q_c * (1 + 1e-10)) < 0);
+  }
 }
 
 TEST_CASE("4.1: waves are unstable at q = 0 for s < 0 and at q = pi for 16 v_3 + s > 0",
@@ -884,10 +887,12 @@ TEST_CASE(
     "[article][pre.phi]") {
   const std::array wells{-1.0 / 6, 0.0, 1.0};
   std::array<double, 3> coarse{}, fine{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    coarse[k] = largest_phi(0.5, wells[k], 500);
-    fine[k] = largest_phi(0.5, wells[k], 1000);
-  }
+  for (std::size_t k = 0; k < 3; ++k)
+    for (int i = 0; i <= 1000; ++i) {
+      const double phi = coefficients(M_PI * i / 1000, 0.5, wells[k]).phi;
+      fine[k] = std::max(fine[k], phi);
+      if (i % 2 == 0) coarse[k] = std::max(coarse[k], phi);
+    }
   const auto ratio = [](const auto& phi) { return phi[1] / std::min(phi[0], phi[2]); };
   CHECK(
       stands("much smaller", {above("largest for s = 0", compare(coarse[1], fine[1]), 0),

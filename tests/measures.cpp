@@ -232,7 +232,11 @@ TEST_CASE("the instability of phonons is tested where it can fail", "[property]"
   for (const BandEdges& wrong : {early, late}) check_close(wrong.formula.value, 0.15, 1e-12);
   CHECK((early.growth.value > 0.02 && early.stable_side.value < 1e-12));
   CHECK((late.growth.value < 0.02 && late.stable_side.value > 1e-9));
-  CHECK(largest_phi(d, 0.3, 400) > 0.1 * largest_phi(d, -1.0 / 6, 400));
+  // And for s = 0.3 Phi is not much smaller than for the article's soft wells, where it is 1/4 at most
+  double largest = 0;
+  for (int k = 0; k <= 400; ++k)
+    largest = std::max(largest, coefficients(M_PI * k / 400, d, 0.3).phi);
+  CHECK(largest > 0.1 * 0.25);
 }
 
 TEST_CASE("forces rise though two of them are alike", "[unit]") {

@@ -1,10 +1,8 @@
-/**
-# How the rows of a map are kept */
-
 #include "report/sweep.hpp"
 
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
 #include <mutex>
 #include <sstream>
 #include <stdexcept>
@@ -50,6 +48,13 @@ static std::string executable_fingerprint() {
   return rows_sum(bytes.str());
 }
 
+static std::string line(std::size_t i, const Cells& cells) {
+  std::string text = std::to_string(i);
+  for (const Cell& cell : cells) text.append(1, ',').append(ecsv::cell_text(cell));
+  return text + "," + rows_sum(text) + "\n";
+}
+
+// Takes over all whole rows under our key; they come back bit for bit
 Sweep::Sweep(std::filesystem::path folder, std::string name, const Columns& columns,
              std::size_t points, const std::string& parameters)
     : folder_(std::move(folder)),
@@ -58,46 +63,53 @@ Sweep::Sweep(std::filesystem::path folder, std::string name, const Columns& colu
       columns_(columns.all),
       rows_(points) {
   std::replace(key_.begin(), key_.end(), '\n', ' ');
-  collect();
-}
-
-static std::string line(std::size_t i, const Cells& cells) {
-  std::string text = std::to_string(i);
-  for (const Cell& cell : cells) text.append(1, ',').append(ecsv::cell_text(cell));
-  return text + "," + rows_sum(text) + "\n";
+  for (const auto& path : files()) {
+    std::ifstream in(path);
+    std::string text;
+    if (!std::getline(in, text) || text != key_) continue;
+    while (std::getline(in, text) && !in.eof()) {
+      const std::string row = text.substr(0, text.rfind(','));
+      if (text != row + "," + rows_sum(row)) continue;
+      const auto fields = ecsv::fields(row);
+      if (fields.size() != columns_.size() + 1) continue;
+      const std::size_t i = std::stoul(fields[0]);
+      Cells cells;
+      for (std::size_t c = 0; c < columns_.size(); ++c)
+        cells.push_back(ecsv::parse(fields[c + 1], columns_[c].kind));
+      if (i < rows_.size()) rows_[i] = std::move(cells);
+    }
+  }
 }
 
 void Sweep::compute(Part part, const std::function<Cells(std::size_t)>& row) {
   std::vector<std::size_t> open;
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    if (part.holds(i) && rows_[i].empty()) open.push_back(i);
+  std::string known = key_ + "\n";
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (!part.holds(i)) continue;
+    if (rows_[i].empty())
+      open.push_back(i);
+    else
+      known += line(i, rows_[i]);
+  }
   if (open.empty()) return;
-  const bool keeps = !folder_.empty();
+  // The file is rewritten when work begins, so that no half line stays in it
   std::ofstream kept;
-  if (keeps) kept = reopen(part);
+  if (!folder_.empty()) {
+    const auto path = folder_ / ("." + name_ + ".rows-" + std::to_string(part.index) + "-of-" +
+                                 std::to_string(part.count));
+    std::filesystem::create_directories(folder_);
+    write_whole(path, known);
+    kept.open(path, std::ios::app | std::ios::binary);
+  }
   std::mutex guard;
   parallel_for(name_, open.size(), [&](std::size_t j) {
     Cells cells = row(open[j]);
     Table{columns_}.add(cells);  // throws unless the row fits the columns
     const std::lock_guard lock(guard);
-    if (keeps && !(kept << line(open[j], cells) << std::flush))
+    if (!folder_.empty() && !(kept << line(open[j], cells) << std::flush))
       throw std::runtime_error("cannot write the rows of " + name_ + " to " + folder_.string());
     rows_[open[j]] = std::move(cells);
   });
-}
-
-/**
-What is known is told point by point. */
-std::size_t Sweep::size(Part part) const {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < rows_.size(); ++i) count += part.holds(i);
-  return count;
-}
-
-std::size_t Sweep::known(Part part) const {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < rows_.size(); ++i) count += part.holds(i) && !rows_[i].empty();
-  return count;
 }
 
 Table Sweep::table(Part part) const {
@@ -111,53 +123,14 @@ void Sweep::forget() const {
   for (const auto& path : files()) std::filesystem::remove(path);
 }
 
-/**
-Everything else is about files. */
 std::vector<std::filesystem::path> Sweep::files() const {
   std::vector<std::filesystem::path> found;
   std::error_code none;
   if (folder_.empty()) return found;
   for (const auto& entry : std::filesystem::directory_iterator(folder_, none))
-    if (entry.path().filename().string().rfind(prefix(), 0) == 0) found.push_back(entry.path());
+    if (entry.path().filename().string().rfind("." + name_ + ".rows-", 0) == 0)
+      found.push_back(entry.path());
   return found;
-}
-
-/**
-Rows come back as they went, bit for bit. */
-/// Takes over all whole rows under our key.
-void Sweep::collect() {
-  for (const auto& path : files()) {
-    std::ifstream in(path);
-    std::string text;
-    if (!std::getline(in, text) || text != key_) continue;
-    while (std::getline(in, text) && !in.eof()) {
-      const auto end = text.rfind(',');
-      if (end == std::string::npos) continue;
-      const std::string row = text.substr(0, end);
-      if (text.substr(end + 1) != rows_sum(row)) continue;
-      const auto fields = ecsv::fields(row);
-      if (fields.size() != columns_.size() + 1) continue;
-      const std::size_t i = std::stoul(fields[0]);
-      Cells cells;
-      for (std::size_t c = 0; c < columns_.size(); ++c)
-        cells.push_back(ecsv::parse(fields[c + 1], columns_[c].kind));
-      if (i < rows_.size()) rows_[i] = std::move(cells);
-    }
-  }
-}
-
-/**
-A file is rewritten when work begins, so that no half line stays in it. */
-/// The file of the part with what is known of it, open for more.
-std::ofstream Sweep::reopen(Part part) const {
-  const auto path =
-      folder_ / (prefix() + std::to_string(part.index) + "-of-" + std::to_string(part.count));
-  std::string text = key_ + "\n";
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    if (part.holds(i) && !rows_[i].empty()) text += line(i, rows_[i]);
-  std::filesystem::create_directories(folder_);
-  write_whole(path, text);
-  return std::ofstream(path, std::ios::app | std::ios::binary);
 }
 
 }  // namespace lattice

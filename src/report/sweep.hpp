@@ -2,20 +2,18 @@
 /**
 # Maps in parts
 
-A map consists of points that know nothing of each other, and a large one takes long. This
-file keeps each row as soon as it is known, so that an interrupted map goes on where it stopped,
-and lets a part of the points be computed alone: the jobs of an array each take one part
-`k/n`, and whoever wants the whole map collects what the parts have left and computes what is
-missing. A row has the same bits wherever it was computed, hence the tables have the same bytes.
+A map consists of points that know nothing of each other, and a large one takes long. This file keeps each row as soon
+as it is known, so that an interrupted map goes on where it stopped, and lets a part of the points be computed alone:
+the jobs of an array each take one part `k/n`, and the run of the whole map collects what the parts have left and
+computes what is missing. A row has the same bits wherever it was computed, hence the tables have the same bytes.
 
-Rows wait in files `.NAME.rows-k-of-n` of the folder. Their first line is a key that names the
-parameters and the program, down to the bytes of its executable; rows under another key are
-ignored. Each line ends with a checksum of its own, and one that was cut short by an interruption or
-changed by hand is computed again. Without a folder nothing is kept. */
+Rows wait in files `.NAME.rows-k-of-n` of the folder. Their first line is a key that names the parameters and the
+program, down to the bytes of its executable; rows under another key are ignored. Each line ends with a checksum of its
+own, and one that was cut short by an interruption or changed by hand is computed again. Without a folder nothing is
+kept. */
 
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <string>
 #include <vector>
@@ -44,34 +42,23 @@ struct MapPart {
   Part mine() const { return parse_part(part); }
 };
 
-/**
-A sweep is told how its columns look, how many points there are, and everything on which a row
-depends, as one line of text. */
+/// The rows of a map.
 class Sweep {
  public:
-  /// Takes over the rows that wait in `folder`, if that is not empty; `name` is in the names of its files.
+  /// Takes over the rows that wait in `folder`, if that is not empty; `name` is in the names of its files, and
+  /// `parameters`, one line, is everything on which a row depends.
   Sweep(std::filesystem::path folder, std::string name, const Columns& columns, std::size_t points,
         const std::string& parameters);
 
-  /**
-  A row that has been computed is safe before the next one begins. */
-  /// Computes `row(i)` for those points of the part that are not known yet, and keeps each.
+  /// Computes `row(i)` for those points of the part that are not known yet, and keeps each before the next begins.
   void compute(Part part, const std::function<Cells(std::size_t)>& row);
-
-  /// How many points the part has.
-  std::size_t size(Part part = {}) const;
-  /// How many of them are known.
-  std::size_t known(Part part = {}) const;
   /// The known rows of the part, in their order.
   Table table(Part part = {}) const;
   /// Removes the rows that wait in files, once the table is safe.
   void forget() const;
 
  private:
-  std::string prefix() const { return "." + name_ + ".rows-"; }
   std::vector<std::filesystem::path> files() const;
-  void collect();
-  std::ofstream reopen(Part part) const;
 
   std::filesystem::path folder_;
   std::string name_, key_;

@@ -1,6 +1,7 @@
 #include "sec4/exact_waves.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -133,7 +134,8 @@ double PhaseOfWave::growth(double a, double modulation, std::size_t harmonics) c
 Estimate PhaseOfWave::phi_from_growth(double a) const {
   const auto c = nls();
   return at_zero_amplitude(a, [&](double x) {
-    return growth(x, fastest_modulation(c, x)) / (x * x / 4) * c.omega * std::abs(c.omega_2);
+    const double fastest = std::sqrt(-c.h() * x * x / (2 * c.curvature));
+    return growth(x, fastest) / (x * x / 4) * c.omega * std::abs(c.omega_2);
   });
 }
 
@@ -166,22 +168,17 @@ BandEdges band_edges(double d, double threshold) {
   return {compare(0.0, formula), apart, compare(0.0, leftover)};
 }
 
-// The Fourier sum of y + i v / omega over the sites
-static std::complex<double> fourier(const State<double>& state, double wavenumber, double omega) {
-  std::complex<double> sum = 0;
-  for (std::size_t n = 0; n < state.y.size(); ++n)
-    sum += std::complex<double>(state.y[n], state.v[n] / omega) *
-           std::polar(1.0, -wavenumber * double(n + 1));
-  return sum;
-}
-
 double measured_frequency(const Method& method, const Chain& ring, const PlaneWave& wave,
                           double periods) {
   State<double> state = on_ring(wave, ring.sites);
   const double time = 2 * pi * periods / wave.omega;
   double turned = 0, last = 0;
   evolve(method, ring, state, time, 0.5, [&](const State<double>& now) {
-    const double phase = std::arg(fourier(now, wave.q, wave.omega));
+    std::complex<double> sum = 0;  // of y + i v / omega
+    for (std::size_t n = 0; n < ring.sites; ++n)
+      sum += std::complex<double>(now.y[n], now.v[n] / wave.omega) *
+             std::polar(1.0, -wave.q * double(n + 1));
+    const double phase = std::arg(sum);
     if (now.t > 0) turned += std::remainder(phase - last, 2 * pi);
     last = phase;
   });
@@ -201,69 +198,121 @@ Estimate measured_beta(const Chain& ring, double q, double omega) {
   return compare(from(0.2), from(0.1));
 }
 
-double measured_growth(const Method& method, const Chain& ring, const PlaneWave& wave, int turns,
-                       double expected) {
-  State<double> state = on_ring(wave, ring.sites);
-  const double modulation = 2 * pi * turns / double(ring.sites);
-  for (std::size_t n = 0; n < ring.sites; ++n) {
-    const double factor = 1 + 1e-6 * std::cos(modulation * double(n + 1));
-    state.y[n] *= factor;
-    state.v[n] *= factor;
-  }
-  std::vector<double> times, logs;
-  evolve(method, ring, state, 8 / expected, 0.02 / expected, [&](const State<double>& now) {
-    if (now.t < 4 / expected) return;
-    times.push_back(now.t);
-    logs.push_back(std::log(std::abs(fourier(now, wave.q + modulation, wave.omega))));
+static bool slow(const PhaseOfWave& at) {
+  const double q_c = inflection(contact_series(at.d).v1);
+  return at.nls().phi > 0 && std::abs(at.q - pi / 2) >= 1e-9 && std::abs(at.q - q_c) > 0.05;
+}
+
+void report_beta(Report& report) {
+  std::vector<PhaseOfWave> points;
+  for (double s : {-1.0 / 6, 0.0, 1.0})
+    for (int k = report.quick ? 4 : 1; k < 24; k += report.quick ? 4 : 1)
+      points.push_back({pi * k / 24, 0.5, s});
+  const Estimate none{std::nan(""), std::nan("")};
+  std::vector<Estimate> beta(points.size()), phi(points.size(), none);
+  parallel_for("nonlinear frequency", points.size(), [&](std::size_t i) {
+    const PhaseOfWave& at = points[i];
+    const Chain ring{48, Quartic{at.s}, CompressedHertz{at.d}, Ends::periodic};
+    beta[i] = measured_beta(ring, at.q, at.nls().omega);
+    if (slow(at)) phi[i] = at.phi_from_growth(0.04);
   });
-  return fit_line(times, logs).slope;
+
+  // Both against the formula
+  Estimate shift{}, growth{};
+  Table& table = report.table("measured_coefficient");
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const PhaseOfWave& at = points[i];
+    const Coefficients<double> nls = at.nls();
+    shift = larger(shift, relative_distance(beta[i], nls.beta));
+    if (slow(at)) growth = larger(growth, relative_distance(phi[i], nls.phi));
+    table.add({{"q", "wavenumber", at.q, "1/site"},
+               {"s", "anharmonicity of the well", at.s},
+               {"beta", "NLS coefficient from its formula", nls.beta},
+               {"measured_beta", "from the measured frequency shift", beta[i], "",
+                "two steps and two pairs of amplitudes"},
+               {"shift_phi", "modulation coefficient with the measured beta",
+                -beta[i].value * nls.omega_2},
+               {"growth_phi", "from the growth, nan where stable or out of reach", phi[i], "",
+                "two pairs of amplitudes, nan where growth_phi is"}});
+  }
+  report.facts.add("beta_shift", shift);
+  report.facts.add("beta_growth", growth);
+  report.facts.add("beta_apart_by_shift", compare(0.0, shift.value + shift.error));
+
+  // At q = pi/2 two waves scatter into two waves of the wavenumber q - pi
+  const PhaseOfWave resonant{pi / 2, 0.5, 1};
+  report.facts.add("backscattering", at_zero_amplitude(0.04, [&](double a) {
+                     return resonant.growth(a, pi) / (std::abs(resonant.nls().h()) * a * a / 4);
+                   }));
 }
 
-// A whole number of wavelengths
-Soliton::Soliton(const PhaseOfWave& of, std::size_t wavelength, double epsilon)
-    : phonon(of),
-      eps(epsilon),
-      nls(of.nls()),
-      sites(wavelength * std::size_t(std::ceil(28 / (epsilon * double(wavelength))))) {}
-
-Chain Soliton::ring() const {
-  return {sites, Quartic{phonon.s}, CompressedHertz{phonon.d}, Ends::periodic};
-}
-
-// 2 eps M sech(z) cos(theta) and its derivative with respect to time
-State<double> Soliton::at(double t) const {
+/**
+What the ansatz omits, above all the second harmonic, is of size $\epsilon^2$ on $O(1/\epsilon)$ sites, so that the
+error in $\ell^2$ should be $(\epsilon^{-1}\,\epsilon^4)^{1/2} = \epsilon^{3/2}$, and that of any bead $\epsilon^2$. */
+/// The soliton of Eqs. (35) and (38) at time `t`, 2 eps M sech(z) cos(theta), and its derivative.
+static State<double> soliton(const Coefficients<double>& nls, double q, double eps,
+                             std::size_t sites, double t) {
   const double height = 2 * eps * std::sqrt(-nls.curvature / nls.h()), c = nls.group_velocity;
   const double frequency = nls.omega - eps * eps * nls.curvature / 2;
   State<double> state(sites);
-  state.t = t;
   for (std::size_t i = 0; i < sites; ++i) {
     const double n = double(i) - double(sites) / 2;
     const double z = eps * std::remainder(n - c * t, double(sites));
-    const double theta = phonon.q * n - frequency * t, sech = height / std::cosh(z);
+    const double theta = q * n - frequency * t, sech = height / std::cosh(z);
     state.y[i] = sech * std::cos(theta);
     state.v[i] = sech * (frequency * std::sin(theta) + c * eps * std::tanh(z) * std::cos(theta));
   }
   return state;
 }
 
-// The chain runs, the ansatz is evaluated
-AnsatzError ansatz_error(const Soliton& soliton, double tau, double step, std::size_t looks) {
-  const double time = tau / (soliton.eps * soliton.eps);
-  const Chain ring = soliton.ring();
-  State<double> state = soliton.at(0);
-  AnsatzError worst;
+/// The largest distances of the chain from the ansatz up to t = eps^-2: in l2 of displacements and velocities together,
+/// and of any displacement or velocity.
+static std::array<double, 2> ansatz_error(double eps, double step, std::size_t looks) {
+  const double q = pi / 4, s = -1.0 / 6, time = 1 / (eps * eps);
+  const auto nls = coefficients(q, 0.5, s);
+  // A whole number of wavelengths; on the far side sech z < 2e-6
+  const std::size_t sites = 8 * std::size_t(std::ceil(28 / (eps * 8)));
+  const Chain ring{sites, Quartic{s}, CompressedHertz{0.5}, Ends::periodic};
+  State<double> state = soliton(nls, q, eps, sites, 0);
+  double l2 = 0, largest = 0;
   const auto look = [&](const State<double>& now) {
-    const State<double> ansatz = soliton.at(now.t);
+    const State<double> ansatz = soliton(nls, q, eps, sites, now.t);
     double squares = 0;
-    for (std::size_t i = 0; i < soliton.sites; ++i) {
+    for (std::size_t i = 0; i < sites; ++i) {
       const double y = now.y[i] - ansatz.y[i], v = now.v[i] - ansatz.v[i];
       squares += y * y + v * v;
-      worst.largest = std::max({worst.largest, std::abs(y), std::abs(v)});
+      largest = std::max({largest, std::abs(y), std::abs(v)});
     }
-    worst.l2 = std::max(worst.l2, std::sqrt(squares));
+    l2 = std::max(l2, std::sqrt(squares));
   };
   evolve(Splitting{blanes_moan_6_14(), step}, ring, state, time, time / double(looks), look);
-  return worst;
+  return {l2, largest};
+}
+
+void report_ansatz(Report& report) {
+  std::vector<double> sizes;
+  for (double eps = 0.2; eps > (report.quick ? 0.04 : 0.02); eps /= 2) sizes.push_back(eps);
+  std::array<std::vector<Estimate>, 2> errors;  // in l2, and the largest
+  for (auto& e : errors) e.resize(sizes.size());
+  parallel_for("error of the ansatz", sizes.size(), [&](std::size_t k) {
+    const std::size_t i = sizes.size() - 1 - k;  // the longest first
+    const auto coarse = ansatz_error(sizes[i], 0.8, 5000), fine = ansatz_error(sizes[i], 0.4, 8000);
+    for (std::size_t of : {0, 1}) errors[of][i] = compare(coarse[of], fine[of]);
+  });
+  Table& table = report.table("ansatz_error");
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+    table.add({{"eps", "size of the ansatz", sizes[i]},
+               {"l2", "of displacements and velocities together", errors[0][i]},
+               {"largest", "of any displacement or velocity", errors[1][i]}});
+
+  // Local orders, the last with the one before it as its error
+  const auto order = [&](std::size_t of, std::size_t i) {
+    return order_between(sizes[i], errors[of][i], sizes[i + 1], errors[of][i + 1]);
+  };
+  const std::size_t last = sizes.size() - 2;
+  report.facts.add("nls_order", compare(order(0, last - 1), order(0, last)));
+  report.facts.add("nls_order_first", order(0, 0));
+  report.facts.add("nls_order_largest", compare(order(1, last - 1), order(1, last)));
 }
 
 }  // namespace lattice

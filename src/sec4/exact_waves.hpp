@@ -16,6 +16,7 @@ nothing of $\beta$. */
 
 #include "lattice/integrators/integrate.hpp"
 #include "lattice/numerics/estimate.hpp"
+#include "report/program.hpp"
 #include "sec4/phonons.hpp"
 
 namespace lattice {
@@ -47,10 +48,8 @@ an eigenvalue problem on a grid of $\theta$. The growth rate is the largest real
 double growth_rate(const PlaneWave& wave, const Well& well, const Contact& contact,
                    double modulation);
 
-/**
-To compare with the NLS equation we need the limit $a \to 0$. A quantity that is even in $a$ has an expansion in $a^2$:
-two amplitudes remove the first correction, and the next pair gives the error. */
-/// The value at zero amplitude of a quantity `of(a)` with an expansion in a^2, from a, a/2 and a/4.
+/// The value at zero amplitude of a quantity `of(a)` with an expansion in a^2, from a, a/2 and a/4: two amplitudes
+/// remove the first correction, and the next pair gives the error.
 template <class Of>
 Estimate at_zero_amplitude(double a, Of of) {
   const double x = of(a), y = of(a / 2), z = of(a / 4);
@@ -58,7 +57,8 @@ Estimate at_zero_amplitude(double a, Of of) {
 }
 
 /**
-By the NLS equation the fastest modulation grows at the rate $|h||A|^2$, so the eigenvalue times
+On the wave $y_n = a\sin(qn-\omega t)$, that is $|A| = a/2$, the modulation of wavenumber
+$Q = (|h|a^2/2|\omega''|)^{1/2}$ grows fastest, by the NLS equation at the rate $|h||A|^2$. So the eigenvalue times
 $\omega|\omega_2|/|A|^2$ is a measured $\Phi$ if it is positive; otherwise the eigenvalues are imaginary. */
 struct PhaseOfWave {
   double q, d, s;  ///< wavenumber, compression, anharmonicity
@@ -71,10 +71,8 @@ struct PhaseOfWave {
   Estimate phi_from_growth(double a) const;
 };
 
-/**
-At the edges of the band $\Phi(0) = -\frac32 s$ and $\Phi(\pi) = \frac32(s-s_\pi)$ with a threshold $s_\pi$. Both are
-tested over a range of wells, and by exact waves of amplitude 0.005 for $s$ at 0.05 on either side, with 6 and with 12
-harmonics. */
+/// At the edges of the band Phi(0) = -3/2 s and Phi(pi) = 3/2 (s - threshold). Both are tested over a range of wells,
+/// and by exact waves of amplitude 0.005 for s at 0.05 on either side, with 6 and with 12 harmonics.
 struct BandEdges {
   Estimate formula,  ///< by how much the identities are missed
       growth,  ///< by which fraction the growth on the unstable side is not that of the NLS equation
@@ -83,42 +81,19 @@ struct BandEdges {
 /// For the threshold at q = pi in a chain of compression `d`.
 BandEdges band_edges(double d, double threshold);
 
-/**
-In a run on a ring the phase of the wave's own Fourier component turns by $-\omega$ per unit of time. From the shift of
-this frequency follows $\beta$: by the NLS equation $\omega_{nl}^2 = \omega^2 + 2\beta|A|^2$, and $|A| = a/2$. */
-/// The mean frequency of the wave in a run over this number of periods.
+/// The mean frequency of the wave in a run over this number of periods: the phase of its own Fourier component turns by
+/// -omega per unit of time.
 double measured_frequency(const Method& method, const Chain& ring, const PlaneWave& wave,
                           double periods);
-/// beta at zero amplitude from runs with two steps; `omega` is the linear frequency.
+/// beta at zero amplitude from runs with two steps, by omega_nl^2 = omega^2 + beta a^2/2; `omega` is the linear
+/// frequency.
 Estimate measured_beta(const Chain& ring, double q, double omega);
-/// The rate at which a modulation of relative size 1e-6 with `turns` periods on the ring grows in a run: the slope of
-/// the logarithm of the side band from four to eight times 1 / `expected`, when the decaying part is gone.
-double measured_growth(const Method& method, const Chain& ring, const PlaneWave& wave, int turns,
-                       double expected);
 
-/**
-A wave that varies at order one is the soliton of Eq. (38). What its ansatz omits, above all the second harmonic, is of
-size $\epsilon^2$ on $O(1/\epsilon)$ sites, so that the error in $\ell^2$ should be
-$(\epsilon^{-1}\,\epsilon^4)^{1/2} = \epsilon^{3/2}$, and that of any bead $\epsilon^2$. The ring has a whole number of
-wavelengths, $28/\epsilon$ sites or a little more, so that at the far side $\mathrm{sech}\,\xi < 2\cdot10^{-6}$. */
-struct Soliton {
-  PhaseOfWave phonon;        ///< its carrier
-  double eps;                ///< of the ansatz
-  Coefficients<double> nls;  ///< of Eq. (36) for this carrier
-  std::size_t sites;         ///< of the ring
-  /// `wavelength` is that of the carrier in sites.
-  Soliton(const PhaseOfWave& of, std::size_t wavelength, double epsilon);
-
-  Chain ring() const;
-  /// Displacements and velocities of the ansatz at time `t`.
-  State<double> at(double t) const;
-};
-/// The largest distance of the chain from the ansatz, with which it starts, on its way.
-struct AnsatzError {
-  double l2 = 0;       ///< of displacements and velocities together
-  double largest = 0;  ///< of any displacement or velocity
-};
-/// Up to the time `tau` / eps^2, in steps of at most `step`, looked at so often.
-AnsatzError ansatz_error(const Soliton& soliton, double tau, double step, std::size_t looks);
+/// The table of figure x07: beta from the frequency of exact waves on 48 beads, and Phi from the growth of their
+/// modulations where these are slow: not at q = pi/2, where backscattered waves grow faster, and not within 0.05 of
+/// q_c, where the curvature vanishes. Only the column `beta` comes from the formula.
+void report_beta(Report& report);
+/// The chain starts from a soliton: its largest distance from the ansatz of Eq. (35) up to t = eps^-2, and local orders.
+void report_ansatz(Report& report);
 
 }  // namespace lattice

@@ -2,17 +2,25 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <limits>
 
 #include "lattice/diagnostics/observe.hpp"
 #include "lattice/impact/impact.hpp"
+#include "lattice/integrators/refinement.hpp"
 #include "lattice/numerics/line_fit.hpp"
+#include "lattice/numerics/progress.hpp"
 
 namespace lattice {
 
 // The sites within `half_width` of `peak`
 static Window around(std::size_t peak, std::size_t half_width, std::size_t sites) {
   return {peak > half_width ? peak - half_width : 0, std::min(sites, peak + half_width + 1)};
+}
+
+// The site, counted from one, of the largest entry in `range`
+static double largest_in(const std::vector<double>& a, Window range) {
+  const auto first = a.begin() + std::ptrdiff_t(range.first),
+             last = a.begin() + std::ptrdiff_t(range.last);
+  return double(std::max_element(first, last) - a.begin() + 1);
 }
 
 // Slide a window along the chain and keep the centre of the one that holds the most energy
@@ -45,11 +53,8 @@ Traits traits(const std::vector<PacketSample>& samples) {
   std::vector<double> log_t, share, boundary, t, centre;
   for (const PacketSample& p : samples) {
     if (p.t < samples.back().t / 4) continue;
-    log_t.push_back(std::log(p.t));
-    share.push_back(std::log(p.share));
-    boundary.push_back(std::log(p.boundary));
-    t.push_back(p.t);
-    centre.push_back(p.centre);
+    log_t.push_back(std::log(p.t)), t.push_back(p.t), centre.push_back(p.centre);
+    share.push_back(std::log(p.share)), boundary.push_back(std::log(p.boundary));
   }
   const double speed = fit_line(t, centre).slope;
   double least = std::numeric_limits<double>::infinity();
@@ -101,10 +106,8 @@ static Eigen::Vector3d sech_step(const Sech& f, const std::vector<double>& a, Wi
 }
 
 Sech fit_sech(const std::vector<double>& a, Window range, double width) {
-  const auto first = a.begin() + std::ptrdiff_t(range.first),
-             last = a.begin() + std::ptrdiff_t(range.last);
-  const auto top = std::max_element(first, last);
-  Sech f{*top, double(top - a.begin() + 1), width, 0};
+  const double top = largest_in(a, range);
+  Sech f{a[std::size_t(top) - 1], top, width, 0};
   double now = misfit(f, a, range);
   for (int i = 0; i < 100; ++i) {
     const Eigen::Vector3d step = sech_step(f, a, range);
@@ -132,12 +135,8 @@ Snapshot snapshot(const Chain& chain, const State<double>& state) {
   };
   const double centre = packet_sample(state.t, energy_density(chain, state)).centre;
   Snapshot out = about(centre);
-  const Window packet = around(std::size_t(centre) - 1, compressed_half_width, chain.sites);
-  const auto a = out.envelope.amplitude.begin();
-  const double top =
-      double(std::max_element(a + std::ptrdiff_t(packet.first), a + std::ptrdiff_t(packet.last)) -
-             a) +
-      1;
+  const double top = largest_in(
+      out.envelope.amplitude, around(std::size_t(centre) - 1, compressed_half_width, chain.sites));
   return std::abs(top - centre) > double(envelope_half_width) / 2 ? about(top) : out;
 }
 
@@ -149,6 +148,134 @@ double tail_amplitude(const Snapshot& shot, int side) {
     squares += at * at;
   }
   return std::sqrt(squares / 41) / shot.sech.height;
+}
+
+static constexpr double interval = 50;  // between two looks at a pair of runs
+
+static double peak_over_mean(const std::vector<double>& e) {
+  return *std::max_element(e.begin(), e.end()) / (total(e) / double(e.size()));
+}
+
+// Averaged over five sites; from the top down to half of its height, on either side, between two sites
+double packet_width(const std::vector<double>& density) {
+  const std::size_t n = density.size();
+  std::vector<double> mean(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < 5; ++k) mean[i] += density[(i + n + k - 2) % n] / 5;
+  const auto top = std::size_t(std::max_element(mean.begin(), mean.end()) - mean.begin());
+  const double half = mean[top] / 2;
+  double width = 0;
+  for (std::size_t step : {std::size_t(1), n - 1}) {
+    std::size_t k = 0, at = top;
+    for (; k < n && mean[at] > half; ++k) at = (at + step) % n;
+    if (k == n) return double(n);
+    const double inside = mean[(at + n - step) % n];
+    width += double(k) - (half - mean[at]) / (inside - mean[at]);
+  }
+  return std::min(width, double(n));
+}
+
+// The two richest windows on the ring that have no site in common
+RingSample ring_sample(const Chain& ring, const State<double>& state) {
+  const std::vector<double> e = energy_density(ring, state);
+  const std::size_t n = e.size(), half_width = envelope_half_width;
+  std::vector<double> content(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k <= 2 * half_width; ++k) content[i] += e[(i + n + k - half_width) % n];
+  const auto first =
+      std::size_t(std::max_element(content.begin(), content.end()) - content.begin());
+  double second = 0;
+  for (std::size_t k = 2 * half_width + 1; k + 2 * half_width < n; ++k)
+    second = std::max(second, content[(first + k) % n]);
+  const double peak = *std::max_element(e.begin(), e.end()) * double(n) / total(e);
+  const bool gathered = peak > 5 && 2 * participation(e) < double(n);
+  return {state.t, peak, second / content[first], gathered, packet_width(e)};
+}
+
+WatchedRing watch_packet(const Method& method, const Chain& ring, State<double> state) {
+  WatchedRing out{std::move(state)};
+  const auto look = [&](const State<double>& now) {
+    out.density = energy_density(ring, now);
+    out.t.push_back(now.t);
+    out.centre.push_back(packet_sample(now.t, out.density).centre);
+  };
+  out.drift = evolve(method, ring, out.end, 60, 1, look).energy_drift;
+  out.shown = snapshot(ring, out.end);
+  return out;
+}
+
+// The slope of the centre's path is its speed
+Formed formed(const WatchedRing& coarse, const WatchedRing& fine) {
+  const auto both = [&](auto of) { return compare(of(coarse.density), of(fine.density)); };
+  const auto share = [](const std::vector<double>& e) {
+    return participation(e) / double(e.size());
+  };
+  const Line rough = fit_line(coarse.t, coarse.centre), best = fit_line(fine.t, fine.centre);
+  return {both(peak_over_mean),
+          both(share),
+          {best.slope, best.slope_error + std::abs(best.slope - rough.slope)},
+          both(packet_width)};
+}
+
+// Two steps side by side, as long as they give the same state
+RingPair side_by_side(const Chain& ring, const State<double>& start, double longest,
+                      const std::array<double, 2>& steps, double patience) {
+  std::array<State<double>, 2> state{start, start};
+  RingPair out;
+  const auto method = [&](std::size_t k) { return Splitting{blanes_moan_6_14(), steps[k]}; };
+  Progress progress("ring", 1);
+  while (state[1].t < longest && !(state[1].t > patience * out.gathered)) {
+    std::array<RingSample, 2> seen;
+    for (std::size_t k : {0, 1}) {
+      evolve(method(k), ring, state[k], interval, interval);
+      seen[k] = ring_sample(ring, state[k]);
+    }
+    progress.reach(state[1].t / longest);
+    out.agree = Estimate{state[1].t, interval};
+    if (!(distance(state[0], state[1]) < 0.1)) return out;
+    out.samples.push_back(seen);
+    if (!std::isnan(out.gathered) || !seen[0].gathered || !seen[1].gathered) continue;
+    out.gathered = seen[1].t;
+    for (std::size_t k : {0, 1}) out.packet[k] = watch_packet(method(k), ring, state[k]);
+  }
+  out.agree = exact(state[1].t);
+  return out;
+}
+
+// What is read from a pair
+Estimate RingPair::width() const {
+  Estimate least{std::numeric_limits<double>::infinity(), 0};
+  for (const auto& [coarse, fine] : samples)
+    if (fine.t >= gathered && fine.t <= 1.5 * gathered && fine.width < least.value)
+      least = compare(coarse.width, fine.width);
+  return least;
+}
+
+bool RingPair::travels() const {
+  if (std::isnan(gathered)) return false;
+  const Formed p = formed();
+  return p.peak_over_mean.value - p.peak_over_mean.error > 5 &&
+         p.width.value + p.width.error < double(packet[1].density.size()) / 4 &&
+         p.speed.value > p.speed.error;
+}
+
+// One pulse on its way round the ring, then two, and in the end two that stand apart
+PulseSplits pulse_splits(const RingPair& pair, double round) {
+  double since = std::nan(""), alone = 0, split = std::nan(""), apart = std::nan("");
+  for (const auto& [coarse, fine] : pair.samples) {
+    if (!(fine.t >= pair.gathered)) continue;
+    const bool one = coarse.second < 0.5 && fine.second < 0.5;
+    const bool two = coarse.second >= 0.5 && fine.second >= 0.5;
+    if (std::isnan(split)) {
+      if (one && std::isnan(since)) since = fine.t;
+      if (one) alone = std::max(alone, fine.t - since);
+      if (two && alone >= round) split = fine.t;
+      if (two) since = std::nan("");
+    }
+    if (!std::isnan(split) && std::isnan(apart) && two && coarse.gathered && fine.gathered)
+      apart = fine.t;
+  }
+  return {{alone, interval}, {split, interval}, {apart, interval}};
 }
 
 }  // namespace lattice

@@ -3,13 +3,16 @@
 # Packets among phonons
 
 Under precompression the largest single density need not belong to a packet. The packet is where the sites within 20 of
-one another hold the most energy, and how it fares is read from a few numbers at each instant. */
+one another hold the most energy. */
 
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
-#include "lattice/model/chain.hpp"
+#include "lattice/integrators/integrate.hpp"
+#include "lattice/numerics/estimate.hpp"
 
 namespace lattice {
 
@@ -27,13 +30,9 @@ struct PacketSample {
 /// From the energy density `e` at time `t`.
 PacketSample packet_sample(double t, const std::vector<double>& e);
 
-/**
-A breather keeps its energy. The front of a linear wave train spreads like $t^{1/3}$, and its share falls like
-$t^{-1/3}$. A surface mode keeps its share of the first five sites, while a train thins out there like $1/t$ or
-faster. */
+/// Exponents of both shares in time over the last three quarters of the samples, mean speed of the centre there, and
+/// its least advance in any 100 units of time over the mean one.
 struct Traits {
-  /// Exponents of both shares over the last three quarters of the samples, mean speed of the centre there, and its
-  /// least advance in any 100 units of time over the mean one.
   double share_exponent, boundary_exponent, speed, steadiness;
 };
 /// Of samples one unit of time apart that last more than 140.
@@ -58,7 +57,6 @@ struct Sech {
   double at(double n) const { return height / std::cosh((n - centre) / width); }
 };
 /// The sech that fits the values `a` in `range` best, by the Gauss-Newton method from their maximum and this `width`.
-/// A step that does not lessen the misfit is halved; if no part of it does, we have arrived.
 Sech fit_sech(const std::vector<double>& a, Window range, double width);
 
 /**
@@ -72,10 +70,71 @@ struct Snapshot {
   Envelope envelope;  ///< of the whole chain
   Sech sech;          ///< fitted about the top of the envelope
 };
-/// The snapshot of `state`, its sech fitted around the packet.
 Snapshot snapshot(const Chain& chain, const State<double>& state);
 /// Root mean square of the envelope between 40 and 80 sites behind (`side` = -1) or ahead (+1) of the packet, over
 /// the sech's height: nothing is left of the sech there.
 double tail_amplitude(const Snapshot& shot, int side);
+
+/// On a ring, where the participation number counts the background too: width in sites of the highest hump at half its
+/// height, of the density averaged over five neighbours, because the carrier makes it oscillate; all sites if the
+/// density does not fall to half of its height.
+double packet_width(const std::vector<double>& density);
+
+/// What is seen of a ring at one instant.
+struct RingSample {
+  double t, peak_over_mean;
+  double second;  ///< energy of the second richest window of 21 sites over that of the richest
+  bool gathered;  ///< five times the mean density at a site, and half of the sites share the energy
+  double width = 0;  ///< of the packet at half height
+};
+RingSample ring_sample(const Chain& ring, const State<double>& state);
+
+/// A ring after 60 units of time, some ten oscillations, during which the packet's centre was followed.
+struct WatchedRing {
+  State<double> end;
+  std::vector<double> density{};  ///< of the energy at the end
+  std::vector<double> t{}, centre{};
+  double drift = 0;  ///< of the energy, relative
+  Snapshot shown{};  ///< of the end
+};
+WatchedRing watch_packet(const Method& method, const Chain& ring, State<double> state);
+
+/// What has become of the wave, from two runs: largest density over the mean, share of the sites that share the
+/// energy, speed of the centre with the error of its fit, and width of the packet.
+struct Formed {
+  Estimate peak_over_mean, share_of_sites, speed, width;
+};
+Formed formed(const WatchedRing& coarse, const WatchedRing& fine);
+
+/// Two runs with two steps side by side, the finer one second, looked at every 50 units of time. An instability
+/// magnifies differences: the runs stop when their relative distance has reached a tenth.
+struct RingPair {
+  std::vector<std::array<RingSample, 2>> samples{};
+  Estimate agree{};                     ///< how long the runs agree; exact if they have not parted
+  double gathered = std::nan("");       ///< when the energy has gathered in both,
+  std::array<WatchedRing, 2> packet{};  ///< and what they look like a little later
+
+  /// `gathered`, which is known to within one interval between two looks.
+  Estimate gathering() const { return {gathered, 50}; }
+  Formed formed() const { return lattice::formed(packet[0], packet[1]); }
+  /// The least width of the packet, up to half as long again as it took the energy to gather.
+  Estimate width() const;
+  /// Whether there is a packet of five times the mean density, on a quarter of the ring, that moves to the right.
+  bool travels() const;
+};
+/// Goes on until the runs part, until `longest`, or until `patience` times the time that it takes the energy to
+/// gather.
+RingPair side_by_side(const Chain& ring, const State<double>& start, double longest,
+                      const std::array<double, 2>& steps,
+                      double patience = std::numeric_limits<double>::infinity());
+
+/// A pulse splits when the second window holds half of the first or more, in both runs, after the pulse has gone round
+/// the ring once as one; it may only have spread, so later the energy is to be gathered and shared in the same way.
+struct PulseSplits {
+  Estimate one_pulse_for;        ///< the longest time for which it was one pulse before
+  Estimate splits_at, apart_at;  ///< nan if it does not
+};
+/// With the time that a pulse needs to go round the ring.
+PulseSplits pulse_splits(const RingPair& pair, double round);
 
 }  // namespace lattice

@@ -1,12 +1,12 @@
 #pragma once
 /**
-# Phonons of a compressed chain, and their envelope
+# Phonons of a compressed chain, and the NLS equation of their envelope
 
-The formulas of section 4.1 for any compression $d$ and any anharmonicity $s$ of the wells. Everything is a template on
-the scalar, `double` or `long double`, so that a formula evaluated in both shows its own rounding error. */
+The formulas of section 4.1 for any compression $d$ and any anharmonicity $s$ of the wells. They are templates on the
+scalar, so that evaluating one in `double` and in `long double` shows its own rounding error. */
 
-#include <cstddef>
-#include <vector>
+#include <cmath>
+#include <stdexcept>
 
 #include "lattice/numerics/ieee.hpp"
 
@@ -19,9 +19,14 @@ struct ContactSeries {
 };
 /// For the compression `d`. Throws std::invalid_argument unless d > 0.
 template <class T>
-ContactSeries<T> contact_series(T d);
+ContactSeries<T> contact_series(T d) {
+  using std::sqrt;
+  if (!(d > T(0))) throw std::invalid_argument("a phonon band needs a compression d > 0");
+  const T root = sqrt(d);
+  return {T(3) / T(2) * root, -T(3) / T(8) / root, -T(1) / T(16) / (d * root)};
+}
 
-/// Frequency, group velocity in sites per unit of time, and scaled curvature.
+/// Frequency, group velocity in sites per unit of time, and scaled curvature omega omega''/v_1.
 template <class T>
 struct Phonon {
   T omega, group_velocity, omega_2;
@@ -30,13 +35,24 @@ struct Phonon {
 };
 /// The phonon of wavenumber `q`, Eq. (34) and its derivatives.
 template <class T>
-Phonon<T> phonon(T q, T v1);
+Phonon<T> phonon(T q, T v1) {
+  using std::cos, std::sin, std::sqrt;
+  const T square = T(1) + T(2) * v1 * (T(1) - cos(q)), omega = sqrt(square);
+  return {omega, v1 * sin(q) / omega, cos(q) - v1 * sin(q) * sin(q) / square};
+}
 /// Upper edge of the band, at q = pi; the lower one, at q = 0, is 1.
 template <class T>
-T upper_edge(T v1);
-/// The inflection q_c, where cos q_c = v_1 (1 - cos q_c)^2, the curvature vanishes and phonons are fastest.
+T upper_edge(T v1) {
+  using std::sqrt;
+  return sqrt(T(1) + T(4) * v1);
+}
+/// The inflection q_c, where cos q_c = v_1 (1 - cos q_c)^2, a quadratic equation for 1 - cos q_c, written so that
+/// nothing cancels. There the curvature vanishes and phonons are fastest.
 template <class T>
-T inflection(T v1);
+T inflection(T v1) {
+  using std::acos, std::sqrt;
+  return acos(T(1) - T(2) / (T(1) + sqrt(T(1) + T(4) * v1)));
+}
 
 /**
 Where does $\beta$ of Eq. (36) come from? Insert $A e^{i\theta} + A_2 e^{2i\theta} + c.c.$ with
@@ -48,7 +64,12 @@ balance if $\omega_{nl}^2 = \omega^2 + 2\beta|A|^2$ with
 $$\beta = \frac{16v_2^2\sin^2q\,(1-\cos q)^2}{4v_1(1-\cos q)^2+3} + \tfrac32\left[4v_3(1-\cos q)^2 + s\right].$$ */
 /// The NLS coefficient beta(q) for the well's anharmonicity s.
 template <class T>
-T nls_beta(T q, const ContactSeries<T>& v, T s);
+T nls_beta(T q, const ContactSeries<T>& v, T s) {
+  using std::sin;
+  const T half = sin(q / T(2)), x = T(4) * half * half * half * half;  // (1 - cos q)^2
+  return T(16) * v.v2 * v.v2 * sin(q) * sin(q) * x / (T(4) * v.v1 * x + T(3)) +
+         T(3) / T(2) * (T(4) * v.v3 * x + s);
+}
 
 /// All that the NLS equation says about one wavenumber; phi = -beta omega_2 is that of Eq. (37).
 template <class T>
@@ -59,25 +80,11 @@ struct Coefficients {
 };
 /// The coefficients at wavenumber `q` for the compression `d` > 0 and the anharmonicity `s`.
 template <class T>
-Coefficients<T> coefficients(T q, T d, T s);
-
-/**
-On the wave $y_n = a\sin(qn-\omega t)$, that is $|A| = a/2$ with $\epsilon = 1$, a modulation of wavenumber $Q$ grows at
-the rate $\sigma$ with $\sigma^2 = \tfrac12|\omega''|Q^2\,\bigl(2|h||A|^2 - \tfrac12|\omega''|Q^2\bigr)$, which is at
-most $|h||A|^2$. */
-/// The growth rate sigma of a wave of amplitude `a` at this wavenumber, zero if the wave is stable.
-double nls_growth(const Coefficients<double>& at, double a, double modulation);
-/// The modulation that grows fastest, at the rate |h| a^2 / 4; only where phi > 0.
-double fastest_modulation(const Coefficients<double>& at, double a);
-
-/// The unstable wavenumbers that fit on a ring, one in `every`, from the largest phi on.
-std::vector<double> unstable_on_ring(double d, double s, std::size_t sites, std::size_t every = 1);
-
-/// The zero of phi between `low` and `high`, by bisection, which does not use the closed form of the inflection.
-/// Throws std::invalid_argument if phi has the same sign at both.
-double sign_change_of_phi(double d, double s, double low, double high);
-
-/// The largest value of phi on a grid of `points` + 1 wavenumbers from 0 to pi, or zero if all are negative.
-double largest_phi(double d, double s, std::size_t points);
+Coefficients<T> coefficients(T q, T d, T s) {
+  const ContactSeries<T> v = contact_series(d);
+  const Phonon<T> p = phonon(q, v.v1);
+  const T beta = nls_beta(q, v, s);
+  return {p.omega, p.group_velocity, p.curvature(v.v1), beta, p.omega_2, -beta * p.omega_2};
+}
 
 }  // namespace lattice
