@@ -7,7 +7,6 @@
 #include "check.hpp"
 #include "lattice/events/event_driven.hpp"
 #include "lattice/impact/impact.hpp"
-#include "lattice/integrators/driven_chain.hpp"
 #include "lattice/integrators/integrate.hpp"
 #include "lattice/orbits/other_chains.hpp"
 #include "lattice/quadruple_orbits/orbits.hpp"

@@ -14,7 +14,7 @@ $$s(t) = \int_0^t e^{-\nu t'/4}\,dt' = \frac4\nu\bigl(1-e^{-\nu t/4}\bigr) < \fr
 #include <cstddef>
 #include <vector>
 
-#include "lattice/integrators/driven_chain.hpp"
+#include "sec5/driven_chain.hpp"
 
 namespace lattice {
 

@@ -8,8 +8,8 @@
 
 #include "lattice/diagnostics/pulse.hpp"
 #include "lattice/impact/impact.hpp"
-#include "lattice/integrators/driven_chain.hpp"
 #include "lattice/standing/spectrum.hpp"
+#include "sec5/driven_chain.hpp"
 
 namespace lattice {
 

@@ -29,9 +29,9 @@ with the drive has ended. These two numbers fix the law of the threshold (sec5_d
 #include <string>
 #include <vector>
 
-#include "lattice/integrators/driven_chain.hpp"
 #include "lattice/numerics/estimate.hpp"
 #include "lattice/orbits/newton.hpp"
+#include "sec5/driven_chain.hpp"
 
 namespace lattice {
 

@@ -15,7 +15,7 @@ and $\varphi$. */
 #include <cstddef>
 #include <vector>
 
-#include "lattice/integrators/driven_chain.hpp"
+#include "sec5/driven_chain.hpp"
 
 namespace lattice {
 
