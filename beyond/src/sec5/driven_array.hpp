@@ -2,8 +2,8 @@
 /**
 # A driven array
 
-What a drive at its first bead sends into an array of beams, and the threshold that the limit of small amplitude gives it.
-The command `drive` and the live page ask for all of this, the chapter for a part. */
+What a drive at its first bead sends into an array of beams, and the threshold that the limit of small amplitude gives
+it. The command `drive` and the live page ask for all of this, the chapter for a part. */
 
 #include <functional>
 #include <string>
@@ -109,7 +109,7 @@ struct DrivenArray : Scales {
 Estimate bisect_threshold(double quiet, double emits, double accuracy,
                           const std::function<bool(double)>& does_emit);
 
-/// Where a stronger drive may be quiet and a weaker one emit: the middle between the lowest amplitude that emits and the
+/// Where a stronger drive may be quiet and a weaker one emit: the middle of the lowest amplitude that emits and the
 /// highest that is quiet, among 2 * `side` + 1 about `centre` at the distance `apart`, and half the way between them.
 /// Throws std::runtime_error unless the lowest is quiet and the highest emits.
 Estimate threshold_among(double centre, double apart, int side,

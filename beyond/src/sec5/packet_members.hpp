@@ -69,8 +69,8 @@ Traveller traveller_on(const DrivenChain& driven, State<double> start, double du
                        const WatchedBeads& stretch);
 
 /**
-The oscillation within a packet makes all means fluctuate, and a packet changes on its way. So it is looked at on the whole
-stretch, on another one with coarser steps, and on either half of the stretch. */
+The oscillation within a packet makes all means fluctuate, and a packet changes on its way. So it is looked at on the
+whole stretch, on another one with coarser steps, and on either half of the stretch. */
 struct Looks {
   Traveller fine, coarse, before, after;
 

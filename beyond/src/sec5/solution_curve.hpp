@@ -2,9 +2,9 @@
 /**
 # A curve of solutions, and its fold
 
-Equations with one unknown more than there are equations, the last one being a parameter, have a curve of solutions. Where
-two of them merge as the parameter grows the curve folds back, and cannot be followed in the parameter. So it is followed in
-its own length (pseudo-arclength): each point is found by Newton's method on a plane across the tangent. */
+Equations with one unknown more than there are equations, the last one being a parameter, have a curve of solutions.
+Where two of them merge as the parameter grows the curve folds back, and cannot be followed in the parameter. So it is
+followed in its own length (pseudo-arclength): each point is found by Newton's method on a plane across the tangent. */
 
 #include <functional>
 #include <vector>
