@@ -204,13 +204,14 @@ void report_orbits(Report& report, const BeamArray& beams) {
 /**
 ## The asymptotic threshold (figure x27 a)
 
-Where does the fold lie? In the DpS limit $y_n \simeq 2\epsilon u_n\cos\Omega t$ the motion is a static solution of
-Eq. (14) that decays into the chain, $-u_n = D_n-D_{n-1}$ with $D_n$ the scaled contact force. Contacts, whose stiffness
-goes like $\epsilon^{1/2}$, must make up for the detuning, so $\epsilon = (2\tau_0\delta)^2$. A piston prescribes a
-displacement, $a = 2\epsilon|u_0|\propto\delta^2$. A base prescribes a force instead of that of contact 0. So close to
-resonance a force $F$ moves a bead by $F/2\delta$, so that $a = 4\delta\epsilon|D_0|$ has one power more. Decaying
-solutions are a curve, found by iterating a map of two lines (driven_array.hpp), and the fold is at the first maximum of
-$|u_0|$ or $|D_0|$ along it:
+Where does the fold lie? For small amplitudes section 3.1 of the article sets $y_n \simeq 2\epsilon u_n\cos\Omega t$ and
+averages Hertz's force over a period, which brings in its constant $\tau_0$ (the DpS limit). The motion is then a static
+solution of Eq. (14) that decays into the chain, $-u_n = D_n-D_{n-1}$ with $D_n = (u_{n+1}-u_n)|u_{n+1}-u_n|^{1/2}$, the
+scaled force of contact $n$. Contacts, whose stiffness goes like $\epsilon^{1/2}$, must make up for the detuning, so
+$\epsilon = (2\tau_0\delta)^2$. A piston prescribes a displacement, $a = 2\epsilon|u_0|\propto\delta^2$. A base prescribes a
+force instead of that of contact 0. So close to resonance a force $F$ moves a bead by $F/2\delta$, so that
+$a = 4\delta\epsilon|D_0|$ has one power more. Decaying solutions are a curve, found by iterating a map of two lines
+(driven_array.hpp), and the fold is at the first maximum of $|u_0|$ or $|D_0|$ along it:
 $$a_{\rm piston} = 8\tau_0^2\,\delta^2\,\max|u_0|,\qquad a_{\rm base} = 16\tau_0^2\,\delta^3\,\max|D_0|.$$
 We call this the *asymptotic threshold*. To nine digits $\max|u_0|$ is the largest displacement of the site-centred
 static breather: a piston has to lift the first bead to its top.
@@ -797,18 +798,21 @@ void reproduce(Report& report) {
 of `Drive::force` (driven_chain.cpp), and what counts as a packet stands in `PacketCounter::passes` (driven_array.cpp).
 The frequencies are those of `fold_points` and `chart_of`. The figures read columns by name.
 
-1. *Easy.* How far must a piston move at 6600 Hz instead of 7000?    `build/bin/sec5_driving drive --frequency 6600
---time 20` gives `threshold_law` = 1.08769.    Hint: the beams swing at [6310.91](num:sec5_driving.beam_frequency) Hz;
-how does the law go with $\delta$? 2. *Easy.* What does the end do below the fold, at 4 µm?    `build/bin/sec5_driving
-drive --amplitude 4 --time 20` gives `response` = 1.3200.    Hint: this is a point of the lower branch of non-emitting
-orbits. By which factor does it jump at 7 µm, with emission? 3. *Harder.* Do losses move the threshold? With a lifetime
-of 1 ms and 7 µm nothing passes the detector:    `build/bin/sec5_driving drive --amplitude 7 --lifetime 1 --time 20`
-gives `response` = 4.0521.    Hint: either the fold is above 7 µm now, or packets die before bead 20. Is the response
-that of a quiet or of an    emitting end? 4. *Harder.* Is a packet that loses energy still a breather of the family?
-`build/bin/sec5_driving packet --lifetime 10 --from 9 --beads 8` gives `energy_ratio` = 1.01.    Hint: shift time and
-phase change on the way, and the energy with them. The ratio compares all three at the same place. 5. *Open.* Where does
-periodic emission become irregular, and is this a bifurcation of the periodic motion? 6. *Open.* Which law gives the
-phase of a driven packet as a function of strength and frequency? */
+1. *Easy.* How far must a piston move at 6600 Hz instead of 7000?
+   `build/bin/sec5_driving drive --frequency 6600 --time 20` gives `threshold_law` = 1.08769.
+   Hint: the beams swing at [6310.91](num:sec5_driving.beam_frequency) Hz; how does the law go with $\delta$?
+2. *Easy.* What does the end do below the fold, at 4 µm?
+   `build/bin/sec5_driving drive --amplitude 4 --time 20` gives `response` = 1.3200.
+   Hint: this is a point of the lower branch of non-emitting orbits. By which factor does it jump at 7 µm, with emission?
+3. *Harder.* Do losses move the threshold? With a lifetime of 1 ms and 7 µm nothing passes the detector:
+   `build/bin/sec5_driving drive --amplitude 7 --lifetime 1 --time 20` gives `response` = 4.0521.
+   Hint: either the fold is above 7 µm now, or packets die before bead 20. Is the response that of a quiet or of an
+   emitting end?
+4. *Harder.* Is a packet that loses energy still a breather of the family?
+   `build/bin/sec5_driving packet --lifetime 10 --from 9 --beads 8` gives `energy_ratio` = 1.01.
+   Hint: shift time and phase change on the way, and the energy with them. The ratio compares all three at the same place.
+5. *Open.* Where does periodic emission become irregular, and is this a bifurcation of the periodic motion?
+6. *Open.* Which law gives the phase of a driven packet as a function of strength and frequency? */
 int main(int argc, char** argv) {
   return run({"sec5_driving", "5", "Driving an array at one end (section 5)", reproduce,
               commands<OneDrive, Chart, OnePacket>()},
