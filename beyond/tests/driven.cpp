@@ -111,6 +111,33 @@ TEST_CASE("impossible losses are refused", "[unit][driven]") {
   CHECK_THROWS_AS(evolve({Chain{3}, {std::nan(""), 0}}, state, grid), std::invalid_argument);
 }
 
+TEST_CASE("a driven chain runs with the length of its masses and in states of that length only",
+          "[unit][driven]") {
+  Chain twelve{12};
+  vary(twelve, std::vector<double>(12, 1), {});
+  const auto refused = [](const Chain& chain, State<double> state) {
+    CAPTURE(chain.sites, chain.mass.size(), state.y.size());
+    CHECK_THROWS_AS(evolve({chain, {}, {}}, state, time_grid(1, 1, 0.1)), std::invalid_argument);
+  };
+  for (const std::size_t sites : {8, 13, 136}) {
+    Chain other = twelve;
+    other.sites = sites;
+    refused(other, struck(sites, 1));
+    refused(twelve, struck(sites, 1));
+    refused(Chain{12}, struck(sites, 1));
+  }
+  State<double> torn = struck(12, 1);
+  torn.v.pop_back();
+  refused(twelve, torn);
+  // Masses without stiffnesses, and the other way round
+  Chain half{12};
+  half.mass = half.inverse_mass = twelve.mass;
+  refused(half, struck(12, 1));
+  half = Chain{12};
+  half.eta = twelve.eta;
+  refused(half, struck(12, 1));
+}
+
 TEST_CASE("a driven run for a tolerance balances its budget", "[property][driven]") {
   DrivenChain driven{Chain{12}, {}, {Drive::By::base, 1.2, 0.05}};
   driven.losses.of_site.assign(12, 0.1);
