@@ -34,7 +34,7 @@ def with_numbers(text, numbers):
         if id not in numbers:
             raise ecsv.Fault(f"nothing is locked under '{id}' (a new one: make lock)")
         row = text[text.rfind("\n", 0, found.start()) + 1:].startswith("|")
-        return f"[{numbers[id].shown_in_table if row else numbers[id].shown}](num:{id})"
+        return f"[{numbers[id].shown_in_table if row else numbers[id].shown_in_prose}](num:{id})"
 
     return LINK.sub(renewed, text)
 

@@ -64,8 +64,7 @@ def both(finding):
 
 def about(finding):
     """A value to three digits at most, where a reader needs no more of it."""
-    fewer = with_digits(finding.value, 3) if math.isfinite(finding.value) else finding.shown
-    return value(min(fewer, finding.shown, key=lambda shown: len(re.sub(r"e.*|[^0-9]", "", shown).lstrip("0"))))
+    return value(finding.shown_in_prose)
 
 
 def name(word):

@@ -1,6 +1,7 @@
 """A value with its error, and the digits that people see of it: the same in prose, paper and book."""
 
 import math
+import re
 import sys
 from dataclasses import dataclass
 
@@ -51,6 +52,15 @@ class Finding:
             return with_digits(self.value, 1)
         places = math.floor(math.log10(abs(self.value))) - math.floor(math.log10(self.error))
         return with_digits(self.value, min(max(places + 1, 1), 6))
+
+    @property
+    def shown_in_prose(self):
+        """Three digits at most, but for counts, and for what three digits would round to one."""
+        if not math.isfinite(self.value) or self.error == 0 and self.value == math.floor(self.value):
+            return self.shown
+        fewer = with_digits(self.value, 3)
+        digits = [len(re.sub(r"e.*|[^0-9]", "", text).lstrip("0")) for text in (fewer, self.shown)]
+        return self.shown if digits[0] >= digits[1] or abs(float(fewer)) == 1 else fewer
 
     @property
     def shown_error(self):

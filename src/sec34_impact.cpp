@@ -10,7 +10,8 @@ breather (chapter before). Now strike the first bead harder, and let the wells b
           \_/   \_/   \_/   \_/   \_/   \_/       \_/     \_/     \_/
        surface mode                                travelling breather
 
-![Energy density and speed of the packet against impact velocity.](fig:19)
+![Energy density and speed of the packet against impact velocity. Drawn by fig19_impact_velocity.gp: `peak` and `speed`
+against `velocity`, from the table `velocity_sweep`.](fig:19)
 
 Section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) says:
 
@@ -85,11 +86,12 @@ struct Followed {
 Followed followed(const EventCorrected& method, double s, double v0, double time,
                   double until = fit_to + 2) {
   const Chain chain{90, Quartic{s}};
-  const std::size_t denser_by = std::size_t(1) << method.halvings;  // than in the coarsest run
+  // End states can be compared only if all resolutions end at the same instant: a sample of the coarsest
+  const std::size_t denser_by = std::size_t(1) << method.halvings;
   std::size_t sample = 0;
   Followed out;
   out.run = impact(method, chain, v0, out.end, time, denser(0.2), [&](const State<double>& now) {
-    const bool seen_by_all = sample++ % denser_by == 0;
+    const bool may_end = sample++ % denser_by == 0;
     const std::vector<double> e = energy_density(chain, now);  // Eq. (23)
     const auto peak = front_packet(e);                         // n'
     if (!peak || now.t == 0) return true;
@@ -97,8 +99,7 @@ Followed followed(const EventCorrected& method, double s, double v0, double time
     out.stays.push_back(boundary_share(e, 5));
     const double X = out.path.centre.back();
     if (X > 40) out.front.add(e, *peak);
-    // End states can be compared only if all resolutions end at the same instant
-    return !(seen_by_all && X >= until);
+    return !(may_end && X >= until);
   });
   return out;
 }
@@ -115,7 +116,7 @@ For each velocity of the sweep we ask for three numbers of the packet: the speed
 least-squares line through $X(t)$ between sites 20 and 60; the largest maximum in time of $e_{n'}$ on the same stretch,
 from parabolas through three samples; and the energy within $m$ sites of the peak when the packet passes site 60. The
 error of the fit is added to that of the speed. How long to wait follows from the chapter before: at small
-$\epsilon = v_0/2$ the packet moves with the speed [0.36129](num:sec34_dps_impact.dps_speed) times $\epsilon^{1/2}$. */
+$\epsilon = v_0/2$ the packet moves with the speed [0.361](num:sec34_dps_impact.dps_speed) times $\epsilon^{1/2}$. */
 // Three times what the slowest packets need to come to the end of the stretch
 double time_for(double velocity) {
   return 3 * fit_to / (0.36 * std::sqrt(velocity / 2));
@@ -226,13 +227,15 @@ The energy that the packet lacks must be somewhere, and figure 20 shows where. I
 $f_n = -(y_n-y_{n+1})_+^{3/2}$ for a linear and a very soft well after the same impact, $v_0 = 0.94$, just below the
 first escape.
 
-![Contact forces for a linear and a very soft well.](fig:20)
+![Contact forces for a linear and a very soft well. Drawn by fig20_surface_mode.py: `force` over `n` and `t`, from the
+table `surface_mode_forces`.](fig:20)
 
 Why should a soft well keep energy? Between contacts all beads in linear wells swing at the frequency 1, however far
 they move, and what one bead gives, the next one takes up in step. In a soft well the bead that moves far is slower. If
 the impact is strong enough, this exceeds what the contact adds: the first bead swings at a frequency below 1, while its
 neighbours move less and are, by themselves, faster. So they are driven below their resonance, and the energy stays
-where it is. This explains by frequencies and proves nothing: we have not computed the surface mode as a periodic orbit.
+where it is. This is an explanation by frequencies, not a proof: we have not computed the surface mode as a periodic
+orbit.
 */
 void report_forces(Report& report) {
   Table& forces = report.table("surface_mode_forces",
@@ -253,8 +256,8 @@ void report_forces(Report& report) {
 /**
 Energy is *trapped* if the first five sites hold more than the packet does, long after the impact: when the packet
 passes site 60. Both shares are interpolated between the two samples around that instant. In the soft well the first
-five sites keep [0.798919](num:sec34_impact.trapped_soft) of the energy, in the linear one
-[0.101827](num:sec34_impact.trapped_linear). The impact of figure 21 is included.
+five sites keep [0.799](num:sec34_impact.trapped_soft) of the energy, in the linear one
+[0.102](num:sec34_impact.trapped_linear). The impact of figure 21 is included.
 
 | $v_0$, $s$ | first five sites | packet | speed of the packet |
 |---|---|---|---|
@@ -284,9 +287,10 @@ void report_shares(Report& report, const std::string& name, double s, double v0)
 The article shows surface mode and travelling breather together, in the velocities of all beads at $t = 587$ after an
 impact of 1.87 at $s = -\frac16$. In between there are other waves, a slow second packet among them. We call the two
 *visible* if each rises above everything that lies between them. Both do: the lower of the two is
-[1.34120](num:sec34_impact.snapshot_prominence) times as high as the highest wave there.
+[1.34](num:sec34_impact.snapshot_prominence) times as high as the highest wave there.
 
-![Surface mode and packet side by side.](fig:21) */
+![Surface mode and packet side by side. Drawn by fig21_snapshot.gp: `v` against `n`, from the table
+`surface_mode_snapshot`.](fig:21) */
 Refined<ImpactRun> states_after(double accuracy, const Chain& chain, double v0, double time) {
   return refined(accuracy, [&](const EventCorrected& method) {
     ImpactRun out;
@@ -319,10 +323,10 @@ exceed one per cent of its amplitude, the width is $2k+1$. The tail is the large
 the ten sites that follow the window of Eq. (24). Both are taken in linear wells while the centre moves from site 40 to
 60. A contact of unit overlap pushes as hard as a well pulls back at unit displacement; so $v_0 = 1$ counts as moderate.
 
-After such an impact the packet has [11.0000](num:sec34_impact.packet_width_moderate) sites: the contacts push as
+After such an impact the packet has [11.0](num:sec34_impact.packet_width_moderate) sites: the contacts push as
 strongly as the wells, the DpS limit is left, and two more sites on either side rise above the hundredth. The article
 speaks of *mainly* seven sites and of *moderate* velocities without a measure for either. The hundredth and the velocity
-are ours, so this is no contradiction. The tail is small, and grows with the impact velocity.
+are ours. The tail is small, and grows with the impact velocity.
 
 | amplitude of the tail over that of the peak | article | here |
 |---|---|---|
@@ -360,12 +364,12 @@ $$v_0^2/2 > W\bigl((-s)^{-1/2}\bigr) = 1/(4|s|).$$
 Above this bound there is no sharp threshold. The outcome depends on details of the collisions, and islands of
 velocities at which no bead escapes lie between velocities at which one does. So we quote a band, from the lowest
 velocity with an escape to the highest without, on a grid of 801 velocities and up to $t = 500$. At $s = -\frac16$ it
-reaches from [2.1130](num:sec34_impact.blowup_first_escape_s_1_6) to
-[2.5120](num:sec34_impact.blowup_last_survivor_s_1_6), with five islands; at $s = -0.7$ there are three (table
+reaches from [2.11](num:sec34_impact.blowup_first_escape_s_1_6) to
+[2.51](num:sec34_impact.blowup_last_survivor_s_1_6), with islands of survival in between (table
 `blowup_scan`). Both scans begin with survivors and end with escapes. [](finding:blowup.bands)
 
 Every velocity is run with two steps on a chain that nothing can cross within the time. What must agree is the
-*outcome*; where it does not, the velocity is disputed and counts for neither edge. The scans begin far above the energy
+*outcome*; where it does not, the velocity is disputed and counts for neither edge. The scans begin above the energy
 bound, which is 1.73 for $s = -\frac16$ and 0.85 for $s = -0.7$, and so they cannot test it. The sweep of figure 19 can:
 it has a run at every velocity from 0.01 up to the band and would end with an error if a bead escaped.
 
@@ -394,8 +398,9 @@ struct Trial {
 /**
 Inside the band the packets of those impacts that do not blow up can be faster, perhaps because the collision that keeps
 the first bead from escaping feeds the packet. The curves of figure 19 therefore end one grid spacing below the band.
-Their last points, up to 0.05 below it, are erratic and are marked in the figure: the first bead almost escapes before
-it returns. Each is right for its own velocity, but a finer scan would find more structure. */
+Their last points, up to 0.05 below it, the velocity of figure 20 among them, are erratic and are marked in the figure:
+the first bead almost escapes before it returns. Each is right for its own velocity, but a finer scan would find more
+structure. */
 std::vector<double> report_blowup(Report& report) {
   Table& scan =
       report.table("blowup_scan",
@@ -456,6 +461,10 @@ void report_check(Report& report) {
 
 /**
 ## Try it
+
+**To change it.** Another well is a row of `wells`, for figure 19, or the second member of `Chain` in
+`followed`. Another observation of the packet is a line in the loop of `followed`, and a row of `SweepPoint::measure`.
+The figures read columns by name.
 
 1. *Easy.* Where is the energy in a soft well? `build/bin/sec34_impact run --s -0.7 --velocity 0.9` gives
    `boundary_energy_fraction` = 0.76318 and `packet_energy_fraction` = 0.073459. Hint: with `--s 0` most of it travels;

@@ -10,7 +10,8 @@ $$\lambda = (\tau_c/\tau_h)^2,\qquad \dot y_1(0) = \lambda^{5/2} = (\tau_c/\tau_
 if lengths are measured by $\xi = (k/\gamma)^2$, at which well and contact are equally strong, and times by $\tau_c$. A
 travelling breather needs a small $\lambda$: contacts must last for a good part of an oscillation.
 
-![Newton's cradle and an array of clamped cantilevers decorated by beads.](fig:01)
+![Newton's cradle and an array of clamped cantilevers decorated by beads. Drawn by fig01_two_chains.py: the sizes of the
+table `schematic`.](fig:01)
 
 Section 3.5 of James, Kevrekidis and Cuevas (Physica D 251, 2013) puts numbers in: for a cradle $\lambda^{5/2}$ is
 astronomical, for the stiff cantilevers of section 3.6 it is less than one. Here every constant is derived in SI units.
@@ -50,10 +51,11 @@ Steps of 0.1 and 0.05 give the error. The independent route is the conservation 
 the relative motion, $\frac14mV^2$, is in the contact, $\frac25\gamma\,x^{5/2}$, when $x = (5/8)^{2/5}\,\delta$. The
 program stops unless both agree to $10^{-7}$.
 
-The contact time is the printed one. The largest compression is not; the article quotes both from other works. With the
-reduced mass $\mu = \frac12m$ it is $(\mu V^2/K)^{2/5}$, $K = \frac45\gamma$. A possible cause of the quoted 0.76 is
-$\gamma$ in the place of $K$, which gives $2^{-2/5}\,\delta$. The quoted contact time has the right constant: at given
-$V$ it is proportional to the compression, and with 0.76 it would be far from 2.43.
+The contact time is the printed one, if this is cut off after two decimals. The largest compression is not; the article
+quotes both from other works. With the reduced mass $\mu = \frac12m$ it is $(\mu V^2/K)^{2/5}$, $K = \frac45\gamma$. A
+possible cause of the quoted 0.76 is $\gamma$ in the place of $K$, which gives $2^{-2/5}\,\delta$. The quoted contact
+time has the right constant: at given $V$ it is proportional to the compression, and with 0.76 it would be far from
+2.43.
 
 A cradle whose strings have the length $L$ has $\tau_c^2 = L/g$. A collision of steel balls was measured to take 0.077
 ms, and this over the contact time in units of $\tau_h$ is $\tau_h$. As $\lambda^{5/2} = (L/g\tau_h^2)^{5/2}$ contains
@@ -95,11 +97,11 @@ void report_collision(Report& report) {
 
 The article replaces a beam of the length $\ell$ by a spring and a point mass, with factors that it prints with two or
 three digits, so we compute them. We integrate $u'''' = x^4u$ for the deflection $u$, where $x$ is now the wavenumber
-times $\ell$, along half of the beam (cantilever.hpp), in 200 and in 400 steps. The stiffness is that against a steady
-push at the middle; the wavenumber is then $x = 0$ and the solution a cubic, which the Runge–Kutta method reproduces
-exactly, so that only rounding is left. For the frequency an independent route is $\cos x\cosh x = 1$. Two beads at the
-middle change the shape of the vibration, so that one point mass for beam and beads is an approximation, by a thousandth
-of the frequency.
+times $\ell$, along half of the beam, from the clamped end, where $u = u' = 0$, to the middle, where $u' = 0$ by
+symmetry (cantilever.hpp), in 200 and in 400 steps. The stiffness is that against a steady push at the middle; the
+wavenumber is then $x = 0$ and the solution a cubic, which the Runge–Kutta method reproduces exactly, so that only
+rounding is left. For the frequency an independent route is $\cos x\cosh x = 1$. Two beads at the middle change the
+shape of the vibration, so that one point mass for beam and beads is an approximation, by a thousandth of the frequency.
 
 | of a clamped beam | article | here |
 |---|---|---|
@@ -177,9 +179,9 @@ void report_array(Report& report, const CantileverArray& array) {
 Of the printed numbers one is not found, the compression 0.76; that for $\lambda^{5/2}$ of the cradle is found with
 $g = 10$ m/s² only. Hertz's coefficient needs the Young modulus of the beads,
 $\gamma = \mathcal E\sqrt{2R}/(3(1-\nu^2))$ with their radius $R$ and Poisson's ratio $\nu$; the article prints the
-symbol of the beam's, which would give a $\lambda$ that is not small. A beam is described by one number, the deflection
-of its middle: its higher modes and its twisting are left out, and so is whatever a contact does beyond Hertz's static
-law. */
+symbol of the beam's, which would give a $\lambda$ far from small (exercise 3). A beam is described by one number, the
+deflection of its middle: its higher modes and its twisting are left out, and so is whatever a contact does beyond
+Hertz's static law. */
 void reproduce(Report& report) {
   const CantileverArray array;
   report_collision(report);
@@ -189,6 +191,9 @@ void reproduce(Report& report) {
 
 /**
 ## Try it
+
+**To change it.** The array's dimensions and materials are the members of `CantileverArray` (cantilever.hpp), the cradle
+is `cradle(g, contact_time)` (sec35/collision.hpp). Another law of contact is the third member of `Chain` in `collide`.
 
 1. *Easy.* Strike the array ten times less: `build/bin/sec35_scales scales --velocity 0.1` gives
    `lambda` = 0.11702 and `contact_time` = 1.79796e-4. Hint: $\tau_h$ grows like $V^{-1/5}$, so that $\lambda$ falls

@@ -2,15 +2,16 @@
 # 3.3 Breathers between a site and a bond
 
 Where do the two breathers exchange their stability, and what happens there? Section 3.3 of James, Kevrekidis and Cuevas
-(Physica D 251, 2013) finds exchanges as the anharmonicity $s$ is changed at $\omega_b = 1.1$, and leaves the bifurcations
-to future work. It says, too, that "for different values" of $\omega_b \in (1,2]$ and $s\in[-1,1]$ four Floquet
-multipliers are close to $+1$ and the others on the unit circle, where they accumulate at $e^{\pm2\pi i/\omega_b}$, and in
-section 5 that the instabilities which it found are weak, with multipliers that exceed one by less than $10^{-3}$.
+(Physica D 251, 2013) finds exchanges as the anharmonicity $s$ is changed at $\omega_b = 1.1$, and leaves the
+bifurcations to future work. It says, too, that "for different values" of $\omega_b \in (1,2]$ and $s\in[-1,1]$ four
+Floquet multipliers are close to $+1$ and the others on the unit circle, where they accumulate at
+$e^{\pm2\pi i/\omega_b}$, and in section 5 that the instabilities which it found are weak, with multipliers that exceed
+one by less than $10^{-3}$.
 
-This program looks where in the plane both hold (`sec33_floquet` has tested them where the article shows multipliers), maps
-the exchanges over the whole plane and finds the breathers that are born there: they are centred
-neither on a site nor on a bond. Why should there be such breathers? The centre moves in the Peierls-Nabarro potential,
-drawn here so that a stable breather sits in a valley. Between two valleys there is a hill, between two hills a valley:
+This program looks where in the plane both hold (`sec33_floquet` has tested them where the article shows multipliers),
+maps the exchanges over the whole plane and finds the breathers that are born there: they are centred neither on a site
+nor on a bond. Why should there be such breathers? The centre moves in the Peierls-Nabarro potential, drawn here so that
+a stable breather sits in a valley. Between two valleys there is a hill, between two hills a valley:
 
       both stable                both unstable
        site  between  bond        site  between  bond
@@ -39,16 +40,16 @@ $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}.$$
 The multipliers of a breather are the factors by which small changes of it grow in one period; they come in pairs
 $\lambda, 1/\lambda$. One pair is exactly $+1$, that of a shift in time. The *pinning pair* belongs to a shift along the
 chain and lies close to $+1$, because a shift by a fraction of a site costs hardly any energy. It is one number,
-$\kappa = \frac14(\lambda+1/\lambda-2)$, positive where the breather is unstable ($\lambda$ real), zero at an exchange of
-stability, negative where the pair is on the unit circle. There the breather is stable if all other pairs are on the circle,
-too, so we give the largest modulus as well. Unlike $\lambda$, $\kappa$ keeps all its digits near zero (floquet.hpp). The
-centre of a breather is $Q$, `centre`, in sites from the middle of the chain.
+$\kappa = \frac14(\lambda+1/\lambda-2)$, positive where the breather is unstable ($\lambda$ real), zero at an exchange
+of stability, negative where the pair is on the unit circle. There the breather is stable if all other pairs are on the
+circle, too, so we give the largest modulus as well. Unlike $\lambda$, $\kappa$ keeps all its digits near zero
+(floquet.hpp). The centre of a breather is $Q$, `centre`, in sites from the middle of the chain.
 
 ## A chart of both breathers (figure x13)
 
 Where do the breathers exist, and how unstable are they there? We compute all multipliers of both on a grid of 80
-frequencies from 1.01 to 2 and 25 wells, $-1\le s\le1$, following each breather in $\omega_b$ through the linear well and
-from there in $s$ until the family ends (chart.hpp).
+frequencies from 1.01 to 2 and 25 wells, $-1\le s\le1$, following each breather in $\omega_b$ through the linear well
+and from there in $s$ until the family ends (chart.hpp).
 
 ![Which breather has its pinning pair on the circle, where they change places, and how unstable they are.](fig:x13) */
 /// A node of the chart, and of which breather.
@@ -94,8 +95,8 @@ std::vector<OnChart> report_multipliers(Report& report, const Chart& site, const
 ## Over the whole plane
 
 `sec33_floquet` tests the article's statement on two lines, where it is true: four multipliers near $+1$, all others on
-the circle, twenty more at the point of accumulation for ten more sites. Here are the nodes that violate a bound anywhere.
-The worst are computed once more, with two tolerances. */
+the circle, twenty more at the point of accumulation for ten more sites. Here are the nodes that violate a bound
+anywhere. The worst are computed once more, with two tolerances. */
 /// How many of the twenty are elsewhere, where most of them are.
 int most_missing(const std::vector<OnChart>& nodes) {
   std::vector<int> missing(nodes.size());
@@ -118,10 +119,11 @@ with a breather around a bond, and [1730](num:sec33_between.chart_nodes_site) ar
 | farther than 0.1 | [202](num:sec33_between.farther_bond) | [1.65 ± 0.01](num:sec33_between.farther_from_bond) | [201](num:sec33_between.farther_site) | [1.65 ± 0.01](num:sec33_between.farther_from_site) |
 | a modulus exceeds one by more than $10^{-3}$ | [823](num:sec33_between.large_bond) | [1.15 ± 0.01](num:sec33_between.large_from_bond) | [94](num:sec33_between.large_site) | [1.16 ± 0.01](num:sec33_between.large_from_site) |
 
-The largest excess is [1.06121](num:sec33_between.range_largest), around a bond at $\omega_b = 2$ and $s = 1$. Near the ends of
-soft families multipliers beside the four leave the circle too, by up to [0.0493672](num:sec33_between.range_others). Wherever
-longer chains were tried the added multipliers accumulate at the same point. At all but [2](num:sec33_between.chart_same_sign)
-nodes one of the two breathers has its pinning pair on the circle and the other one not. */
+The largest excess is [1.06](num:sec33_between.range_largest), around a bond at $\omega_b = 2$ and $s = 1$. Near the
+ends of soft families multipliers beside the four leave the circle too, by up to
+[0.0494](num:sec33_between.range_others). Wherever longer chains were tried the added multipliers accumulate at the same
+point. At all but [2](num:sec33_between.chart_same_sign) nodes one of the two breathers has its pinning pair on the
+circle and the other one not. */
 void report_range(Report& report, const std::vector<OnChart>& seen, double spacing) {
   // How many nodes are beyond a limit, and from which frequency on
   using Pairs = std::vector<Pair>;
@@ -248,14 +250,22 @@ void report_exchanges(Report& report, const Chart& grid) {
 /**
 ## The linear well: six exchanges
 
-At $s = 0$ we locate for both breathers, in extended precision (a 64-bit mantissa), the exchanges that the grid shows; on one
-twenty-five times as dense, run once from $\omega_b = 1.003$, there are no others up to 2. [](finding:exchange.six) They lie at
-[1.01794](num:sec33_between.window_1), [1.07504](num:sec33_between.window_2), [1.16086](num:sec33_between.window_3),
-[1.26186](num:sec33_between.window_4), [1.32615](num:sec33_between.window_5), and [1.49164](num:sec33_between.window_6). In the
-*window* between two of them one breather is stable. Up to the first it is the bond, as in the DpS equation, and then they take
-turns: at 1.1, between the second and the third, it is the bond again, between the last two the site. Each exchange is a close
-pair, one of the site-centred and one of the bond-centred breather. Their order tells whether both are stable between them or
-neither is; those of the first pair are too close to be told apart.
+At $s = 0$ we locate for both breathers, in extended precision (a 64-bit mantissa), the exchanges that the grid shows;
+on one twenty-five times as dense, run once from $\omega_b = 1.003$, there are no others up to 2.
+[](finding:exchange.six) In the *window* between two of them one breather is stable. Up to the first it is the bond, as
+in the DpS equation, and then they take turns: at 1.1, between the second and the third, it is the bond again, between
+the last two the site. Each exchange is a close pair, one of the site-centred and one of the bond-centred breather.
+Their order tells whether both are stable between them or neither is; those of the first pair are too close to be told
+apart.
+
+| exchange | $\omega_b$ |
+|---|---|
+| 1 | [1.01794 ± 2e-10](num:sec33_between.window_1) |
+| 2 | [1.07504 ± 1e-10](num:sec33_between.window_2) |
+| 3 | [1.16086 ± 1e-10](num:sec33_between.window_3) |
+| 4 | [1.26186 ± 4e-10](num:sec33_between.window_4) |
+| 5 | [1.32615 ± 5e-10](num:sec33_between.window_5) |
+| 6 | [1.49164 ± 5e-10](num:sec33_between.window_6) |
 
 The middle row of the chart shows where to look: even the shortest window is more than four of its steps wide.
 Around a bond the search interval is a little wider, because the two exchanges of a pair do not coincide. */
@@ -308,20 +318,22 @@ std::vector<ExchangePair> report_windows(Report& report, const Chart& grid) {
 /**
 ## Intermediate breathers (figure x14)
 
-How wide is the interval in which both are stable, or both unstable? Let the potential of the centre $X$, in sites from a site,
-have two harmonics, $V = a\cos2\pi X+b\cos4\pi X$. Then $V' = -2\pi\sin2\pi X\,(a+4b\cos2\pi X)$, and besides site and bond
-there is a third extremum where $\cos2\pi X = -a/4b$, if $|a|<4|b|$. The curvature is proportional to $-(a+4b)$ at the site and
-to $a-4b$ at the bond: both are stable in this interval if $b<0$, and both unstable if $b>0$. It is narrow because $b$ is
-tiny beside the $a$ of other wells. Half way, at $a = 0$, all three curvatures are $16\pi^2|b|$ in size. So $\kappa$, proportional to
-minus the curvature, is there as large for the third breather as for the site, where it has grown from the exchange on, over
-half the interval. At $\omega_b = 1.1$ half of [3.22e-7](num:sec33_between.exchange_gap) times the slope
-[7.5451e-8](num:sec33_floquet.exchange_slope) is within four per cent of what we find,
-[1.262e-14](num:sec33_between.kappa_between_in_s). What determines the sign of $b$ we do not know.
+How wide is the interval in which both are stable, or both unstable? Let the potential of the centre $X$, in sites from
+a site, have two harmonics, $V = a\cos2\pi X+b\cos4\pi X$. Then $V' = -2\pi\sin2\pi X\,(a+4b\cos2\pi X)$, and besides
+site and bond there is a third extremum where $\cos2\pi X = -a/4b$, if $|a|<4|b|$. The curvature is proportional to
+$-(a+4b)$ at the site and to $a-4b$ at the bond: both are stable in this interval if $b<0$, and both unstable if $b>0$.
+It is narrow because $b$ is tiny beside the $a$ of other wells. Half way, at $a = 0$, all three curvatures are
+$16\pi^2|b|$ in size. So $\kappa$, proportional to minus the curvature, is there as large for the third breather as for
+the site, where it has grown from the exchange on, over half the interval. At $\omega_b = 1.1$ half of
+[3.22e-7](num:sec33_between.exchange_gap) times the slope [7.55e-8](num:sec33_floquet.exchange_slope) is within four per
+cent of what we find, [1.26e-14](num:sec33_between.kappa_between_in_s). What determines the sign of $b$ we do not know.
 
-Newton's equations for the third breather are nearly singular, as it can be shifted almost freely. We prescribe its centre,
+Newton's equations for the third breather are nearly singular, as it can be shifted almost freely. We prescribe its
+centre,
 $$Q = \frac{\sum_n n\,\bigl(y_n(0)^2 + y_n(T_b/2)^2\bigr)}{\sum_n \bigl(y_n(0)^2+y_n(T_b/2)^2\bigr)},$$
-and solve for its positions and for the parameter, $s$ or $\omega_b$, at which it exists there (held.hpp), from a site, $Q=0$,
-to the next bond, $Q=1/2$, at two tolerances of extended precision; each orbit is the next one's guess (intermediate.hpp).
+and solve for its positions and for the parameter, $s$ or $\omega_b$, at which it exists there (held.hpp), from a site,
+$Q=0$, to the next bond, $Q=1/2$, at two tolerances of extended precision; each orbit is the next one's guess
+(intermediate.hpp).
 
 ![Centre, energy and stability of the breathers in between.](fig:x14) */
 /// Two exchanges close together on a cut: the ends of a family of intermediate breathers.
@@ -348,8 +360,8 @@ std::vector<FamilyEnds> family_ends(const std::vector<ExchangePair>& edges) {
 
 /**
 [](finding:exchange.between) Half way the first of these families is at $s =$
-[0.152520](num:sec33_between.middle_between_in_s), the second at $\omega_b =$
-[1.32606](num:sec33_between.middle_between_in_omega). At the other exchanges no third breather was looked for. */
+[0.153](num:sec33_between.middle_between_in_s), the second at $\omega_b =$
+[1.33](num:sec33_between.middle_between_in_omega). At the other exchanges no third breather was looked for. */
 void report_between(Report& report, const std::vector<ExchangePair>& edges) {
   const std::vector<FamilyEnds> families = family_ends(edges);
   report.facts.add("exchange_gap", families[0].edge.width());
@@ -419,10 +431,10 @@ void reproduce(Report& report) {
    Hint: it is unstable at $\omega_b = 1.1$, and of the six exchanges of the linear well none lies between the two
    frequencies. Where will the next one be?
 2. *Harder.* Find an exchange without any multiplier. `build/bin/sec32_barrier barrier --omega 1.1 --s 0.1525` gives
-   `equal_area` = -3.04e-17, four orders less than at $s = 0$; a little further,
-   `build/bin/sec32_barrier barrier --omega 1.1 --s 0.15252` gives `equal_area` = 5.3e-19.
-   Hint: site and bond exchange their stability where the first harmonic of the potential at equal area vanishes, and with
-   it the barrier. That at equal frequency is nowhere near zero there: `equal_frequency` is millions of times larger.
+   `equal_area` = -3.04e-17, four orders less than at $s = 0$; a little further, `build/bin/sec32_barrier barrier
+   --omega 1.1 --s 0.15252` gives `equal_area` = 5.3e-19. Hint: site and bond exchange their stability where the first
+   harmonic of the potential at equal area vanishes, and with it the barrier. That at equal frequency is nowhere near
+   zero there: `equal_frequency` is millions of times larger.
 3. *Open.* Follow the intermediate breather through the whole plane: where is it stable, and does a kicked breather stop
    at it?
 4. *Open.* The second harmonic $b$ changes its sign from one exchange to another. At a zero of both harmonics curves of

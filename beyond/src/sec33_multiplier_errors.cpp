@@ -30,15 +30,13 @@ using namespace lattice;
 The chain is that of Eqs. (6) and (10) at $\omega_b = 1.1$. The breathers are accurate throughout, so that
 only the linearised flow is at fault. One pair of the four multipliers is exactly $+1$, that of a shift in time. Of the
 other, the pinning pair $\lambda, 1/\lambda$ of a shift along the chain, we form $\kappa = (\lambda+1/\lambda-2)/4$
-(floquet.hpp). The breather is unstable where $\kappa>0$. In an inaccurate matrix all four have moved, and nobody can tell
-which of them belongs to which pair. So from a matrix of any origin we take
+(floquet.hpp). The breather is unstable where $\kappa>0$. In an inaccurate matrix all four have moved, and which of them
+belongs to which pair cannot be told. So from a matrix of any origin we take
 $$\kappa \simeq \frac18\sum_{k=1}^4\frac{(\lambda_k-1)^2}{\lambda_k}$$
 of the four eigenvalues next to one. In the exact matrix $(\lambda-1)^2/\lambda = \lambda+1/\lambda-2$ is $4\kappa$ for
 either multiplier of the pinning pair and zero for the other two. Being symmetric in the four, this sum changes smoothly
-with the matrix, as no single one of them does. */
-constexpr double omega_b = 1.1;
+with the matrix, as no single one of them does.
 
-/**
 ## What a defective $+1$ does to a verdict
 
 The double $+1$ is *defective*: it has only one eigenvector. Suppose that we had read the multipliers off the
@@ -46,6 +44,8 @@ monodromy matrix $M$ of the bond-centred breather, which is stable. We add noise
 and look at the four eigenvalues next to $+1$. Near a double zero of the characteristic polynomial,
 $(\lambda-1)^2 = O(\delta)$, so that they move by $\sqrt\delta$, and some of them leave the unit circle.
 [](finding:multipliers.defect) */
+constexpr double omega_b = 1.1;
+
 struct Damage {
   double displacement = 0;  ///< of the four from where they belong, the largest
   double excess = 0;        ///< largest | |lambda| - 1 | of the four
@@ -137,7 +137,7 @@ void report_defect(Report& report) {
 /**
 ## Which computations give 0.26 and 0.05
 
-Near the exchange of stability $\kappa$ changes by [7.5451e-8](num:sec33_floquet.exchange_slope) per unit of
+Near the exchange of stability $\kappa$ changes by [7.55e-8](num:sec33_floquet.exchange_slope) per unit of
 $s$, so an error of $10^{-8}$ in $\kappa$ moves the exchange by more than a tenth in $s$.
 
 And it moves the exchange around a site and that around a bond in *opposite* directions. As $s$ grows, $\kappa$ falls
@@ -253,10 +253,10 @@ FoundZero read_zero(const std::vector<double>& kappa, std::size_t stride) {
 }
 
 /**
-The table holds all fourteen settings, a tolerance or an increment, with a dash where no zero is found twice; `rk8pd` and
-`rkf45` are GSL's methods of Prince and Dormand (order eight) and of Fehlberg (order five). What matters is on which side
-of the accurate value, [0.152519](num:floquet.s0_site) for both centres within a millionth, the two zeros of a setting
-lie, and how far apart they are; the article has 0.05 and 0.26:
+The table holds all fourteen settings, a tolerance or an increment, with a dash where no zero is found twice;
+`rk8pd` and `rkf45` are GSL's methods of Prince and Dormand (order eight) and of Fehlberg (order five). What matters is
+on which side of the accurate value, [0.153](num:floquet.s0_site) for both centres within a millionth, the two zeros of
+a setting lie, and how far apart they are; the article has 0.05 and 0.26:
 
 | setting | around a site | around a bond |
 |---|---|---|
@@ -277,11 +277,11 @@ lie, and how far apart they are; the article has 0.05 and 0.26:
 
 With the variational equations, wherever both zeros are found, the one around a site is too low (once by less than its
 error) and the one around a bond too high, as in the article, although the accurate ones hardly differ. A gap of the
-printed size comes out of order eight at tolerances between $10^{-8}$ and $10^{-9}$, and of order five at $10^{-10}$. But
-the zeros of one setting depend on the wells that are sampled, and no setting gives both 0.05 and 0.26. At $10^{-11}$
-order eight has closed the gap to a thousandth. Difference quotients do not come near, with any of the four increments,
-and some change the sign of $\kappa$ many times: the stiffness of a contact that is barely closed is like the square
-root of the overlap, so their error is like the square root of the increment. */
+printed size comes out of order eight at tolerances between $10^{-8}$ and $10^{-9}$, and of order five at $10^{-10}$.
+But the zeros of one setting depend on the wells that are sampled, and no setting gives both 0.05 and 0.26. At
+$10^{-11}$ order eight has closed the gap to a thousandth. Difference quotients do not come near, with any of the four
+increments, and some change the sign of $\kappa$ many times: the stiffness of a contact that is barely closed is like
+the square root of the overlap, so their error is like the square root of the increment. */
 void report_printed(Report& report) {
   // Accurate breathers in all wells, for every trial the same
   const int steps = report.quick ? 2 : 10;
@@ -347,8 +347,8 @@ void report_printed(Report& report) {
 
 The article does not say how its matrices were computed. Common tolerances produce gaps of the printed size and sign;
 that does not prove that one of them was used. In the trials the breathers are exact, while the article prints a
-residual of $1.5\cdot10^{-9}$ for one of its own, and what that does to $\kappa$ was not tried. Nor were integrators with
-fixed steps. */
+residual of $1.5\cdot10^{-9}$ for one of its own, and what that does to $\kappa$ was not tried. Nor were integrators
+with fixed steps. */
 void reproduce(Report& report) {
   report.output.note("tolerance",
                      "flow to 128 and 2048 roundings of the type, unless a table says else");
@@ -360,10 +360,10 @@ void reproduce(Report& report) {
 /**
 ## Try it
 
-1. *Easy.* How close are the two exchanges? `build/bin/sec33_floquet exchange --centre site` gives `s0` = 0.15251950, and
-   `build/bin/sec33_floquet exchange --centre bond` gives `s0` = 0.15251982.
-   Hint: multiply their distance by the slope of $\kappa$ to see to how many digits a matrix must be known before
-   its eigenvalues show two numbers.
+1. *Easy.* How close are the two exchanges? `build/bin/sec33_floquet exchange --centre site` gives
+   `s0` = 0.15251950, and `build/bin/sec33_floquet exchange --centre bond` gives `s0` = 0.15251982. Hint: multiply their
+   distance by the slope of $\kappa$ to see to how many digits a matrix must be known before its eigenvalues show two
+   numbers.
 2. *Harder.* A check that needs no matrix at all: `build/bin/sec32_barrier barrier --omega 1.1 --s 0.05` gives
    `equal_area` = -1.58248e-13, and `build/bin/sec32_barrier barrier --omega 1.1 --s 0.26` gives
    `equal_area` = 1.66492e-13. Where is its zero?

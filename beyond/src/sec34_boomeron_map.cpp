@@ -31,25 +31,22 @@ using namespace lattice;
 /**
 ## What counts as turning
 
-A map needs one criterion for all its points, although the impacts differ by orders of magnitude. A
-packet has *turned* when its energy centre, averaged over about one internal period, has come back by five
-sites; a packet that is trapped between two sites swings by less. It has *escaped* when it passes
-site 40, and it *stays* if it never gets beyond site 8. We wait ten times as long as the slow packet of a weak impact needs
-to reach site 40, and after strong impacts, where all is faster, accordingly less (turning.hpp). So a packet
-that turns further out than site 40 is said to escape, which is a limit of the map and no
-statement about the chain: with $s=1$ and $v_0=1.5$ the map says *escaped*, and the packet does turn, at site
-[183.239](num:sec34_boomeron.apex_site_150). */
-constexpr double horizon = 40;
+A map needs one criterion for all its points, although the impacts differ by orders of magnitude. A packet has *turned*
+when its energy centre, averaged over about one internal period, has come back by five sites; a packet that is trapped
+between two sites swings by less. It has *escaped* when it passes site 40, and it *stays* if it never gets beyond site
+8. We wait ten times as long as the slow packet of a weak impact needs to reach site 40, and after strong impacts, where
+all is faster, accordingly less (turning.hpp). So a packet that turns further out than site 40 is said to escape, which
+is a limit of the map and no statement about the chain: with $s=1$ and $v_0=1.5$ the map says *escaped*, and the packet
+does turn, at site [183](num:sec34_boomeron.apex_site_150).
 
-/**
 ## The scaling that decides
 
-Where should the points of the map lie? In a packet of displacements of the size $y$ the well pulls with $y$, the contacts
-push with $y^{3/2}$, and the hardness adds $s\,y^3$. Relative to the first, the contacts are of the size $y^{1/2}$ and the
-hardness is of the size $s\,y^2$. If both are small, the beads oscillate almost freely and their amplitudes change slowly, as
-in the DpS equation (`sec34_dps_impact`); $y^{1/2}$ only sets how slowly. Measured in this slow time, the contacts are one
-and the hardness is the ratio of the two. So in this limit what happens at which site depends on this ratio only,
-$s\,y^{3/2}$, and as $y$ is proportional to $v_0$, on the *scaled hardness*
+Where should the points of the map lie? In a packet of displacements of the size $y$ the well pulls with $y$, the
+contacts push with $y^{3/2}$, and the hardness adds $s\,y^3$. Relative to the first, the contacts are of the size
+$y^{1/2}$ and the hardness is of the size $s\,y^2$. If both are small, the beads oscillate almost freely and their
+amplitudes change slowly, as in the DpS equation (`sec34_dps_impact`); $y^{1/2}$ only sets how slowly. Measured in this
+slow time, the contacts are one and the hardness is the ratio of the two. So in this limit what happens at which site
+depends on this ratio only, $s\,y^{3/2}$, and as $y$ is proportional to $v_0$, on the *scaled hardness*
 $$\chi = s\,v_0^{3/2},$$
 which stands under the name `kappa` in tables and facts, though it has nothing to do with multipliers. So we expect
 packets to turn before a given site if $s$ is above
@@ -57,6 +54,8 @@ $$s_c(v_0) = v_0^{-3/2}\,(\chi_0 + \chi_1 v_0^{1/2} + \dots),$$
 where the second term is the first correction, in $y^{1/2}$, to that limit, and both coefficients belong to
 the site. The contour thus crosses many decades of $s$ while $\chi$ changes little, and we place the points of each
 velocity at equal ratios of $\chi$, from 0.7 to 20. */
+constexpr double horizon = 40;  // the site that a packet must pass to have escaped
+
 struct MapGrid {
   std::size_t columns = 32, rows = 32;
   double slowest = 0.03, fastest = 200, least = 0.7, most = 20;  ///< of v0 and of chi
@@ -101,9 +100,9 @@ void compute_turning_map(Sweep& sweep, const MapGrid& grid, Part part) {
 }
 
 /**
-Beside the map we need single points of the contour, by bisection: one between a packet that escapes and one that does not,
-with either step. The finer step begins where the coarser one has ended. If the fate changes in that last interval with the
-finer step too, this is the result; if not, the finer step goes all the way by itself. */
+Beside the map we need single points of the contour, by bisection: one between a packet that escapes and one that does
+not, with either step. The finer step begins where the coarser one has ended. If the fate changes in that last interval
+with the finer step too, this is the result; if not, the finer step goes all the way by itself. */
 struct Bracket {
   double low, high;
 };
@@ -132,8 +131,8 @@ std::pair<double, double> bisect_twice(Bracket all, int bisections, Middle middl
 
 The contour on which the turning point is at a given site needs more precision than the map has, so we bisect in $s$,
 with two steps. The error is their difference plus the last interval. The bisection asks one thing only: does the packet
-pass the site in the time of the run? If not, it counts as turning, whether it has turned, stays at the struck end, or is
-still undecided. */
+pass the site in the time of the run? If not, it counts as turning, whether it has turned, stays at the struck end, or
+is still undecided. */
 Estimate critical_s(double velocity, int bisections, double site = horizon) {
   const auto s_of = [&](double log_chi) {
     return std::exp(log_chi) / (velocity * std::sqrt(velocity));
@@ -151,7 +150,7 @@ Estimate critical_s(double velocity, int bisections, double site = horizon) {
 
 /**
 The expected law is a line when $\chi_c = s_c v_0^{3/2}$ is plotted against $v_0^{1/2}$. We fit it
-for $v_0 < 3$, a bound that is our choice, and judge it by its largest relative deviation, because the curvature of
+for $v_0 < 3$, a bound that is our choice, and measure it by its largest relative deviation, because the curvature of
 a contour would show at the ends of the line and not in the mean. */
 struct Contour {
   std::vector<double> velocity;
@@ -232,12 +231,12 @@ void report_law(Report& report) {
 
 Site 40 is our choice. If the contour were the boundary between packets that turn and packets that do not turn at all,
 it would not depend on it. So we bisect again for a turning point at half and at twice that distance. At $v_0=0.1$
-$\chi_c$ falls from [1.554](num:sec34_boomeron_map.kappa_010_site_20) at site 20 to
-[1.338](num:sec34_boomeron_map.kappa_010_site_40) at 40 and [1.179](num:sec34_boomeron_map.kappa_010_site_80) at 80, and
+$\chi_c$ falls from [1.55](num:sec34_boomeron_map.kappa_010_site_20) at site 20 to
+[1.34](num:sec34_boomeron_map.kappa_010_site_40) at 40 and [1.18](num:sec34_boomeron_map.kappa_010_site_80) at 80, and
 with it the $\chi_0$ of a line through six impacts from $0.1$ to $2.5$, from
 [1.26](num:sec34_boomeron_map.kappa_0_site_20) over [1.06](num:sec34_boomeron_map.kappa_0_site_40) to
 [0.887](num:sec34_boomeron_map.kappa_0_site_80). A $\chi_0$ depends on the impacts, too: the twelve from $0.01$ to 3,
-with which the law was fitted for site 40, give [1.022](num:sec34_boomeron_map.law_kappa_0). For the contours are not
+with which the law was fitted for site 40, give [1.02](num:sec34_boomeron_map.law_kappa_0). For the contours are not
 quite lines and bend down towards weak impacts. So none of these is the limit at $v_0 \to 0$, which lies lower: at
 $v_0 = 2.5\cdot10^{-5}$ another program, not part of this repository, finds $\chi_c = 1.16$, $1.00$ and $0.87$. */
 void report_horizons(Report& report) {
@@ -315,13 +314,13 @@ void report_any_s(Report& report) {
 
 [](finding:turning.contour) The exponent $-3/2$ belongs to the chain; $\chi_0$ belongs to the horizon and to the impacts
 that are fitted. Above $v_0=1$ the points seem to lie on another power law, and a fit gives the exponent
-[-1.236](num:sec34_boomeron_map.power_large_impacts); but the slope changes along the contour, and this is a mean.
+[-1.24](num:sec34_boomeron_map.power_large_impacts); but the slope changes along the contour, and this is a mean.
 
 **At the article's least hardness, $s=0.005$, packets turn before site 40 after very strong impacts only.** At $v_0=1.9$
-it takes $s$ above [0.908](num:sec34_boomeron_map.s_needed_at_19) to turn a packet before site 40 (if $s$ is far larger, it stays at the
-struck end), and at $s=0.005$ an impact of [128.4](num:sec34_boomeron_map.v0_needed_at_s_0005), far above the velocities
-that the article prints. It does not say for which impact and until when it looked, and whether a weaker packet turns
-further out we do not know. At $s=0$ none turned before site 40. */
+it takes $s$ above [0.908](num:sec34_boomeron_map.s_needed_at_19) to turn a packet before site 40 (if $s$ is far larger,
+it stays at the struck end), and at $s=0.005$ an impact of [128](num:sec34_boomeron_map.v0_needed_at_s_0005), far above
+the velocities that the article prints. It does not say for which impact and until when it looked, and whether a weaker
+packet turns further out we do not know. At $s=0$ none turned before site 40. */
 void reproduce(Report& report) {
   MapGrid grid;
   if (report.quick) grid.columns = grid.rows = 8;

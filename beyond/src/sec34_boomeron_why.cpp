@@ -46,7 +46,8 @@ displacements and velocities untouched, and puts them on a long chain that is ot
 Every run is made with two steps, on a chain so long that no wave comes back from its ends, which is checked.
 
 As in that chapter $X$ is the energy centre of the strongest packet, Eq. (24), averaged over four internal periods. The
-packet has *returned* when $X$ has come back by five sites; one that is trapped between two sites swings by less than one.
+packet has *returned* when $X$ has come back by five sites; one that is trapped between two sites swings by less than
+one.
 
 | article | program | meaning |
 |---|---|---|
@@ -88,17 +89,17 @@ std::vector<WakeExperiment> wake_experiments(bool quick) {
 }
 
 /**
-With all its waves the packet returns, after its turning point at site [20.0468](num:sec34_boomeron_why.furthest_waves).
-An end that reflects hardly any wave only moves this point to site [33.26](num:sec34_boomeron_why.furthest_end). With the
-waves absorbed more than six sites behind it, the packet has not returned by $t = 10^4$ (nor by $10^5$, run once). This is
-true of most but not of all packets of such impacts: of eighty neighbours within half a per cent of this impact four return
-by $10^4$ in another program, from beyond site 58. Put on a quiet chain at $t = 120$ the packet still returns, but long
-afterwards; with its waves it turns much earlier.
+With all its waves the packet returns, after its turning point at site [20.0](num:sec34_boomeron_why.furthest_waves). An
+end that reflects hardly any wave only moves this point to site [33.3](num:sec34_boomeron_why.furthest_end). With the
+waves absorbed more than six sites behind it, the packet has not returned by $t = 10^4$ (nor by $10^5$, run once). This
+is true of most but not of all packets of such impacts: of eighty neighbours within half a per cent of this impact four
+return by $10^4$ in another program, from beyond site 58. Put on a quiet chain at $t = 120$ the packet still returns,
+but long afterwards; with its waves it turns much earlier.
 
-With either step the same packets return: those with all waves, with the absorbing end, and cut out at $t = 120$ and 200.
-Those with the waves absorbed behind them and those cut out at $t = 60$ and 300 do not, by the end of their runs. We see no
-order in the four cuts: what becomes of a packet that drifts slowly seems a matter of chance. Had the two steps disagreed on
-a packet, we could say no more than that its motion is chaotic by then. */
+With either step the same packets return: those with all waves, with the absorbing end, and cut out at $t = 120$ and
+200. Those with the waves absorbed behind them and those cut out at $t = 60$ and 300 do not, by the end of their runs.
+We see no order in the four cuts: what becomes of a packet that drifts slowly seems a matter of chance. Had the two
+steps disagreed on a packet, we could say no more than that its motion is chaotic by then. */
 void report_experiments(Report& report) {
   std::vector<WakeExperiment> list = wake_experiments(report.quick);
   parallel_for("experiments", 2 * list.size(), [&](std::size_t i) {
@@ -136,9 +137,9 @@ void report_experiments(Report& report) {
 ## Which waves slow it down?
 
 The acceleration $\ddot X$ on the way out, between $t = 100$ and 220, is the slope of a line through the velocities
-(sec34/acceleration.hpp); it is negative where the packet slows down. If waves act from afar, its modulus should grow with
-the distance $d$ up to which they are left; if it is the packet's own fresh wake that acts, it should grow in the same way
-after a cut. The linear well, in which we saw no packet turn, is the control. */
+(sec34/acceleration.hpp); it is negative where the packet slows down. If waves act from afar, its modulus should grow
+with the distance $d$ up to which they are left; if it is the packet's own fresh wake that acts, it should grow in the
+same way after a cut. The linear well, in which we saw no packet turn, is the control. */
 struct WakeAcceleration {
   double s, cut;
   std::size_t behind;
@@ -196,17 +197,17 @@ void report_distance(Report& report) {
 /**
 ## What is pushed forward slows down
 
-Where do energy and momentum go between $t=100$ and 220? The momentum of the packet's eleven sites is changed by the push
-$F$ of the contact behind them, by that of the contact ahead, and by the wells. These are true forces, unlike the
+Where do energy and momentum go between $t=100$ and 220? The momentum of the packet's eleven sites is changed by the
+push $F$ of the contact behind them, by that of the contact ahead, and by the wells. These are true forces, unlike the
 acceleration of the centre. With its waves the packet is pushed forward, *away* from them, by a mean force $F =$
-[0.01131](num:sec34_boomeron_why.push_waves), and by [0.00498](num:sec34_boomeron_why.push_behind) if those beyond six sites
-are absorbed; the wells take up the momentum. So the packet that is pushed forward more is the one that slows down more, as
-a body of negative effective mass does.
+[0.0113](num:sec34_boomeron_why.push_waves), and by [0.00498](num:sec34_boomeron_why.push_behind) if those beyond six
+sites are absorbed; the wells take up the momentum. So the packet that is pushed forward more is the one that slows down
+more, as a body of negative effective mass does.
 
 Nor does it lose the energy that it sheds without its waves: with them its energy changes by
 [0.00821](num:sec34_boomeron_why.gain_waves), and with those beyond six sites absorbed by
-[-0.0556](num:sec34_boomeron_why.gain_behind). In the linear well it is [-0.06639](num:sec34_boomeron_why.gain_linear)
-with the waves and [-0.06624](num:sec34_boomeron_why.gain_linear_behind) without: there they matter little. */
+[-0.0556](num:sec34_boomeron_why.gain_behind). In the linear well it is [-0.0664](num:sec34_boomeron_why.gain_linear)
+with the waves and [-0.0662](num:sec34_boomeron_why.gain_linear_behind) without: there they matter little. */
 void report_budgets(Report& report) {
   struct Case {
     std::string name;
@@ -250,13 +251,14 @@ A smaller deceleration may still turn a packet, only later. So packets of five i
 followed until they have returned, or to $t = 10^4$, with waves left up to different distances, with and without
 a cut. Long runs are chaotic and no single one of them proves anything; so both steps are shown, and we count.
 
-Of the five packets [4](num:sec34_boomeron_why.of_five_return_waves_15) return if the waves up to fifteen sites behind them
-are left, [3](num:sec34_boomeron_why.of_five_return_waves_10) with ten sites,
-[0](num:sec34_boomeron_why.of_five_return_waves_8) with eight and [1](num:sec34_boomeron_why.of_five_return_waves_6) with
-six; the others go on or are trapped. If they are cut out at $t = 60$, [1](num:sec34_boomeron_why.of_five_return_cut_30) of
-five returns with thirty sites of the fresh wake, and [0](num:sec34_boomeron_why.of_five_return_cut_6) with six. An error of
-one means that the steps disagree on one packet. In these trials the distance decides above all how far a packet that was
-not cut out gets by the end of its run: with fifteen sites none of the five passes site 40, with six all pass site 50. */
+Of the five packets [4](num:sec34_boomeron_why.of_five_return_waves_15) return if the waves up to fifteen sites behind
+them are left, [3](num:sec34_boomeron_why.of_five_return_waves_10) with ten sites,
+[0](num:sec34_boomeron_why.of_five_return_waves_8) with eight and [1](num:sec34_boomeron_why.of_five_return_waves_6)
+with six; the others go on or are trapped. If they are cut out at $t = 60$,
+[1](num:sec34_boomeron_why.of_five_return_cut_30) of five returns with thirty sites of the fresh wake, and
+[0](num:sec34_boomeron_why.of_five_return_cut_6) with six. An error of one means that the steps disagree on one packet.
+In these trials the distance decides above all how far a packet that was not cut out gets by the end of its run: with
+fifteen sites none of the five passes site 40, with six all pass site 50. */
 struct Packet {
   WavesRemoved impact;
   std::array<LateFate, 2> fate{};
@@ -323,13 +325,14 @@ table has the furthest site by then.
 | 1, 1.7 | [54.2 ± 0.2](num:sec34_boomeron_why.apex_10_17_all) | [55.30 ± 0.03](num:sec34_boomeron_why.apex_10_17_30) | [63.123 ± 0.002](num:sec34_boomeron_why.apex_10_17_20) | [64.3195 ± 0.0008](num:sec34_boomeron_why.apex_10_17_15) | [191.102 ± 0.0001](num:sec34_boomeron_why.apex_10_17_6) |
 | 0.6, 2.5 | [77.3 ± 0.9](num:sec34_boomeron_why.apex_06_25_all) | [75.10 ± 0.02](num:sec34_boomeron_why.apex_06_25_30) | [84.241 ± 0.002](num:sec34_boomeron_why.apex_06_25_20) | [128.34 ± 0.02](num:sec34_boomeron_why.apex_06_25_15) | [227.63 ± 0.01](num:sec34_boomeron_why.apex_06_25_6) |
 
-With fifteen sites the turning point moves the more, the farther out it is; the first packet is then trapped where it would
-have turned, and the last is still on its way out. With six sites none returns in that time. (At $v_0 = 1.7$ with all waves
-only the finer of two steps has the packet back by $t = 4000$.)
+With fifteen sites the turning point moves the more, the farther out it is; the first packet is then trapped where it
+would have turned, and the last is still on its way out. With six sites none returns in that time. (At $v_0 = 1.7$ with
+all waves only the finer of two steps has the packet back by $t = 4000$.)
 
-At $s = 0.6$, $v_0 = 1.9$ the packet has not turned by $t = 4000$, and until then the waves make no difference: with all of
-them and with six sites of them it is at the same place, within [0.017](num:sec34_boomeron_why.apart_without_turn) sites.
-Later they do: followed once to $t = 20000$ it is beyond site 1100 with all waves, and beyond site 1400 with six sites. */
+At $s = 0.6$, $v_0 = 1.9$ the packet has not turned by $t = 4000$, and until then the waves make no difference: with all
+of them and with six sites of them it is at the same place, within [0.017](num:sec34_boomeron_why.apart_without_turn)
+sites. Later they do: followed once to $t = 20000$ it is beyond site 1100 with all waves, and beyond site 1400 with six
+sites. */
 void report_range(Report& report) {
   std::vector<Packet> list;
   for (const auto& [s, velocity] : {std::pair{1.0, 1.9}, {0.8, 2.2}, {1.0, 1.7}, {0.6, 2.5}})
@@ -361,19 +364,20 @@ void report_range(Report& report) {
 /**
 ## Inside the packet
 
-What kind of body do the waves turn? If the packet is a breather that moves, its frequency $\omega$, energy and area in phase
-space, $\int \sum \dot y_n^2\,dt$ over one internal period ($2\pi$ times its action), should be related as in the breathers
-at rest of the same $s$. We average them over the way from $t = 100$, when the packet has left the end, to 300, before it
-turns (wake.hpp), and compare with the breather of the same mean frequency, which Newton's method finds (sec34/at_rest.hpp).
+What kind of body do the waves turn? If the packet is a breather that moves, its frequency $\omega$, energy and area in
+phase space, $\int \sum \dot y_n^2\,dt$ over one internal period ($2\pi$ times its action), should be related as in the
+breathers at rest of the same $s$. We average them over the way from $t = 100$, when the packet has left the end, to
+300, before it turns (wake.hpp), and compare with the breather of the same mean frequency, which Newton's method finds
+(sec34/at_rest.hpp).
 
-The packet is close to a breather that moves: at its frequency, [1.68362](num:sec34_boomeron_why.omega_waves), its area is
-[5.9885](num:sec34_boomeron_why.area_waves) and that of a breather at rest [5.83](num:sec34_boomeron_why.area_at_rest_waves).
-With the waves its energy is [1.48728](num:sec34_boomeron_why.energy_waves), without them
-[1.3694](num:sec34_boomeron_why.energy_behind), so they do feed it. The lattice itself could stop a packet: its barrier is
-$E_{\rm site}-E_{\rm bond}$ at equal area (chapter 3.2), [0.00040](num:sec34_boomeron_why.barrier_waves), which can hold a
-slow packet, as we see after late cuts, and near it chance decides which way a slow packet goes. But the force that
-belongs to it has both signs within one site, and can by itself neither slow a packet over many sites nor speed up its
-return. */
+The packet is close to a breather that moves: at its frequency, [1.68](num:sec34_boomeron_why.omega_waves), its area is
+[5.99](num:sec34_boomeron_why.area_waves) and that of a breather at rest
+[5.83](num:sec34_boomeron_why.area_at_rest_waves). With the waves its energy is
+[1.49](num:sec34_boomeron_why.energy_waves), without them [1.37](num:sec34_boomeron_why.energy_behind), so they do feed
+it. The lattice itself could stop a packet: its barrier is $E_{\rm site}-E_{\rm bond}$ at equal area (chapter 3.2),
+[0.00040](num:sec34_boomeron_why.barrier_waves), which can hold a slow packet, as we see after late cuts, and near it
+chance decides which way a slow packet goes. But the force that belongs to it has both signs within one site, and can by
+itself neither slow a packet over many sites nor speed up its return. */
 void report_inside(Report& report) {
   // The packet with all its waves and with those behind it absorbed, at two steps each
   const double step = report.quick ? 0.1 : 0.05;
@@ -414,8 +418,9 @@ moves towards them on whichever side they are; if they push, it moves away. The 
 the same waves and a breather of the same energy.
 
 The outcome of a single draw depends much on chance, so there are many draws, and each is used four times: in both wells
-and, mirrored, on both sides. The result for a well is the mean displacement towards the waves. The two sides of one draw
-share their phases and are not independent, so the standard error is that of the draws, each the mean of its two sides.
+and, mirrored, on both sides. The result for a well is the mean displacement towards the waves. The two sides of one
+draw share their phases and are not independent, so the standard error is that of the draws, each the mean of its two
+sides.
 
 [](finding:turning.pull) */
 void report_waves(Report& report) {
@@ -455,18 +460,18 @@ void report_waves(Report& report) {
 from the impact. So the possibility that the article names, that other waves turn the packet, is supported, but they
 need not be confined: an end that absorbs them only moves the turning point.
 
-**A part of the slowing down needs no waves beyond the fifth site behind the packet.** At $s = 1$, $v_0 = 1.9$ a packet that
-has been cut out and meets only its own fresh wake slows down about as much as one that keeps five sites of the waves
-of the impact, however much of the fresh wake is left; and as it goes on, it slows down less and less.
+**A part of the slowing down needs no waves beyond the fifth site behind the packet.** At $s = 1$, $v_0 = 1.9$ a packet
+that has been cut out and meets only its own fresh wake slows down about as much as one that keeps five sites of the
+waves of the impact, however much of the fresh wake is left; and as it goes on, it slows down less and less.
 
 **Neither waves nor the end are necessary for an eventual return.** [](finding:turning.alone) Others that are cut out
 early go on or are trapped; of six within a millionth of this impact, tried once, four return by $t = 4000$.
 
 *Not shown* is why waves pull. The packet is pushed forward and slows down; that neighbours in it oscillate in opposite
-phase (figure 23), as at the upper edge of a band, while the waves behind are long and in phase, fits a negative mass but
-does not prove it. Nor do we know why the breather of the linear well hardly responds to waves beside it, nor what slows
-the packet down without waves: it sheds energy, but in the linear well it sheds as much. A damping so close to the packet
-may touch the packet itself. "Returns" and "goes on" are said of the times that we followed. */
+phase (figure 23), as at the upper edge of a band, while the waves behind are long and in phase, fits a negative mass
+but does not prove it. Nor do we know why the breather of the linear well hardly responds to waves beside it, nor what
+slows the packet down without waves: it sheds energy, but in the linear well it sheds as much. A damping so close to the
+packet may touch the packet itself. "Returns" and "goes on" are said of the times that we followed. */
 void reproduce(Report& report) {
   report_experiments(report);
   report_distance(report);
@@ -483,16 +488,16 @@ void reproduce(Report& report) {
 1. *Easy.* Is the packet a breather that moves? One at rest with its frequency:
    `build/bin/sec32_newton_breathers breather --omega 1.68362 --s 1 --centre bond` gives `energy` = 1.44065 and
    `area` = 5.8312. Hint: the packet has 1.487 and 5.99, a few per cent more.
-2. *Easy.* Could the lattice hold it? `build/bin/sec32_barrier barrier --omega 1.68 --s 1` gives `equal_area` = 3.56415e-4.
-   Hint: on its way from $t = 100$ to 220 the packet with its waves gains more than twenty times as much, and without those
-   beyond six sites it loses more than a hundred times as much.
-3. *Harder.* And in the linear well? `build/bin/sec32_barrier barrier --omega 1.68 --s 0` gives `equal_area` = -2.2978e-9,
-   a hundred thousand times less and of the other sign. Hint: it tells which of the two breathers has more energy, and at
-   a negative mass the stable one is that of *higher* energy (`sec33_mobility`).
+2. *Easy.* Could the lattice hold it? `build/bin/sec32_barrier barrier --omega 1.68 --s 1` gives `equal_area` =
+   3.56415e-4. Hint: on its way from $t = 100$ to 220 the packet with its waves gains more than twenty times as much,
+   and without those beyond six sites it loses more than a hundred times as much.
+3. *Harder.* And in the linear well? `build/bin/sec32_barrier barrier --omega 1.68 --s 0` gives
+   `equal_area` = -2.2978e-9, a hundred thousand times less and of the other sign. Hint: it tells which of the two breathers has more energy, and at a negative mass the stable one is that of *higher* energy (`sec33_mobility`).
 4. *Open.* By which law does the pull depend on amplitude and frequency of the waves? Does a frequency below 1.4 push?
-5. *Open.* Measure the mass of both breathers by kicking them, and compare the ratio with that of the pulls. Does a packet
-   also turn when waves come towards it? Exact travelling breathers (section 5) do not help to explain the turning: the
-   fastest one found at $s = 1$ has the energy [0.00165802](num:sec5_travelling_families.fastest_energy_at_one). */
+5. *Open.* Measure the mass of both breathers by kicking them, and compare the ratio with that of the pulls. Does a
+   packet also turn when waves come towards it? Exact travelling breathers (section 5) do not help to explain the
+   turning: the fastest one found at $s = 1$ has the energy
+   [0.00166](num:sec5_travelling_families.fastest_energy_at_one). */
 int main(int argc, char** argv) {
   return run(
       {"sec34_boomeron_why", "3.4", "Why packets turn round (section 3.4, s > 0)", reproduce}, argc,

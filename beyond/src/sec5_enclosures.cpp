@@ -54,12 +54,12 @@ on the infinite lattice:
 2. Among the nonzero profiles of this symmetry whose strains alternate, tend to zero and do not increase outwards in
    modulus it is the only one, up to its sign.
 3. Around a site the linearised equation has exactly one real pair $\pm\lambda$, of modulus
-   [0.00155771](num:sec5_enclosures.exponent_site); around a bond it has none. All other exponents are imaginary.
+   [0.00156](num:sec5_enclosures.exponent_site); around a bond it has none. All other exponents are imaginary.
 4. The bond-centred breather is orbitally stable in $\ell^2$: what starts close to it stays close to its
    multiples $e^{i\varphi}u$ for all times.
 5. The energy of the site-centred breather minus that of the bond-centred one is positive at equal $\mu$,
-   [2.85411e-9](num:sec5_enclosures.barrier_equal_mu) at $\mu = 1$, and negative at equal norm, which physics asks
-   for, [-7.13526e-10](num:sec5_enclosures.barrier_equal_norm).
+   [2.85e-9](num:sec5_enclosures.barrier_equal_mu) at $\mu = 1$, and negative at equal norm, which physics asks
+   for, [-7.14e-10](num:sec5_enclosures.barrier_equal_norm).
 
 Existence of both is known (James and Starosvetsky 2014). Not proved are solutions without these signs or
 symmetries, and whether the instability of the linearised equation is followed by that of the full one. */
@@ -79,11 +79,11 @@ constexpr std::pair<Centre, const char*> centres[] = {{Centre::site, "site"},
 
 The strains $r_n$ are sought with the contraction of dps_enclosure.hpp, from the profile that section 3.2 computes.
 That profile is only a guess, and the proof would fail if it were wrong. The map contracts on all sequences of this
-symmetry that differ from it by less than [0.0078125](num:sec5_enclosures.unique_radius_site) in each contact (about
+symmetry that differ from it by less than [0.00781](num:sec5_enclosures.unique_radius_site) in each contact (about
 a twelfth of $r_0$), and it moves the guess by some $10^{-16}$. So the solution is that close and alone in the large
 ball. Its components are then tightened until the tail, too, is known to many digits. The norms are
-[0.00536042](num:sec5_enclosures.norm_site) and [0.00536041](num:sec5_enclosures.norm_bond), the largest
-displacements [0.0504148](num:sec5_enclosures.u0_site) and [0.0462323](num:sec5_enclosures.u0_bond). */
+[0.00536](num:sec5_enclosures.norm_site) and [0.00536](num:sec5_enclosures.norm_bond), the largest
+displacements [0.0504](num:sec5_enclosures.u0_site) and [0.0462](num:sec5_enclosures.u0_bond). */
 void report_strains(Report& report, const DpsBreather<double>& b, const std::string& who) {
   Table& table =
       report.table("strains" + who,
@@ -140,8 +140,8 @@ with $(\nabla x)_n = x_{n+1}-x_n$, by $\lambda^2 = -(1-m)(1-\frac32m)$. $M$ is c
 elimination of $M-\frac23$ has positive pivots, and intervals give each pivot a certain sign:
 
 $$\text{site: } m_2 > \tfrac23 > m_3,\qquad \text{bond: } \tfrac23 > m_2;$$
-$m_2-\frac23$ is [4.85298e-6](num:sec5_enclosures.margin_site) around a site and
-[-4.85327e-6](num:sec5_enclosures.margin_bond) around a bond. Why does that make the bond-centred breather stable in the
+$m_2-\frac23$ is [4.85e-6](num:sec5_enclosures.margin_site) around a site and
+[-4.85e-6](num:sec5_enclosures.margin_bond) around a bond. Why does that make the bond-centred breather stable in the
 full equation (Weinstein 1986; Grillakis, Shatah and Strauss 1987)? Energy $H = \frac25\sum|v_{n+1}-v_n|^{5/2}$ and norm
 $N = \sum|v_n|^2$ are conserved, and solutions exist for all times because the right side of Eq. (11) is locally
 Lipschitz on $\ell^2$ and $N$ is bounded. Take $v = e^{i\varphi}(u+x+iy)$ with $N(v) = N(u)$ and with the phase that is
@@ -198,9 +198,9 @@ solutions with these symmetries it is the only one that differs by no more than 
 energy follow. The table `bounds` has the constants of the proof, all rounded upwards: $\beta \ge \|A\|-1$ (column
 `kappa`), the residual of the guess, $\eta \le (1+\beta)\,$residual, and $q$.
 
-The amplitudes are [0.0107480](num:sec5_enclosures.amplitude_site) (site) and
-[0.00978427](num:sec5_enclosures.amplitude_bond) (bond), the energies [0.000153599](num:sec5_enclosures.energy_site) and
-[0.000153599](num:sec5_enclosures.energy_bond), whose difference, of order $10^{-11}$, is far below what these intervals
+The amplitudes are [0.0107](num:sec5_enclosures.amplitude_site) (site) and
+[0.00978](num:sec5_enclosures.amplitude_bond) (bond), the energies [0.000154](num:sec5_enclosures.energy_site) and
+[0.000154](num:sec5_enclosures.energy_bond), whose difference, of order $10^{-11}$, is far below what these intervals
 resolve. Not proved is anything about Floquet multipliers. */
 const std::pair<int, int> omega_b{11, 10};
 
@@ -247,10 +247,10 @@ the true tail is bounded by the inequality of the theorem, $M(t+T) \le 4M(t)^{3/
 Energy and peak follow with errors of the order of the small radius. The action $\int d_+^{5/2}dt$ is a critical
 value, so that its error is of second order in the radius and is dominated by the residual. The actions of
 the two signs therefore do not overlap, although they agree to ten digits. The energies are
-[0.180834](num:sec5_enclosures.wave_energy_plus) and [0.180834](num:sec5_enclosures.wave_energy_minus), the peaks
-[0.446249](num:sec5_enclosures.wave_peak_plus) and [0.457322](num:sec5_enclosures.wave_peak_minus), within
-[1.78063e-12](num:sec5_enclosures.wave_radius_plus) or [1.94232e-12](num:sec5_enclosures.wave_radius_minus) at all times;
-each is alone within [1.52588e-5](num:sec5_enclosures.wave_unique_radius_plus). [](finding:travelling.two_waves) */
+[0.181](num:sec5_enclosures.wave_energy_plus) and [0.181](num:sec5_enclosures.wave_energy_minus), the peaks
+[0.446](num:sec5_enclosures.wave_peak_plus) and [0.457](num:sec5_enclosures.wave_peak_minus), within
+[1.78e-12](num:sec5_enclosures.wave_radius_plus) or [1.94e-12](num:sec5_enclosures.wave_radius_minus) at all times;
+each is alone within [1.53e-5](num:sec5_enclosures.wave_unique_radius_plus). [](finding:travelling.two_waves) */
 constexpr std::pair<int, const char*> signs[] = {{1, "plus"}, {-1, "minus"}};
 
 void report_kernel_waves(Report& report) {
@@ -424,10 +424,9 @@ void reproduce(Report& report) {
 2. *Harder.* How much narrower would the energies of the chain's breathers have to be for their barrier to have a sign?
    `build/bin/sec32_barrier barrier --omega 1.1` gives `equal_frequency` = 1.62422e-11.
    Hint: compare with the widths that `sec5_enclosures breather` prints for both centres.
-3. *Harder.* Has the barrier at equal area the sign of the DpS limit?
-   `build/bin/sec32_barrier barrier --omega 1.01` gives `equal_area` = -7.99392e-18.
-   Hint: the area takes the place of the norm. The enclosed `barrier_equal_norm` goes like $\mu^5$; does this one between
-   $\omega_b-1 = 0.01$ and 0.1?
+3. *Harder.* Has the barrier at equal area the sign of the DpS limit? `build/bin/sec32_barrier barrier --omega 1.01`
+   gives `equal_area` = -7.99392e-18. Hint: the area takes the place of the norm. The enclosed `barrier_equal_norm` goes
+   like $\mu^5$; does this one between $\omega_b-1 = 0.01$ and 0.1?
 4. *Open.* Does the site-centred breather leave its place in the full DpS equation, as a theorem?
 5. *Open.* The waves with $k \ge 2$: only the integrals of $|K|$ and $K_+$ change. How does the margin fall with $k$?
 6. *Open.* Is there a third even wave at $k = 1$? The balls of uniqueness exclude it near the two known ones only. */

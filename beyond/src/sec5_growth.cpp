@@ -101,7 +101,7 @@ void report_fastest(Report& report) {
 The matrix of a ring, from differences of the right side of the DpS equation, must have the exponents of the closed
 form. For the waves $0<q<\pi$ on rings of 18 and 30 sites and all their modulations the largest distance is
 [6e-10](num:sec5_growth.exponents_apart) of the wave's rate. And runs of the DpS equation must show the growth:
-theirs differs by [2.959e-8](num:sec5_growth.dps_runs_apart) at most. */
+theirs differs by [2.96e-8](num:sec5_growth.dps_runs_apart) at most. */
 std::vector<ModulatedWave> waves_tried() {
   return {{8, 4, 1}, {12, 4, 2}, {16, 6, 2}, {16, 5, 2}, {34, 9, 17}};
 }
@@ -130,7 +130,7 @@ void report_checks(Report& report) {
 [](finding:growth.chain) The limit is reached slowly. Averaging leaves corrections of relative size $\epsilon^{1/2}$,
 and so should growth and frequency approach those of the DpS equation. We follow five unstable waves of the chain,
 computed by Newton's method, down to $\epsilon = 10^{-7}$, and compare the fastest growth on a ring (`chain_rates`,
-dps_waves.hpp). The orders of the other four lie between [0.5003](num:sec5_growth.order_growth_16_6) and
+dps_waves.hpp). The orders of the other four lie between [0.500](num:sec5_growth.order_growth_16_6) and
 [0.51](num:sec5_growth.order_growth_16_5). The prefactor is large: at $\epsilon = 10^{-2}$ the wave $q = \pi$ loses more
 than a quarter of its growth. */
 struct ChainPoint {
@@ -203,19 +203,24 @@ void report_runs(Report& report) {
 
 At $q = \frac\pi2$ and where $\cos q = -\frac15$ nothing grows exponentially in the DpS equation, and yet these waves
 are not stable but marginal: where $k^2 = a^2\ne0$ two exponents coincide with one eigenvector, and a modulation grows
-in proportion to time. A phase modulation $Q = \pi$ of the first becomes [153.940](num:sec5_growth.side_band_400) times
+in proportion to time. A phase modulation $Q = \pi$ of the first becomes [154](num:sec5_growth.side_band_400) times
 as large in 400 units of slow time. The second nearly fits on a ring of 39 sites, where it grows at
-[0.00193470](num:sec5_growth.growth_on_39) at most; on twice that ring, with noise of one per cent, it keeps
+[0.00193](num:sec5_growth.growth_on_39) at most; on twice that ring, with noise of one per cent, it keeps
 [0.016](num:sec5_growth.share_left_fifth) in 300 units.
 
-In the chain both waves are exponentially unstable. A modulation of $q = \frac\pi2$ grows at
-[0.0179886](num:sec5_growth.growth_quarter_6) per unit of slow time for $\epsilon = 10^{-6}$, at
-[0.0533953](num:sec5_growth.growth_quarter_4) for $10^{-4}$, [0.0809977](num:sec5_growth.growth_quarter_3) for $10^{-3}$
-and [0.0731881](num:sec5_growth.growth_quarter_2) for $10^{-2}$. Between the two smallest amplitudes the growth has the
-order [0.248](num:sec5_growth.order_quarter) and on 39 sites [0.242](num:sec5_growth.order_fifth), close to $\frac14$:
-corrections of the size $\epsilon^{1/2}$ split a double exponent by the root of their size. So here the chain does not
-agree with the DpS equation up to $\epsilon^{1/2}$. Four waves below $\frac\pi2$ show no growth beyond
-[5e-5](num:sec5_growth.growth_below_quarter), the root of an error, at the same $\epsilon$. */
+In the chain both waves are exponentially unstable; the table has the growth of a modulation of $q = \frac\pi2$. Between
+the two smallest amplitudes the growth has the order [0.248](num:sec5_growth.order_quarter) and on 39 sites
+[0.242](num:sec5_growth.order_fifth), close to $\frac14$: corrections of the size $\epsilon^{1/2}$ split a double
+exponent by the root of their size. So here the chain does not agree with the DpS equation up to $\epsilon^{1/2}$. Four
+waves below $\frac\pi2$ show no growth beyond [5e-5](num:sec5_growth.growth_below_quarter), the root of an error, at the
+same $\epsilon$.
+
+| $\epsilon$ | growth per unit of slow time |
+|---|---|
+| $10^{-6}$ | [0.0179886 ± 2e-7](num:sec5_growth.growth_quarter_6) |
+| $10^{-4}$ | [0.0533953 ± 4e-8](num:sec5_growth.growth_quarter_4) |
+| $10^{-3}$ | [0.0809977 ± 2e-7](num:sec5_growth.growth_quarter_3) |
+| $10^{-2}$ | [0.0731881 ± 2e-7](num:sec5_growth.growth_quarter_2) | */
 /// The largest growth in the chain of four waves below pi/2 at four amplitudes.
 double growth_below_quarter(std::size_t steps) {
   double most = 0;
@@ -258,7 +263,7 @@ void report_marginal(Report& report) {
 /**
 Runs show the same. The chain at $\epsilon = 10^{-3}$ starts from the field of the DpS equation with noise of
 $10^{-4}$ on 32 sites. After 80 units of slow time the wave $q = \frac\pi2$ has kept
-[0.0549708](num:sec5_growth.share_left_quarter) of the norm and $q = \frac7{16}\pi$
+[0.0550](num:sec5_growth.share_left_quarter) of the norm and $q = \frac7{16}\pi$
 [0.999571](num:sec5_growth.share_left_below); the third harmonic of the first is its own marginal modulation. */
 /// By what a modulation Q = pi of the wave pi/2 grows in 400 units of slow time.
 double side_band_400(double tolerance) {
@@ -298,8 +303,8 @@ void report_marginal_runs(Report& report) {
 ## In the array
 
 In the array of section 3.6 a wave with $q = \pi$ that swings by one micrometre has its fastest growth among the
-modulations of a ring of 62 sites, e-fold in [15.648](num:sec5_growth.periods_at_1um) periods of a beam (a ring of 54
-gives the error), in the DpS equation in [13.9759](num:sec5_growth.periods_at_1um_dps); both go nearly like $a^{-1/2}$. */
+modulations of a ring of 62 sites, e-fold in [15.6](num:sec5_growth.periods_at_1um) periods of a beam (a ring of 54
+gives the error), in the DpS equation in [14.0](num:sec5_growth.periods_at_1um_dps); both go nearly like $a^{-1/2}$. */
 void report_array(Report& report) {
   const double eps = 1 / CantileverArray{}.scales().micrometres(1) / 2;
   const auto periods = [&](double growth) { return 1 / (growth * std::sqrt(eps) * 2 * pi); };
@@ -323,10 +328,10 @@ runs are chaotic. A tolerance ten times smaller gives other breathers, so that o
 errors are the standard error over the seeds and the difference of both tolerances.
 
 Norm and energy are conserved. A field of independent normal amplitudes, the motion of infinite temperature, has the
-energy $\frac25\,2^{5/4}\,\Gamma(\frac94) =$ [1.07790](num:sec5_growth.random_energy) per site at norm one, on the mean
+energy $\frac25\,2^{5/4}\,\Gamma(\frac94) =$ [1.08](num:sec5_growth.random_energy) per site at norm one, on the mean
 and on a long ring. A wave with more has no such state to go to, and its surplus is expected to gather. This is the
 argument of Rasmussen, Cretegny, Kevrekidis and Grønbech-Jensen (Phys. Rev. Lett. 84, 3740, 2000) for the discrete
-nonlinear Schrödinger equation. Waves pass that energy at $q =$ [1.67605](num:sec5_growth.neutral_q), a little beyond
+nonlinear Schrödinger equation. Waves pass that energy at $q =$ [1.68](num:sec5_growth.neutral_q), a little beyond
 $\pi/2$, so that most unstable waves are above. On 64 sites chance is large: the eight random fields that we run beside
 the waves scatter by [0.1](num:sec5_growth.random_energy_scatter) in energy, and
 [3](num:sec5_growth.random_with_surplus) of them have a surplus themselves. */
@@ -407,7 +412,7 @@ Few are at rest, at 95 per cent fewer than [0.2](num:sec5_growth.at_rest_below_3
 them round. After $q = \pi$ they go both ways: their mean velocity is [0.06](num:sec5_growth.mean_speed_32), the mean of
 its modulus [0.16](num:sec5_growth.mean_size_of_speed_32). After $q = \frac34\pi$ they go with the energy of the wave,
 at [-0.28](num:sec5_growth.mean_speed_24) on the mean, more slowly than its group velocity
-[-0.777628](num:sec5_growth.group_velocity_24). The static breathers that the article hopes for are the exception in
+[-0.778](num:sec5_growth.group_velocity_24). The static breathers that the article hopes for are the exception in
 these runs, and of the waves tried $q = \pi$ leaves the most. */
 void report_energies(Report& report) {
   report.facts.add("random_energy",
@@ -486,7 +491,8 @@ void reproduce(Report& report) {
    `build/bin/sec5_growth growth --modulation 0.02` gives `growth` = 0.0129423.
    Hint: halve $Q$, then the amplitude. Where dispersion does not depend on it, the edge $Q_*$ is proportional to it.
 4. *Open.* Do standing waves, $\cos qn$, have a band of instability in closed form?
-5. *Open.* With the losses of an experiment (the chapter on damping), which breathers are left when the waves are gone? */
+5. *Open.* With the losses of an experiment (the chapter on damping), which breathers are left when the waves are gone?
+   */
 int main(int argc, char** argv) {
   return run({"sec5_growth", "5", "Modulational instability without precompression (section 5)",
               reproduce, commands<OnePlaneWave>()},

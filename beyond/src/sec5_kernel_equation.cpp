@@ -39,9 +39,10 @@ $f = d_+^\alpha$. Newton's law is
 $$\ddot q + q = f(t+T) - f(t).$$
 For $T = 2\pi k$ the function
 $$q(t) = \int_t^{t+T}\sin(t-s)\,f(s)\,ds = -\int_0^T\sin\sigma\,f(t+\sigma)\,d\sigma$$
-solves it: by differentiating, $\dot q = \int_t^{t+T}\cos(t-s)f(s)\,ds$, because $\sin 0 = \sin T = 0$, and $\ddot q
-= -q + f(t+T) - f(t)$, because $\cos T = 1$. As the sine has the period $T$, the neighbour takes the forces before $t$ as
-$q(t)$ takes those after it, $q(t-T) = \int_{t-T}^t\sin(t-T-s)\,f(s)\,ds = \int_{t-T}^t\sin(t-s)\,f(s)\,ds$, so that
+solves it: by differentiating, $\dot q = \int_t^{t+T}\cos(t-s)f(s)\,ds$, because $\sin 0 = \sin T = 0$, and
+$\ddot q = -q + f(t+T) - f(t)$, because $\cos T = 1$. As the sine has the period $T$, the neighbour takes the forces
+before $t$ as $q(t)$ takes those after it,
+$q(t-T) = \int_{t-T}^t\sin(t-T-s)\,f(s)\,ds = \int_{t-T}^t\sin(t-s)\,f(s)\,ds$, so that
 $$d = q(t) - q(t-T) = -\int_{t-T}^{t+T}\sin|t-s|\,f(s)\,ds = K*f.$$
 Any other solution differs from $q$ by $a\cos(t+\varphi)$, which has the period $T$ and cancels in $d$. So
 *for every solution $d = K*d_+^\alpha$, and every $d$ that satisfies this equation gives a solution* $q$.
@@ -54,6 +55,7 @@ double kernel(double sigma, double shift_time) {
 }
 
 constexpr double two_pi = 2 * std::numbers::pi;
+const PowerContact hertz{1.5, 0};
 
 /**
 For other $T$ no choice of the solution keeps $q$ localized, unless $f$ has no component at the frequency of the
@@ -71,10 +73,8 @@ $$TE = \tfrac12\int(q^2+\dot q^2)\,dt + \frac{A}{\alpha+1}.$$
 **Theorem.** *For every integer $k \ge 1$ and every $\alpha > 1$ there is a function $q \ne 0$, three
 times continuously differentiable, such that $y_n(t) = q(t-2\pi kn)$ solves $\ddot y_n + y_n = (y_{n-1}-y_n)_+^\alpha
 - (y_n-y_{n+1})_+^\alpha$ on the infinite chain. $|q|$ falls double-exponentially in both directions, and the energy
-is finite.* */
-const PowerContact hertz{1.5, 0};
+is finite.*
 
-/**
 ## The proof
 
 We look for the maximum $S$ of $Q(f) = \int f\,(K*f)\,dt$ among all $f \ge 0$ with $\int f^p dt = 1$, $p = 1 +
@@ -164,9 +164,9 @@ double least_peak(std::size_t k, double alpha) {
 Even solutions are found by Newton's method (kernel_wave.hpp), for each $k$ one with the central contact closed at $t
 = 0$ and one with it open. They are the two orbits of the chapters before, named by the sign of the central velocity
 $\dot y_0$ at the instant at which positions are odd. Two grids give the errors (two_signs.hpp). At $k = 1$ the energies
-are [0.180834](num:sec5_kernel_equation.energy_plus) and [0.180834](num:sec5_kernel_equation.energy_minus); up to $k = 6$
+are [0.181](num:sec5_kernel_equation.energy_plus) and [0.181](num:sec5_kernel_equation.energy_minus); up to $k = 6$
 they are those of the lattice. The actions differ by
-[-2.43979e-11](num:sec5_kernel_equation.action_difference), plus minus minus, so that the sign plus, whose phase is
+[-2.44e-11](num:sec5_kernel_equation.action_difference), plus minus minus, so that the sign plus, whose phase is
 pinned, has the larger quotient. */
 std::vector<TwoGridWave> waves(const std::vector<std::size_t>& ks) {
   std::vector<std::vector<TwoGridWave>> found(2 * ks.size());
@@ -188,16 +188,16 @@ upwards from random positive functions. If there is one maximum only, counting l
 value, that of the waves above, up to the error of the plain grid. They need not come to the same function: translations
 change nothing, and the internal phase changes the quotient only in the eleventh digit, far below what this grid
 resolves. Along these two directions the iteration creeps, so that a single small step says nothing: each start goes on
-until 25 steps together gain less than $10^{-10}$ a step. */
-constexpr StopRule rule{1e-10, 60000, 25};
+until 25 steps together gain less than $10^{-10}$ a step.
 
-/**
 [30](num:sec5_kernel_equation.ascents_finished) of [30](num:sec5_kernel_equation.ascent_starts) random starts meet the
 stopping rule (some still creep). The lowest of them ends at the quotient
-[1.1552](num:sec5_kernel_equation.ascent_lowest), where the waves have
-[1.15521](num:sec5_kernel_equation.quotient_plus). All ends lie within [3e-6](num:sec5_kernel_equation.ascent_spread) of
+[1.16](num:sec5_kernel_equation.ascent_lowest), where the waves have
+[1.16](num:sec5_kernel_equation.quotient_plus). All ends lie within [3e-6](num:sec5_kernel_equation.ascent_spread) of
 each other, and the grid with half the points changes this spread by as much: a second maximum is not seen in these
 starts, nor excluded, since two that are closer would not be told apart. */
+constexpr StopRule rule{1e-10, 60000, 25};
+
 Table ascent_table(const std::vector<Ascent>& all, std::size_t shown) {
   double top = 0;
   for (const Ascent& a : all) top = std::max(top, a.quotient());
@@ -259,17 +259,24 @@ bool larger_is_pinned(const TwoSigns& c) {
 }
 
 /**
-[](finding:travelling.exchanges) The quotients exchange their order at $\alpha =$
-[5.82355](num:sec5_kernel_equation.exchange_1), [3.10428](num:sec5_kernel_equation.exchange_2),
-[2.30736](num:sec5_kernel_equation.exchange_3), [1.94497](num:sec5_kernel_equation.exchange_4),
-[1.73825](num:sec5_kernel_equation.exchange_5), [1.60461](num:sec5_kernel_equation.exchange_6),
-[1.51174](num:sec5_kernel_equation.exchange_7), [1.44347](num:sec5_kernel_equation.exchange_8) and
-[1.39092](num:sec5_kernel_equation.exchange_9). At all exponents of the table beyond the largest of these, up to $\alpha
-= 8$, the sign minus has the larger quotient. In $1/(\alpha-1)$ the exchanges lie
-[0.267906](num:sec5_kernel_equation.exchange_spacing_first) to [0.3031](num:sec5_kernel_equation.exchange_spacing_last)
+[](finding:travelling.exchanges) The quotients exchange their order nine times, and at all exponents of the table beyond
+the largest of these, up to $\alpha = 8$, the sign minus has the larger quotient. In $1/(\alpha-1)$ the exchanges lie
+[0.268](num:sec5_kernel_equation.exchange_spacing_first) to [0.303](num:sec5_kernel_equation.exchange_spacing_last)
 apart; a tenth one is beyond double precision. At [35](num:sec5_kernel_equation.phases_agree) of the
 [35](num:sec5_kernel_equation.phases_compared) exponents of the table at which the difference and $\kappa$ are beyond
-their errors, the phase of the larger quotient is pinned and that of the other is not. */
+their errors, the phase of the larger quotient is pinned and that of the other is not.
+
+| exchange | $\alpha$ |
+|---|---|
+| 1 | [5.82355 ± 3e-13](num:sec5_kernel_equation.exchange_1) |
+| 2 | [3.10428 ± 6e-13](num:sec5_kernel_equation.exchange_2) |
+| 3 | [2.30736 ± 6e-12](num:sec5_kernel_equation.exchange_3) |
+| 4 | [1.94497 ± 2e-10](num:sec5_kernel_equation.exchange_4) |
+| 5 | [1.73825 ± 2e-9](num:sec5_kernel_equation.exchange_5) |
+| 6 | [1.60461 ± 4e-8](num:sec5_kernel_equation.exchange_6) |
+| 7 | [1.51174 ± 8e-8](num:sec5_kernel_equation.exchange_7) |
+| 8 | [1.44347 ± 6e-7](num:sec5_kernel_equation.exchange_8) |
+| 9 | [1.39092 ± 5e-5](num:sec5_kernel_equation.exchange_9) | */
 void report_quotients(Report& report, const std::vector<TwoSigns>& all) {
   Table& table = report.table(
       "quotients",
@@ -320,14 +327,16 @@ void report_exchanges(Report& report, const std::vector<TwoSigns>& all) {
 }
 
 /**
-Stability does not pass from one sign to the other in one point. With growing $\alpha$ the phase of the sign plus is
-pinned from [3.10381](num:sec5_kernel_equation.kappa_plus_exchange_2) on and that of the sign minus up to
-[3.10475](num:sec5_kernel_equation.kappa_minus_exchange_2): between them both are pinned, so that a third wave, without
-symmetry, should separate them there. At the exchange of the largest $\alpha$ it is the other way round: plus is pinned
-up to [5.79556](num:sec5_kernel_equation.kappa_plus_exchange_1), minus only from
-[5.85298](num:sec5_kernel_equation.kappa_minus_exchange_1) on, and between them neither is. There an iteration from a
-disturbed wave, made once by Fourier transforms on a circle of sixteen shifts (not part of this repository), comes to a
-wave without symmetry, at the exchange with a quotient $4\times10^{-6}$ above those of both signs.
+Stability does not pass from one sign to the other in one point. At the second exchange both phases are pinned over a
+short range of $\alpha$, so that a third wave, without symmetry, should separate them there. At the first one, that of
+the largest $\alpha$, there is a short range in which neither is pinned. There another program (an iteration from a
+disturbed wave by Fourier transforms) finds a wave without symmetry, with a quotient $4\times10^{-6}$ above those of
+both signs.
+
+| phase pinned, as $\alpha$ grows | sign plus | sign minus |
+|---|---|---|
+| second exchange | from [3.10381 ± 6e-9](num:sec5_kernel_equation.kappa_plus_exchange_2) on | up to [3.10475 ± 8e-10](num:sec5_kernel_equation.kappa_minus_exchange_2) |
+| first exchange | up to [5.79556 ± 8e-9](num:sec5_kernel_equation.kappa_plus_exchange_1) | from [5.85298 ± 9e-11](num:sec5_kernel_equation.kappa_minus_exchange_1) on |
 
 Beyond the table, computed once with the functions of this chapter and the limit of `--alpha` lifted, the quotient of
 the sign minus is the larger one at fourteen exponents from 8.5 to 40. But from $\alpha = 8.5636$ on $\kappa$ is
@@ -368,7 +377,7 @@ void report_bounds(Report& report, const std::vector<TwoGridWave>& all) {
 A wave of type II has $V = 0$ and another $T$. Along the family that begins at $T = 2\pi$ (kernel_wave.hpp) $V$
 changes its sign, and the secant method finds the zero. It is the first orbit of type II of the chapter on families,
 which is found there on a lattice, and has
-$T/2\pi =$ [0.897407](num:sec5_kernel_equation.turns_type_two). */
+$T/2\pi =$ [0.897](num:sec5_kernel_equation.turns_type_two). */
 void report_type_two(Report& report) {
   std::array<std::vector<KernelWave>, 2> found;
   parallel_for(2, [&](std::size_t i) {

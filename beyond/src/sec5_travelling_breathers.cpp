@@ -40,10 +40,8 @@ into other wells and compare them with packets; the last one sorts what is prove
 The wells are linear, later those of Eq. (10), and the contacts those of Eq. (9),
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}.$$
 All is dimensionless. $T$, the inverse of the speed, is called the *shift time* (`shift_time`); `sign` is that of the
-velocity $\dot y_0(0)$ of the central bead; and `half_length` is $L$, where an orbit has the sites $-L \le n \le L+1$. */
-constexpr double two_pi = 2 * std::numbers::pi;
+velocity $\dot y_0(0)$ of the central bead; and `half_length` is $L$, where an orbit has the sites $-L \le n \le L+1$.
 
-/**
 ## Why only certain speeds
 
 In linear wells the contact forces cancel in the sum $Z = \sum_n (y_n + i\dot y_n)$. If it converges absolutely, it only
@@ -58,10 +56,8 @@ $$|1-e^{-iT}|\,|g(1)|,\qquad g(1) = \int e^{it}f_0(t)\,dt.$$
 It vanishes in just these two cases. The first factor does so for type I. As to the second, take the sum over the beads
 beyond the contact alone: it is zero before the breather comes and all of $Z$ when it has gone through, and only the
 pulse in the contact changes $e^{it}$ times this sum, so that $|g(1)| = |Z|$. Pulses of a packet that sheds repeat
-themselves only nearly, so that for it this is an order of magnitude (chapter on families). */
-constexpr std::array signs{1, -1};  ///< of the central velocity
+themselves only nearly, so that for it this is an order of magnitude (chapter on families).
 
-/**
 ## Not with the opposite sign
 
 Could an orbit come back with the opposite sign after one site, $y_n(t+T) = -y_{n-1}(t)$? No localized one in wells with
@@ -76,6 +72,8 @@ other wells $W'(y_{n-1})+W'(-y_{n-1})$ takes the place of zero, and the argument
 
 This chapter finds orbits of type I, starting from a packet cut out of an impact (travelling.hpp).
 Each is computed in double precision and again in extended precision, which gives its errors. */
+constexpr double two_pi = 2 * std::numbers::pi;
+constexpr std::array signs{1, -1};  // of the central velocity
 
 struct Exact {
   std::size_t k;
@@ -304,11 +302,11 @@ from the cut packet. The residuals are [7e-14](num:sec5_travelling_breathers.res
 [8e-17](num:sec5_travelling_breathers.residual_rounded) after rounding. A thousand shifts leave
 [2e-14](num:sec5_travelling_breathers.left_by_thousand_shifts) of the amplitude behind, no more than the error of the
 steps. That of $k = 1$, the fastest of type I, has the speed $1/(2\pi)$ and the energy
-[0.180834](num:sec5_travelling_breathers.energy_plus); with the other sign it is higher by only
-[7.843e-11](num:sec5_travelling_breathers.energy_difference). So little pins the internal phase, and the multipliers
-agree: $\kappa =$ [-8.8883e-11](num:sec5_travelling_breathers.kappa_k1_plus) with the sign plus,
-[8.888e-11](num:sec5_travelling_breathers.kappa_k1_minus) with the sign minus, a growth of
-[1.8856e-5](num:sec5_travelling_breathers.growth_k1_minus) per shift. At $k = 2$ no $\kappa$ is left above the errors.
+[0.181](num:sec5_travelling_breathers.energy_plus); with the other sign it is higher by only
+[7.84e-11](num:sec5_travelling_breathers.energy_difference). So little pins the internal phase, and the multipliers
+agree: $\kappa =$ [-8.89e-11](num:sec5_travelling_breathers.kappa_k1_plus) with the sign plus,
+[8.89e-11](num:sec5_travelling_breathers.kappa_k1_minus) with the sign minus, a growth of
+[1.89e-5](num:sec5_travelling_breathers.growth_k1_minus) per shift. At $k = 2$ no $\kappa$ is left above the errors.
 [](finding:travelling.stability) */
 void report_stability(Report& report, const Exact& e) {
   const auto in_double = phase_and_rest(type_one<double>(e.k), e.orbit, {});

@@ -77,8 +77,8 @@ What becomes of a member that is no exact orbit? We set it free in a resting cha
 oscillating. If the pulses in the contacts repeat themselves after $T$, it does so with the amplitude
 $|1-e^{-iT}|\,|g(1)|$ (chapter on exact travelling breathers). A member that sheds loses energy, and its pulses repeat
 themselves only nearly, so that this can only give the order of magnitude, and we measure how well it does. The integral
-$g(1)$ needs no quadrature: it is the change of $e^{it}Z$, with the sum $Z$ taken over the beads on the right of the contact
-only. */
+$g(1)$ needs no quadrature: it is the change of $e^{it}Z$, with the sum $Z$ taken over the beads on the right of the
+contact only. */
 struct Left {
   double beads = 0, pulse = 0;  ///< both relative to the amplitude
 };
@@ -124,7 +124,7 @@ double missed_identity(const Orbit<double>& member) {
 We compare what the beads have with what the sum $Z = iV$ of the member at the start would leave, at the
 [141](num:sec5_travelling_families.left_compared) members of the five families whose tail is above $10^{-7}$. There what
 a breather leaves behind has the order of magnitude that the sum $Z$ says, from
-[0.40](num:sec5_travelling_families.left_over_sum_least) to [1.05406](num:sec5_travelling_families.left_over_sum_most)
+[0.40](num:sec5_travelling_families.left_over_sum_least) to [1.05](num:sec5_travelling_families.left_over_sum_most)
 of $\lvert1-e^{-iT}\rvert\,\lvert Z\rvert$, but at [126](num:sec5_travelling_families.left_off_by_a_fifth) of them it is
 more than a fifth off. One might expect the two to agree very close to an orbit of type I, closer than the table goes,
 because there the tail is weak and the pulses nearly repeat themselves. They do not: with this measurement at $T/2\pi =
@@ -191,7 +191,7 @@ The chart shows the orbits of type I, for $k = 1$ to 6 and both signs of the cen
 the five families. An orbit found once has no estimate of its error, so each is found twice: those of type I again from
 a disturbed guess and with contact events located less precisely, those of type II in extended precision. On the family
 that begins at $T = 2\pi$ the first orbit of type II lies at $T/2\pi =$
-[0.897407](num:sec5_travelling_families.turns_type_two_1); in all we found
+[0.897](num:sec5_travelling_families.turns_type_two_1); in all we found
 [12](num:sec5_travelling_families.found_type_one) orbits of type I and [18](num:sec5_travelling_families.found_type_two)
 of type II. For $k = 1$ the two signs give different orbits of nearly the same energy. Near $T/2\pi = 0.95$, where the
 figure before has a dip, there is none: $V$ becomes small and keeps its sign. */
@@ -279,15 +279,17 @@ which speeds are possible. But with $T$ as an unknown there are as many equation
 function theorem an orbit at which their derivative is invertible continues to $s \ne 0$. We follow it by
 pseudo-arclength, so that we can pass *folds*, at which a branch turns back in $s$ (branches_in_s.hpp).
 
-In soft wells none of the four branches of type I ends within the steps that we spend on it: ten, and two for $k = 4$,
-reach $s =$ [-1.163](num:sec5_travelling_families.soft_k1) ($k = 1$), [-1.38](num:sec5_travelling_families.soft_k2) ($k
-= 2$), [-1.392](num:sec5_travelling_families.soft_k3) ($k = 3$) and [-0.049](num:sec5_travelling_families.soft_k4) ($k =
-4$). Followed further, that of $k = 1$ folds at $s =$ [-5.73337](num:sec5_travelling_families.soft_fold_k1). In a run
-made once, which is not part of this program, that of $k = 2$ folded at $-54.4$, and those of $k = 3$ and $4$ reached
-$-13.9$. In hard wells those of $k = 1$, 2 and 3 fold at [0.0103004](num:sec5_travelling_families.fold_k1),
-[0.325582](num:sec5_travelling_families.fold_k2) and [1.90266](num:sec5_travelling_families.fold_k3), and come back from
-there to an orbit of type II at $s = 0$, for $k = 1$ after two folds more close to $s = 0$. The slower the orbit, the
-later it folds: slow orbits are small and feel the quartic term less. */
+In soft wells none of the four branches of type I ends within the steps that we spend on it, ten, and two for $k = 4$.
+Followed further, that of $k = 1$ folds at $s =$ [-5.73](num:sec5_travelling_families.soft_fold_k1). In hard wells those
+of $k = 1$, 2 and 3 fold, and come back from there to an orbit of type II at $s = 0$, for $k = 1$ after two folds more
+close to $s = 0$. The slower the orbit, the later it folds: slow orbits are small and feel the quartic term less.
+
+| $k$ | soft wells: followed to $s =$ | hard wells: fold at $s =$ |
+|---|---|---|
+| 1 | [-1.163](num:sec5_travelling_families.soft_k1) | [0.0103004 ± 2e-9](num:sec5_travelling_families.fold_k1) |
+| 2 | [-1.38](num:sec5_travelling_families.soft_k2) | [0.325582 ± 5e-7](num:sec5_travelling_families.fold_k2) |
+| 3 | [-1.392](num:sec5_travelling_families.soft_k3) | [1.90266 ± 2e-11](num:sec5_travelling_families.fold_k3) |
+| 4 | [-0.049](num:sec5_travelling_families.soft_k4) | | */
 using Start = std::pair<std::size_t, Orbit<double>>;  ///< k and its orbit at s = 0
 
 // The folds come from shorter steps than the branches
@@ -345,9 +347,9 @@ In section 3.4 the packet of an impact with $v_0 = 1.9$ slows down in hard wells
 *boomeron*. At a given $s$ the exact orbits that we know are single points in the plane of speed and energy. Does the
 path of the packet come near any of them, and does it turn there? A branch may pass $s = 1$ on its way out, and again
 after its fold; those of $k = 1$ and 2 fold before and have no orbit there. The fastest orbit found at $s = 1$ has the
-speed [0.0539509](num:sec5_travelling_families.fastest_at_one) and the energy
-[0.00165802](num:sec5_travelling_families.fastest_energy_at_one); when the packet is as slow as that it still has
-[1.51933](num:sec5_travelling_families.packet_energy_then), some nine hundred times as much (figure x21d). The other two
+speed [0.0540](num:sec5_travelling_families.fastest_at_one) and the energy
+[0.00166](num:sec5_travelling_families.fastest_energy_at_one); when the packet is as slow as that it still has
+[1.52](num:sec5_travelling_families.packet_energy_then), some nine hundred times as much (figure x21d). The other two
 that we found are slower and have less energy still, while the packet has kept most of its own. A packet on an exact
 orbit would have its speed and its energy, so this one is on none of those found. [](finding:travelling.wells) What
 turns it instead is asked in `sec34_boomeron_why`. */

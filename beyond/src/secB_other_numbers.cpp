@@ -5,16 +5,16 @@ This book compares its numbers with those of one article and with each other. A 
 reproduce what others have printed, and so we compute here some twenty numbers from the classical subject of this field,
 the chain *without* wells, and from the neighbours of the article's own equations. The list `paper/literature.ecsv`
 holds what is printed, with its source and the way in which we know it: only a number that we have read at its source,
-in its text or its data, or in its abstract, is judged, and all of these are reproduced within what their digits allow.
-A few that are often quoted, and whose source we could not open, stand beside ours as we remember them, without a
+in its text or its data, or in its abstract, gets a verdict, and all of these are reproduced within what their digits
+allow. A few that are often quoted, and whose source we could not open, stand beside ours as we remember them, without a
 verdict.
 
 ![Numbers of other authors, and ours over them.](fig:x34)
 
 The equations of this chapter are those of chain.hpp with $W = 0$ and all masses one, unless it says otherwise:
 $$\ddot y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}.$$
-The first bead is struck, $\dot y_1(0) = 1$. This is no restriction: with another impact velocity $v_0$ all displacements
-grow like $v_0^{4/5}$, all times shrink like $v_0^{-1/5}$, and velocities are proportional to $v_0$. */
+The first bead is struck, $\dot y_1(0) = 1$. This is no restriction: with another impact velocity $v_0$ all
+displacements grow like $v_0^{4/5}$, all times shrink like $v_0^{-1/5}$, and velocities are proportional to $v_0$. */
 
 #include <algorithm>
 #include <cmath>
@@ -36,9 +36,9 @@ using namespace lattice;
 /**
 ## The pulse of an impact
 
-Within some ten beads an impact turns into a solitary wave (solitary_wave.hpp), which takes nearly all of the energy with
-it. Its shape has no parameter; the run only has to tell how high it is. We record the velocity of two beads and take the
-maximum of the parabola through the largest samples. */
+Within some ten beads an impact turns into a solitary wave (solitary_wave.hpp), which takes nearly all of the energy
+with it. Its shape has no parameter; the run only has to tell how high it is. We record the velocity of two beads and
+take the maximum of the parabola through the largest samples. */
 Chain free_chain(std::size_t sites) {
   return {sites, None{}};
 }
@@ -65,10 +65,10 @@ BeadVelocities watch_beads(std::size_t sites, double duration, double step, doub
 
 /**
 The error is that of the step and of the sampling together, and of the length of the run: whether the pulse still
-changes between bead 40 and bead 80. The largest velocity is [0.681632](num:secB_other_numbers.pulse_amplitude) times
-that of the impact (printed where another program is validated: 0.68), and the pulse has
-[0.993661](num:secB_other_numbers.pulse_energy) of its energy (0.993662 in the data of a third program). The kinetic part of
-the wave's own energy is [0.555556](num:secB_other_numbers.pulse_kinetic), the 5/9 of Slepyan. */
+changes between bead 40 and bead 80. The largest velocity is [0.682](num:secB_other_numbers.pulse_amplitude) times that
+of the impact (printed where another program is validated: 0.68), and the pulse has
+[0.994](num:secB_other_numbers.pulse_energy) of its energy (0.993662 in the data of a third program). The kinetic part
+of the wave's own energy is [0.556](num:secB_other_numbers.pulse_kinetic), the 5/9 of Slepyan. */
 Estimate pulse_amplitude() {
   const auto heights = [](double step) {
     const BeadVelocities run = watch_beads(100, 110, step, step, {40, 80});
@@ -84,10 +84,10 @@ The wave itself is computed without a run, and from its integrals follows what e
 $V$ has the speed $c = (V/V_1)^{1/5}$ if $V_1$ is the largest velocity in the wave of speed one. In the long-wave theory
 of Nesterenko $c = (4/5)^{2/5}V^{1/5}$, and the velocity is proportional to $\cos^4(\sqrt{2/5}\,\xi)$, five sites wide.
 Sen and Manciu wrote the displacement as a $\tanh$ with the slope $C_1/2$ at the centre, so that $C_1 = 4V/(c\,A)$ with
-the shift $A$ of every bead. We find $C_1 =$ [2.39525](num:secB_other_numbers.sen_c1); theirs, as we remember it, is
+the shift $A$ of every bead. We find $C_1 =$ [2.40](num:secB_other_numbers.sen_c1); theirs, as we remember it, is
 2.39536, and we do not know from which run it was taken. The wave is slower than the
-long-wave theory by [0.780663](num:secB_other_numbers.pulse_slower) per cent and at half height narrower by
-[12.677](num:secB_other_numbers.pulse_narrower) per cent; printed are "within 0.8" and 13. */
+long-wave theory by [0.781](num:secB_other_numbers.pulse_slower) per cent and at half height narrower by
+[12.7](num:secB_other_numbers.pulse_narrower) per cent; printed are "within 0.8" and 13. */
 struct WaveNumbers {
   double crest, speed_deficit, half_deficit, width, share, c1, energy;
 };
@@ -109,8 +109,8 @@ WaveNumbers wave_numbers(std::size_t points, std::size_t half_width) {
 /**
 One of the sources gives the width at a hundredth of the crest as it was measured: bead 31 of 60 steel beads of 10 mm,
 sampled every 2 microseconds, between the samples a straight line. Near the foot of the pulse the velocity falls by half
-from sample to sample, and the straight line makes the pulse wider: [3.95724](num:secB_other_numbers.sampled_width)
-sites instead of [3.94587](num:secB_other_numbers.pulse_width). The source has 3.96. */
+from sample to sample, and the straight line makes the pulse wider: [3.96](num:secB_other_numbers.sampled_width)
+sites instead of [3.95](num:secB_other_numbers.pulse_width). The source has 3.96. */
 double sampled_width(double step, double speed) {
   const double mass = 7780 * std::numbers::pi / 6 * 1e-6;
   const double stiffness = 4. / 3 * 203e9 / (2 * (1 - 0.3 * 0.3)) * std::sqrt(0.005 / 2);
@@ -144,7 +144,7 @@ void report_pulse(Report& report) {
 ## What flies back
 
 Behind the pulse one bead after the other loses its contacts and flies back, each more slowly than the one before, the
-sixteenth by the factor [0.562601](num:secB_other_numbers.fragment_ratio). Hinch and Saint-Jean described this
+sixteenth by the factor [0.563](num:secB_other_numbers.fragment_ratio). Hinch and Saint-Jean described this
 fragmentation of a line of balls in 1999; the six digits that we compare with are those of a run that was put online
 with a program of Sokolow's, of 100 steel balls and with leapfrog steps of ten picoseconds. Its first ball later meets a
 wall, and until then the chain is ours. Of the five balls that we compare, the velocities agree in all six digits. */
@@ -166,11 +166,16 @@ void report_fragments(Report& report) {
 
 In a dimer chain the pulse loses energy to the light beads, but at particular mass ratios it does not: Jayaprakash,
 Starosvetsky and Vakakis found a sequence of them. A run approaches them slowly. We solve the equations of the wave
-itself, in which the mass ratio is an unknown and the condition that both kinds of beads are at rest behind it one of the
-equations (dimer_wave.hpp), from the pulse of a run near each ratio, on two grids:
-[0.342846](num:secB_other_numbers.dimer_1), [0.154752](num:secB_other_numbers.dimer_2),
-[0.0901278](num:secB_other_numbers.dimer_3) and [0.0615021](num:secB_other_numbers.dimer_4). They are the four numbers
-that we remember of that article, to all its digits. */
+itself, in which the mass ratio is an unknown and the condition that both kinds of beads are at rest behind it one of
+the equations (dimer_wave.hpp), from the pulse of a run near each ratio, on two grids. They are the four numbers that we
+remember of that article, to all its digits.
+
+| without loss | mass ratio |
+|---|---|
+| 1 | [0.342846 ± 5e-7](num:secB_other_numbers.dimer_1) |
+| 2 | [0.154752 ± 4e-7](num:secB_other_numbers.dimer_2) |
+| 3 | [0.0901278 ± 5e-7](num:secB_other_numbers.dimer_3) |
+| 4 | [0.0615021 ± 8e-7](num:secB_other_numbers.dimer_4) | */
 constexpr double near_ratio[]{0.343, 0.155, 0.09, 0.0615};
 
 void report_dimers(Report& report) {
@@ -188,7 +193,7 @@ void report_dimers(Report& report) {
 The same happens in a chain of equal beads whose contacts have two exponents in turn (alternating.hpp). Kekić, who
 studied such chains in his thesis, writes exponents of the potential energy and names two pairs for which the leading
 pulse keeps its energy, 5/2 with 2.635 and 4 with 5.0. His unit of length follows from the impact of 0.11 m/s. The loss
-has its minimum, zero, at [2.63533](num:secB_other_numbers.exponent_hertz) and
+has its minimum, zero, at [2.64](num:secB_other_numbers.exponent_hertz) and
 [5.01](num:secB_other_numbers.exponent_four). */
 void report_alternating(Report& report) {
   // His steel beads, and the unit of length (m v^2 / (a A))^(1/a) with the exponent a and the strength A of the energy
@@ -212,8 +217,8 @@ exponent $\alpha > 1$ of the contact force, and that they become Gaussian as $\a
 compute both from $\alpha = 1.1$ to 4 (secB/exponents.hpp). A breather $u_ne^{i\mu t}$ is unstable if the second
 eigenvalue $m_2$ of the matrix of section 3.3 exceeds $\mu/\alpha$. At every exponent that we computed the one around a
 bond is spectrally stable and the one around a site is not, with a margin $m_2/\mu-1/\alpha$ that grows from
-[2.62509e-28](num:secB_other_numbers.margin_site_110) over [4.85298e-6](num:secB_other_numbers.margin_site_150) for
-spheres to [0.0954946](num:secB_other_numbers.margin_site_400). The sign of so small a margin is trusted because
+[2.63e-28](num:secB_other_numbers.margin_site_110) over [4.85e-6](num:secB_other_numbers.margin_site_150) for
+spheres to [0.0955](num:secB_other_numbers.margin_site_400). The sign of so small a margin is trusted because
 quadruple precision and fifty digits agree on it. At all of these exponents each margin has the same sign, and so has
 the difference of the norms; what happens between them we do not know. Anharmonic wells exchange stability in the chain;
 in the limit of small amplitude the exponent of the contact, as far as we computed, does not.
@@ -222,10 +227,10 @@ in the limit of small amplitude the exponent of the contact, as far as we comput
 
 As $\alpha \to 1$ the profile becomes wide, and a sum over the sites depends on where its centre is only through the
 Fourier component $e^{2\pi ix}$ of the profile: so the two become alike like $e^{-c/(\alpha-1)}$. The Gaussian's width
-alone would give $c = \pi^2/2$; the profile farther out gives [6.49017](num:secB_other_numbers.alike_expected), by the
+alone would give $c = \pi^2/2$; the profile farther out gives [6.49](num:secB_other_numbers.alike_expected), by the
 argument of secB/exponents.hpp. Between $\alpha = 1.1$ and 1.12 the logarithm of the norms' difference falls by
-[6.45110](num:secB_other_numbers.alike_rate) for each unit of $1/(\alpha-1)$, and between 1.2 and 1.3 by
-[6.42891](num:secB_other_numbers.alike_rate_far): the rate approaches $c$ slowly, as a power in front would make it do,
+[6.45](num:secB_other_numbers.alike_rate) for each unit of $1/(\alpha-1)$, and between 1.2 and 1.3 by
+[6.43](num:secB_other_numbers.alike_rate_far): the rate approaches $c$ slowly, as a power in front would make it do,
 and both are far from $\pi^2/2$. */
 void report_exponents(Report& report) {
   std::vector<double> alphas{1.3, 1.5, 2, 3, 4};

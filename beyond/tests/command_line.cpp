@@ -107,6 +107,19 @@ TEST_CASE("a member of the DpS equation is not better known than it is rounded",
   within("", "residual", 0);
 }
 
+// Extrapolated midpoint rule in another program; after twenty lifetimes overlaps are below 1e-90
+TEST_CASE("a damped packet is where another program has it", "[cli][arrivals]") {
+  const auto there = [](const std::string& options, double sites, double centre) {
+    const Result r = call("sec5_experiment damped " + options);
+    CAPTURE(options);
+    check_close(quantity(r, "sites_10ms"), sites, 2e-6);
+    check_close(quantity(r, "centre_10ms"), centre, 5e-6);
+  };
+  there("--velocity 0.4 --lifetime 5000", 13.8263789, 10.0710085);
+  there("--velocity 0.2 --lifetime 10", 8.9290074, 7.0960342);
+  there("--velocity 1 --lifetime 0.5", 14.3815192, 4.1210768);
+}
+
 TEST_CASE("orbits by another name, and a stable wave", "[cli]") {
   const Result near = call("sec5_travelling_breathers orbit --near 5.6");
   check_close(quantity(near, "shift_time"), 5.63857165159, 0, 1e-10);

@@ -1,4 +1,4 @@
-// Driven and damped chains: losses, drives, what they book; arrivals, decays, thresholds.
+// Driven and damped chains: losses, drives, what they book; thresholds.
 
 #include "sec5/driven_chain.hpp"
 
@@ -6,11 +6,10 @@
 #include <numbers>
 
 #include "check.hpp"
+#include "lattice/impact/impact.hpp"
 #include "lattice/model/cantilever.hpp"
 #include "lattice/model/dps.hpp"
 #include "lattice/standing/stationary.hpp"
-#include "sec5/arrivals.hpp"
-#include "sec5/decay.hpp"
 #include "sec5/driven_array.hpp"
 #include "sec5/packet_members.hpp"
 #include "sec5/solution_curve.hpp"
@@ -185,26 +184,6 @@ TEST_CASE("packets of a strong drive are counted between the looks of a coarse r
   drive.lifetime = 1.1669966356216845, drive.duration = 20.045936549755897;
   const Emission seen = drive.run(DrivenArray::step);
   check_close(drive.per_second(seen.rate(drive.horizon())), 199.5416872, 1e-6);
-}
-
-TEST_CASE("a sensor sees as far as the beads are fast", "[unit][arrivals]") {
-  Arrivals j;
-  for (double v : {1.0, 0.1, 0.01}) j.contacts.push_back({1, 1, 1, v, true});
-  check_close(seen_until(j, 0.05), 2 + std::log10(2), 1e-9);  // beyond the second bead
-  check_close(seen_until(j, 1e-3), 3, 0);
-  check_close(seen_until(j, 2), 0, 0);
-}
-
-TEST_CASE("a damped breather follows its branch", "[property][decay]") {
-  const auto orbit = breather_at(Centre::bond, 1.1);
-  const auto chain = breather_problem<double>(Centre::bond, 1.1, 0.0, orbit.start.y.size()).chain;
-  const double nu = 1e-3;
-  const Decay decay = let_decay(orbit, chain, nu, 700, 0.1);
-  const DecayMoment end = decay.back();
-  const auto same = breather_at(Centre::bond, end.omega);
-  check_close(same.area, orbit.area * std::exp(-nu * end.t), 0, 5e-3);
-  check_close(end.energy, same.energy, 0, 5e-3);
-  CHECK(end.omega < 1.09);
 }
 
 TEST_CASE("a piston has to lift the breather of the DpS limit to its top", "[unit][driven]") {

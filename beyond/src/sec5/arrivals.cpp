@@ -8,38 +8,17 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lattice/diagnostics/observe.hpp"
-#include "lattice/impact/impact.hpp"
-
 namespace lattice {
 namespace {
-
-/// Collects the maxima of a signal while it is sampled.
-class Maxima {
- public:
-  void add(double t, double x, double step) {
-    if (seen_ >= 2 && middle_ > left_ && middle_ >= x) {
-      const double rise = (x - left_) / 2, bend = x - 2 * middle_ + left_;
-      all.push_back({t - step - rise / bend * step, middle_ - rise * rise / (2 * bend)});
-      if (all.back().height > all[highest].height) highest = all.size() - 1;
-    }
-    left_ = middle_, middle_ = x, ++seen_;
-  }
-  std::vector<Maximum> all{};
-  std::size_t highest = 0;
-
- private:
-  double left_ = 0, middle_ = 0;
-  std::size_t seen_ = 0;
-};
 
 /// Half the time between the maxima on either side; zero if one is missing.
 double period_at(const std::vector<Maximum>& all, std::size_t i) {
   return i > 0 && i + 1 < all.size() ? (all[i + 1].t - all[i - 1].t) / 2 : 0;
 }
 
-/// The maximum that is the strongest one with the weight (1 - nu s/4)^power; none, `all.size()`, where all come too late.
-std::size_t strongest_maximum(const std::vector<Maximum>& all, double nu, int power) {
+/// The maximum that is the strongest one with the weight (1 - nu theta / 4)^power; none, `all.size()`, where all come
+/// too late.
+std::size_t strongest(const std::vector<Maximum>& all, double nu, int power) {
   double most = 0;
   std::size_t out = all.size();
   for (std::size_t i = 0; i < all.size() && nu * all[i].t < 4; ++i) {
@@ -50,7 +29,7 @@ std::size_t strongest_maximum(const std::vector<Maximum>& all, double nu, int po
   return out;
 }
 
-/// The top of a parabola through the weighted logarithms of a maximum and its neighbours.
+/// Maxima are a period apart: the top of a parabola through the weighted logarithms of one and its neighbours.
 double top_between(const std::vector<Maximum>& all, std::size_t i, double nu, int power) {
   const auto log = [&](std::size_t k) {
     return std::log(all[k].height) + power * std::log1p(-nu * all[k].t / 4);
@@ -61,64 +40,41 @@ double top_between(const std::vector<Maximum>& all, std::size_t i, double nu, in
   return all[i].t + std::clamp((u * b - v * a) / (2 * (u - v)), a, b);
 }
 
-/// Where a falling sequence of velocities passes `resolution`.
-double falls_below(const std::vector<double>& v, double resolution) {
-  const auto low = std::find_if(v.begin(), v.end(), [&](double x) { return x < resolution; });
-  const double n = double(low - v.begin());
-  if (low == v.end() || low == v.begin()) return n;
-  const double before = std::log(low[-1]), after = std::log(std::max(*low, 1e-300));
-  return n + (before - std::log(resolution)) / (before - after);
-}
-
 }  // namespace
 
 double slow_clock(double nu, double t) {
   return nu > 0 ? -4 / nu * std::expm1(-nu * t / 4) : t;
 }
 
-double true_time(double nu, double s) {
-  if (!(nu > 0)) return s;
-  return nu * s < 4 ? -4 / nu * std::log1p(-nu * s / 4) : std::numeric_limits<double>::infinity();
+double true_time(double nu, double theta) {
+  if (!(nu > 0)) return theta;
+  return nu * theta < 4 ? -4 / nu * std::log1p(-nu * theta / 4)
+                        : std::numeric_limits<double>::infinity();
 }
 
-// Each contact and each bead keeps its own maxima; the impact is the first of the first bead
-Arrivals packet_arrivals(const DrivenChain& driven, double velocity, double duration,
-                         std::size_t last, double step) {
-  const Chain& chain = driven.chain;
-  const std::size_t contacts = std::min(last, chain.sites - 1);
-  std::vector<Maxima> push(contacts), speed(contacts);
-  const TimeGrid steps = time_grid(duration, step, step);
-  State<double> state = struck(chain.sites, velocity);
-  speed[0].all.push_back({0, velocity});
-  Arrivals out;
-  out.budget = evolve(driven, state, steps, [&](const State<double>& now, const EnergyBudget&) {
-    // Beyond the first bead at rest nothing has moved yet
-    for (std::size_t n = 0; n < contacts && (now.y[n] != 0 || now.v[n] != 0); ++n) {
-      const double overlap = now.y[n] - now.y[n + 1];
-      push[n].add(now.t, overlap > 0 ? overlap * std::sqrt(overlap) : 0, steps.step());
-      speed[n].add(now.t, std::abs(now.v[n]), steps.step());
-    }
-    // The centre swings with the beads; so it is taken at every step
-    out.centres.push_back({now.t, energy_centre(energy_density(chain, now), 0, chain.sites)});
-    // The packet has passed when the last push is well below its maximum
-    const Maxima& end = push.back();
-    if (period_at(end.all, end.highest) == 0 || now.y[contacts - 1] >= now.y[contacts]) return true;
-    const Maximum& top = end.all[end.highest];
-    return !(top.height > 1e-12 && now.t > top.t + 60);
-  });
-  double latest = 0;
-  for (std::size_t n = 0; n < contacts; ++n) {
-    Arrival p;
-    p.pushes = std::move(push[n].all), p.speeds = std::move(speed[n].all);
-    const std::size_t top = push[n].highest;
-    if (!p.pushes.empty()) p.t = p.pushes[top].t, p.force = p.pushes[top].height;
-    if (!p.speeds.empty()) p.velocity = p.speeds[speed[n].highest].height;
-    p.period = period_at(p.pushes, top);
-    p.reached = p.period > 0 && p.t > latest;
-    latest = std::max(latest, p.t);
-    out.contacts.push_back(std::move(p));
+void Maxima::add(double t, double x, double step) {
+  if (seen_ >= 2 && middle_ > left_ && middle_ >= x) {
+    const double rise = (x - left_) / 2, bend = x - 2 * middle_ + left_;
+    all.push_back({t - step - rise / bend * step, middle_ - rise * rise / (2 * bend)});
   }
+  left_ = middle_, middle_ = x, ++seen_;
+}
+
+// Without losses all weights are one
+Arrival arrival(std::vector<Maximum> pushes, std::vector<Maximum> speeds) {
+  const std::size_t i = strongest(pushes, 0, 3), k = strongest(speeds, 0, 2);
+  Arrival out;
+  if (i < pushes.size()) out.t = pushes[i].t;
+  if (k < speeds.size()) out.velocity = speeds[k].height;
+  out.period = period_at(pushes, i);
+  out.pushes = std::move(pushes), out.speeds = std::move(speeds);
   return out;
+}
+
+void Arrivals::add(Arrival next) {
+  next.reached = next.period > 0 && std::all_of(contacts.begin(), contacts.end(),
+                                                [&](const Arrival& p) { return p.t < next.t; });
+  contacts.push_back(std::move(next));
 }
 
 Travelled travelled_after(const Arrivals& arrivals, double t) {
@@ -142,6 +98,7 @@ Travelled travelled_after(const Arrivals& arrivals, double t) {
   return out;
 }
 
+// Straight lines between the steps
 double centre_after(const Arrivals& arrivals, double t) {
   const auto& all = arrivals.centres;
   const auto next =
@@ -151,37 +108,38 @@ double centre_after(const Arrivals& arrivals, double t) {
   return next[-1].height + part * (next->height - next[-1].height);
 }
 
+// Straight lines in the logarithm of the velocity
+double seen_until(const Arrivals& arrivals, double resolution) {
+  const auto& all = arrivals.contacts;
+  const auto low = std::find_if(all.begin(), all.end(),
+                                [&](const Arrival& p) { return p.velocity < resolution; });
+  const double n = double(low - all.begin());
+  if (low == all.end() || low == all.begin()) return n;
+  const double before = std::log(low[-1].velocity),
+               after = std::log(std::max(low->velocity, 1e-300));
+  return n + (before - std::log(resolution)) / (before - after);
+}
+
 // The internal clock runs on: what slows down are the turns beyond those of a linear oscillation
 Arrivals slowed(const Arrivals& undamped, double nu) {
   if (!(nu > 0)) return undamped;
   const double turn = 2 * std::numbers::pi;
   Arrivals out;
-  double latest = 0;
   for (const Arrival& from : undamped.contacts) {
-    const std::size_t i = strongest_maximum(from.pushes, nu, 3),
-                      k = strongest_maximum(from.speeds, nu, 2);
+    const std::size_t i = strongest(from.pushes, nu, 3), k = strongest(from.speeds, nu, 2);
     Arrival p;
     if (const double period = period_at(from.pushes, i); period > 0) {
-      const double s = top_between(from.pushes, i, nu, 3), rate = 1 - nu * s / 4;
-      p.t = true_time(nu, s);
-      p.force = from.pushes[i].height * rate * rate * rate;
-      p.period = turn / (1 + (turn / period - 1) * rate);
+      const double theta = top_between(from.pushes, i, nu, 3);
+      p.t = true_time(nu, theta);
+      p.period = turn / (1 + (turn / period - 1) * (1 - nu * theta / 4));
     }
     if (k < from.speeds.size())
       p.velocity = from.speeds[k].height * std::pow(1 - nu * from.speeds[k].t / 4, 2);
-    p.reached = p.period > 0 && p.t > latest;
-    latest = std::max(latest, p.t);
-    out.contacts.push_back(std::move(p));
+    out.add(std::move(p));
   }
   for (const Maximum& c : undamped.centres)
     if (nu * c.t < 4) out.centres.push_back({true_time(nu, c.t), c.height});
   return out;
-}
-
-double seen_until(const Arrivals& arrivals, double resolution) {
-  std::vector<double> v;
-  for (const Arrival& p : arrivals.contacts) v.push_back(p.velocity);
-  return falls_below(v, resolution);
 }
 
 }  // namespace lattice

@@ -6,10 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "lattice/diagnostics/pulse.hpp"
-#include "lattice/impact/impact.hpp"
-#include "lattice/standing/spectrum.hpp"
-#include "sec5/driven_chain.hpp"
+#include "lattice/orbits/floquet.hpp"
 
 namespace lattice {
 
@@ -17,15 +14,10 @@ double Member::multiplier() const {
   return std::exp(growth * 2 * std::numbers::pi / omega);
 }
 
-Orbit<double> breather_at(Centre centre, double omega, double s) {
-  return find_breather(
-      breather_problem<double>(centre, omega, s, centre == Centre::bond ? 22 : 21));
-}
-
-Member member_at(Centre centre, double omega, double s, bool fine) {
-  const auto orbit = breather_at(centre, omega, s);
-  const std::size_t sites = orbit.start.y.size();
-  const auto problem = breather_problem<double>(centre, omega, s, sites);
+Member member_at(Centre centre, double omega, bool fine) {
+  const auto problem =
+      breather_problem<double>(centre, omega, 0.0, centre == Centre::bond ? 22 : 21);
+  const Orbit<double> orbit = find_breather(problem);
   EventTolerance<double> rule;
   if (!fine) rule.tolerance *= 1000;
   const auto pairs = floquet_pairs(problem.chain, orbit.start, orbit.period(), rule);
@@ -62,8 +54,11 @@ struct Stability {
   }
 };
 
-/// The largest |X|, by the classical Runge-Kutta method in nu t.
-double largest_shift(const Stability& stability, double nu) {
+}  // namespace
+
+// By the classical Runge-Kutta method in nu t
+double largest_shift(const std::vector<Member>& members, double limit, double nu) {
+  const Stability stability(members, limit);
   constexpr int steps = 1000;
   const double h = std::log(100) / steps;
   double x = 1, v = 0, most = 1;
@@ -83,71 +78,20 @@ double largest_shift(const Stability& stability, double nu) {
   return most;
 }
 
-}  // namespace
-
-double largest_shift(const std::vector<Member>& members, double limit, double nu) {
-  return largest_shift(Stability(members, limit), nu);
-}
-
 // By steps of a tenth from far below, as growth need not be monotonic in the lifetime, and then by bisection
 double lifetime_of_growth(const std::vector<Member>& members, double limit, double factor) {
-  const Stability stability(members, limit);
+  const auto shift = [&](double lifetime) { return largest_shift(members, limit, 1 / lifetime); };
   double most = 0;
   for (const Member& m : members) most = std::max(most, m.growth);
   double high = 0.1 / most;
-  while (largest_shift(stability, 1 / high) < factor)
+  while (shift(high) < factor)
     if (high *= 1.1; !(high * most < 1e6)) throw std::invalid_argument("the branch is stable");
   double low = high / 1.1;
   for (int k = 0; k < 40; ++k) {
     const double middle = (low + high) / 2;
-    (largest_shift(stability, 1 / middle) < factor ? low : high) = middle;
+    (shift(middle) < factor ? low : high) = middle;
   }
   return high;
-}
-
-// The pair that becomes the translational pair of the chain
-double dps_growth(Centre centre) {
-  const auto spectrum =
-      contact_spectrum(stationary<double>(centre, 1.0, centre == Centre::bond ? 30 : 31));
-  const double square = lambda_squared(1.0, spectrum.m[1]);
-  return square > 0 ? std::sqrt(square) : 0;
-}
-
-Decay let_decay(const Orbit<double>& orbit, const Chain& chain, double nu, double duration,
-                double step) {
-  State<double> state = orbit.start;
-  const std::size_t most =
-      std::size_t(std::max_element(state.y.begin(), state.y.end(),
-                                   [](double a, double b) { return std::abs(a) < std::abs(b); }) -
-                  state.y.begin());
-  std::vector<double> t, y, e, centres;
-  evolve({chain, {nu, 0}}, state, time_grid(duration, step, step),
-         [&](const State<double>& now, const EnergyBudget&) {
-           const auto density = energy_density(chain, now);
-           t.push_back(now.t), y.push_back(now.y[most]);
-           e.push_back(total(density));
-           double contacts = 0;
-           for (std::size_t n = 1; n < chain.sites; ++n)
-             contacts += contact_energy(chain, now.y.data(), n);
-           centres.push_back(energy_centre(density, most, chain.sites) + contacts / (2 * e.back()));
-           return true;
-         });
-  // From one upward crossing to that eight periods later
-  Decay out;
-  constexpr std::size_t periods = 8;
-  const auto up = upward_crossings(t, y);
-  for (std::size_t k = 0; k + periods < up.size(); ++k) {
-    const auto at = [&](double when) {
-      return std::size_t(std::lower_bound(t.begin(), t.end(), when) - t.begin());
-    };
-    double sum = 0, place = 0;
-    const std::size_t from = at(up[k]), to = at(up[k + periods]);
-    for (std::size_t i = from; i < to; ++i) sum += e[i], place += centres[i];
-    const double end = up[k + periods], turns = 2 * std::numbers::pi * double(periods);
-    const double count = double(to - from);
-    out.push_back({(up[k] + end) / 2, turns / (end - up[k]), sum / count, place / count});
-  }
-  return out;
 }
 
 }  // namespace lattice

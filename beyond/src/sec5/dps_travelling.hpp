@@ -2,19 +2,12 @@
 /**
 # Travelling breathers of the DpS equation
 
-A travelling breather of the chain repeats itself one site further on after the shift time $T$
-(travelling.hpp). At small amplitude it becomes one of the DpS equation, Eq. (12):
-$A_n(\tau+\tau_T) = e^{i\varphi}A_{n-1}(\tau)$, in which the phase turns by $\varphi$ from site to site
-($\varphi = -T$ modulo $2\pi$). The equation has no scale of its own, so we may choose $\tau_T = 2\pi$; all
-other travelling breathers follow by $A \to aA$, $\tau \to a^{-1/2}\tau$ for spheres.
-
-The sum $\sum_n A_n$ is conserved, hence $(e^{i\varphi}-1)\sum_nA_n = 0$: type I has $\varphi = 0$, type II
-a vanishing sum, as in the chain. All this holds for contacts of any exponent $\alpha$, with the scaling law
-$\tau \to a^{1-\alpha}\tau$; the article's is $3/2$. With the symmetry $A_n(\tau) = -\bar A_{-n}(-\tau)$ and
-$w_n = e^{-i\varphi/2}A_n(\tau_T/2)$ the equations are
+$A_n(\tau+\tau_T) = e^{i\varphi}A_{n-1}(\tau)$ in Eq. (12), for contacts of any exponent $\alpha$; the article's is
+$3/2$. We choose $\tau_T = 2\pi$, and all others follow by $A \to aA$, $\tau \to a^{1-\alpha}\tau$. With the symmetry
+$A_n(\tau) = -\bar A_{-n}(-\tau)$ and $w_n = e^{-i\varphi/2}A_n(\tau_T/2)$ the equations are
 $$\mathrm{Re}\,(w_n + w_{1-n}) = 0,\qquad \mathrm{Im}\,(w_n - w_{1-n}) = 0,\qquad n = 1,\dots,L+1.$$
-Those of the first kind add up to $V\sin(\varphi/2) = 0$, where $\sum_nA_n(0) = iV$. We leave out the one
-with $n = 1$ and obtain a family with a member for every $\varphi$ that we tried, $-0.4$ to 3. */
+Those of the first kind add up to $V\sin(\varphi/2) = 0$, where the conserved sum $\sum_nA_n$ is $iV$. Without the one
+with $n = 1$ there was a member for every $\varphi$ that we tried, $-0.4$ to 3; it is exact where that one holds too. */
 
 #include <complex>
 #include <cstddef>
@@ -27,16 +20,13 @@ with $n = 1$ and obtain a family with a member for every $\varphi$ that we tried
 
 namespace lattice {
 
-/**
-The unknowns of Newton's method are the imaginary part of $A_0$ and then real and
-imaginary parts of $A_1,\dots,A_L$ at $\tau = 0$, with $L$ = `half_length`. The flow is computed by GSL. The
-derivative is a central difference, whose error affects only how fast Newton's method converges. */
+/// The unknowns x are the imaginary part of A_0 and then real and imaginary parts of A_1 to A_L at tau = 0.
 struct DpsTravelling {
-  std::size_t half_length = 8;
-  double phase = 0;          ///< varphi
-  double tolerance = 1e-13;  ///< of the integrator
-  double alpha = 1.5;        ///< exponent of the contact force
-  double size = 1;           ///< a field is known to the tolerance times 1e-4 of this
+  std::size_t half_length = 8;  ///< L
+  double phase = 0;             ///< varphi
+  double tolerance = 1e-13;     ///< of the integrator
+  double alpha = 1.5;           ///< exponent of the contact force
+  double size = 1;              ///< a field is known to the tolerance times 1e-4 of this
   static constexpr double shift_time = 2 * std::numbers::pi;
 
   /// The field at tau = 0, sites -L to L + 1.
@@ -50,15 +40,12 @@ struct DpsTravelling {
     }
     return a;
   }
-  /// Carries a field over some slow time.
+  /// Carries a field over some slow time, by GSL.
   void flow(Field& a, double time) const {
     evolve_dps(Dps{.sites = a.size(), .exponent = alpha}, a, time, 1,
                Tolerance(1e-4 * tolerance * size, tolerance, gsl_odeiv2_step_rk8pd),
                [](double, const Field&) {});
   }
-  /**
-  The equations hold at half the shift time. All of them are computed, because the one that is left out
-  shows whether a member is exact. */
   /// All equations, that of n = 1 first.
   Vector<double> residuals(const Vector<double>& x) const {
     Field a = expand(x);
@@ -73,8 +60,8 @@ struct DpsTravelling {
     return out;
   }
 
-  /**
-  Newton's method sees all but the first, and everything is measured by the largest unknown. */
+  /// All but the first, for Newton's method, in units of the largest unknown. Central differences decide only how
+  /// fast it converges.
   Equations<double> equations() const {
     const auto seen = [*this](const Vector<double>& x) -> Vector<double> {
       return residuals(x).tail(x.size());
@@ -83,35 +70,25 @@ struct DpsTravelling {
   }
 };
 
-/**
-Of a member we keep what a program tabulates. */
 /// A member of the family: its field at tau = 0, V, norm and energy.
 struct DpsMember {
   double phase;      ///< varphi
   Vector<double> x;  ///< the unknowns
   Field field;
-  double V, norm, energy, residual;
+  double V, norm, energy;
 };
 
 /// The member near the unknowns `guess`. Throws NewtonFailed.
 DpsMember dps_member(const DpsTravelling& problem, const Vector<double>& guess);
 
-/**
-For the first member we need a guess, and an impact provides it: it sends out a packet (section 3.4) whose
-phase soon hardly turns from site to site. We cut the packet out at the instant when its front and its back
-have the same moduli. A common phase makes the centre imaginary, and a factor gives the packet our shift
-time. The packet moves at about 0.36 sites per unit of $\tau$; the run lasts as if it were 0.34. */
-/// Unknowns cut from the packet of a struck chain of spheres once it has passed site `from`. Throws
-/// std::runtime_error if no packet passes.
+/// A guess for phase 0: unknowns cut from the packet of a struck chain of spheres, behind site `from`, at the instant
+/// when its front and its back have the most nearly equal moduli. Throws std::runtime_error if no packet passes.
 Vector<double> cut_dps_packet(double from, std::size_t half_length);
 
 /**
-## Other exponents
-
-For other exponents we follow the member in small steps, first of the angle and then of the exponent. With the
-shift time fixed its amplitude is about the power $b = 1/(\alpha-1)$ of a number, so $b$ is the parameter, and shape
-and logarithm of the amplitude are extrapolated from the last two members. Towards $\alpha = 1$ breathers become
-wide, and sites are added where the outermost ones move by more than a rounding error. */
+With the shift time fixed the amplitude is about the power $b = 1/(\alpha-1)$ of a number. So the continuation to other
+exponents is one in $b$, and shape and logarithm of the amplitude are extrapolated from the last two members. Towards
+$\alpha = 1$ breathers become wide, and sites are added where the outermost ones move by more than a rounding error. */
 /// The member of exponent `alpha` and angle `phase`, with its problem, in which the flow has the given tolerance.
 /// Throws NewtonFailed where the branch cannot be followed.
 std::pair<DpsTravelling, DpsMember> follow_dps_member(double alpha, double phase, double tolerance);
