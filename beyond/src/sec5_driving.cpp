@@ -800,7 +800,7 @@ The frequencies are those of `fold_points` and `chart_of`. The figures read colu
 
 1. *Easy.* How far must a piston move at 6600 Hz instead of 7000?
    `build/bin/sec5_driving drive --frequency 6600 --time 20` gives `threshold_law` = 1.08769.
-   Hint: the beams swing at [6310.91](num:sec5_driving.beam_frequency) Hz; how does the law go with $\delta$?
+   Hint: the beams swing at [6.31e3](num:sec5_driving.beam_frequency) Hz; how does the law go with $\delta$?
 2. *Easy.* What does the end do below the fold, at 4 µm?
    `build/bin/sec5_driving drive --amplitude 4 --time 20` gives `response` = 1.3200.
    Hint: this is a point of the lower branch of non-emitting orbits. By which factor does it jump at 7 µm, with emission?
