@@ -316,6 +316,7 @@ fixed lifetime the ratio does not tend to one.
 | the same without losses | 1 | [1.1160 ± 0.0006](num:sec5_driving.fold_over_law_first_lossless) |
 | at $\delta = 0.025$ | 1 | [1.0376 ± 0.0001](num:sec5_driving.fold_over_law_small) |
 | the same without losses | 1 | [1.0280 ± 0.0002](num:sec5_driving.fold_over_law_lossless) |
+| frequency of a free beam, Hz | | [6310.91](num:sec5_driving.beam_frequency) |
 | fold of a piston at 7000 Hz, µm | | [6.970 ± 0.004](num:sec5_driving.recipe_7000) |
 | its asymptotic threshold, µm | | [6.18000 ± 1e-15](num:sec5_driving.recipe_7000_law) |
 | $\max\lvert u_0\rvert$ | | [0.0504148 ± 1e-17](num:sec5_driving.top) |
@@ -800,7 +801,7 @@ The frequencies are those of `fold_points` and `chart_of`. The figures read colu
 
 1. *Easy.* How far must a piston move at 6600 Hz instead of 7000?
    `build/bin/sec5_driving drive --frequency 6600 --time 20` gives `threshold_law` = 1.08769.
-   Hint: the beams swing at [6.31e3](num:sec5_driving.beam_frequency) Hz; how does the law go with $\delta$?
+   Hint: the table of folds has the frequency of the beams; how does the threshold go with $\delta$?
 2. *Easy.* What does the end do below the fold, at 4 µm?
    `build/bin/sec5_driving drive --amplitude 4 --time 20` gives `response` = 1.3200.
    Hint: this is a point of the lower branch of non-emitting orbits. By which factor does it jump at 7 µm, with emission?
