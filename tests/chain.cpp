@@ -7,7 +7,6 @@
 #include "check.hpp"
 #include "lattice/events/event_driven.hpp"
 #include "lattice/impact/impact.hpp"
-#include "lattice/integrators/driven_chain.hpp"
 #include "lattice/integrators/integrate.hpp"
 #include "lattice/orbits/other_chains.hpp"
 #include "lattice/quadruple_orbits/orbits.hpp"
@@ -274,9 +273,6 @@ TEST_CASE("a chain runs with the length of its masses and in states of that leng
     CHECK_THROWS_AS(energy_density(chain, state), std::invalid_argument);
     CHECK_THROWS_AS(evolve(EventCorrected{0.1}, chain, state, 1, 1), std::invalid_argument);
     CHECK_THROWS_AS(flow<double>(chain, state, 1.0), std::invalid_argument);
-    CHECK_THROWS_AS(evolve({chain, {}, {}}, state, time_grid(1, 1, 0.1),
-                           [](const auto&, const auto&) { return true; }),
-                    std::invalid_argument);
     if (state.y.size() == chain.mass.size()) return;
     CHECK_THROWS_AS(accelerations(chain, state.y), std::invalid_argument);
     CHECK_THROWS_AS(contact_forces(chain, state.y), std::invalid_argument);

@@ -55,13 +55,13 @@ it is that of the energy, and $T_E$ is varied from 1 to 100 ms. */
 
 #include "lattice/diagnostics/observe.hpp"
 #include "lattice/diagnostics/pulse.hpp"
-#include "lattice/integrators/driven_chain.hpp"
 #include "lattice/model/cantilever.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/standing/spectrum.hpp"
 #include "report/program.hpp"
 #include "sec5/arrivals.hpp"
 #include "sec5/decay.hpp"
+#include "sec5/driven_chain.hpp"
 
 using namespace lattice;
 

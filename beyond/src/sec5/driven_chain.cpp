@@ -1,4 +1,4 @@
-#include "lattice/integrators/driven_chain.hpp"
+#include "sec5/driven_chain.hpp"
 
 #include <algorithm>
 #include <array>
