@@ -32,13 +32,4 @@ time of $|A_n|$ while the centre moves over the last site of its path, or over t
 Its error is what the samples leave; both are nan where there is none at all. */
 Estimate packet_amplitude(const Path& path);
 
-/**
-For errors the same impact is followed twice: first with a hundred times the tolerance and `samples`
-samples, then with `tolerance` and twice as many samples, because amplitudes and speeds are read from
-them. */
-/// Both runs; `watch` sees the finer one.
-TwoRuns<DpsOutcome> follow_dps_twice(double tolerance, const Dps& dps, const Field& start,
-                                     double duration, std::size_t samples,
-                                     const DpsLook& watch = {});
-
 }  // namespace lattice
