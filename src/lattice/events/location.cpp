@@ -85,8 +85,8 @@ void curvatures_of(const C& contact, const T* y, std::size_t n, T* push, T* link
     std::vector<T> r(n);
     for (std::size_t i = 1; i < n; ++i) r[i] = y[i] - y[i - 1];
     if (n < 2) return;
-    contact.forces(r.data() + 1, push + 1, n - 1);
-    contact.stiffnesses(r.data() + 1, link + 1, n - 1);
+    forces_of(contact, r.data() + 1, push + 1, n - 1);
+    stiffnesses_of(contact, r.data() + 1, link + 1, n - 1);
   } else if constexpr (std::is_same_v<T, double>) {
     sweep_curvature(contact, y, n, push, link);
   } else {
