@@ -9,7 +9,7 @@
 #include "lattice/impact/impact.hpp"
 #include "lattice/integrators/schemes.hpp"
 #include "lattice/model/dps.hpp"
-#include "lattice/numerics/parabola.hpp"
+#include "lattice/numerics/line_fit.hpp"
 
 using namespace lattice;
 

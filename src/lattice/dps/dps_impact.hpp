@@ -26,10 +26,9 @@ struct DpsOutcome {
 DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::size_t samples,
                       const Tolerance& tolerance, const DpsLook& watch = {});
 
-/**
-The amplitude of a packet oscillates while it moves from site to site. So `packet_amplitude` is the largest maximum in
-time of $|A_n|$ while the centre moves over the last site of its path, or over the last two if none falls on the last.
-Its error is what the samples leave; both are nan where there is none at all. */
+/// The largest maximum in time of |A_n|, which oscillates from site to site, while the centre moves over the last site of
+/// its path, or over the last two if none falls on the last. Its error is what the samples leave; both are nan where
+/// there is none at all.
 Estimate packet_amplitude(const Path& path);
 
 }  // namespace lattice

@@ -27,30 +27,20 @@ struct Turn {
   Moment rebound;  ///< the nearest point of the way back
 };
 
-/**
-A packet has turned once it has come back by `back` sites, which is more than it moves to and fro while
-it is caught between two sites; the apex is its furthest point. It has rebounded once it then moves out
-again by `again` sites. The first stop is sought beyond site `clear`, where the packet has detached
-itself from the end. */
-/// The turn of a smoothed path; what it does not show stays `nan`.
+/// The turn of a smoothed path; what it does not show stays `nan`. A packet has turned once it has come back by `back`
+/// sites, which is more than it moves to and fro while it is caught between two sites, and rebounded once it then moves
+/// out by `again` sites. The first stop is sought beyond site `clear`, where the packet has left the end.
 Turn find_turn(const Path& path, double back = 5, double again = 3, double clear = 8);
 
-/**
-The packets of this file are launched by an impact and followed for a long time. Sampling every 0.2 units
-of time resolves the internal oscillation, whose period is about four. The smoothing covers four of these
-periods, which removes the ripple and is still short compared with the hundreds of units that a packet
-takes to turn. */
-
-/// Width of the smoothing, about four internal periods, and time between two looks at the chain.
+/// Sampling every 0.2 units of time resolves the internal oscillation, whose period is about four. The smoothing covers
+/// four of these periods, still short compared with the hundreds of units that a packet takes to turn.
 inline constexpr double path_smoothing = 15, path_sampling = 0.2;
 
 /// The turn of a path smoothed over `width`. Throws std::invalid_argument for fewer than three samples.
 Turn turn_of(const Path& path, double width = path_smoothing);
 
-/**
-The time of a turn has one error from the step and one from the width of the smoothing, which is our
-choice. The first is the difference of two runs; for the second we read the finer run again with half the
-width and add what this changes. */
+/// A turn with one error from the step, the difference of two runs, and one from the width of the smoothing, by which a
+/// reading of the finer run with half the width differs.
 struct TurnEstimate {
   /// Of the first stop and of the apex; the return is the rebound.
   Estimate stop_time, stop_site, apex_time, apex_site, return_time;
@@ -59,10 +49,8 @@ struct TurnEstimate {
 /// The turn of the finer of two paths, with both errors.
 TurnEstimate estimate_turn(const Path& coarse, const Path& fine);
 
-/**
-If a tolerance is stated (refinement.hpp), two runs agree if both have an apex and a rebound at the same site
-and time, or if neither has one. Two runs without either would agree at any step, so their end states count
-as well, but only with a thousandth of their distance, since the question is the turn. */
+/// Two runs agree (refinement.hpp) if both have an apex and a rebound at the same site and time, or if neither has one. Two
+/// without either would agree at any step, so their end states count as well, with a thousandth of their distance.
 struct SameTurn {
   std::string name = "apex and rebound";
   double operator()(const ImpactRun& a, const ImpactRun& b) const {
