@@ -41,6 +41,7 @@ int Reference::call(double t, const double* x, double* dx, void* self) {
   return GSL_SUCCESS;
 }
 
+// The chain as a system of first order, by the same forces
 std::size_t evolve_reference(const Chain& chain, State<double>& state, double duration,
                              const Tolerance& tolerance) {
   const std::size_t n = chain.sites;
