@@ -46,26 +46,16 @@ class Rows {
   const Functions& functions() const { return *functions_; }
 
   template <class T>
-  void energies(const T* x, T* out, std::size_t n) const {
-    call(&Functions::energy, "energy", x, out, n);
-  }
-  template <class T>
-  void forces(const T* x, T* out, std::size_t n) const {
-    call(&Functions::force, "force", x, out, n);
-  }
-  template <class T>
-  void stiffnesses(const T* x, T* out, std::size_t n) const {
-    call(&Functions::stiffness, "stiffness", x, out, n);
-  }
-
- private:
-  template <class T>
-  void call(py::function Functions::*which, const char* name, const T* x, T* out,
-            std::size_t n) const {
+  void row(Member which, const T* x, T* out, std::size_t n) const {
+    const bool energy = which == Member::energy, force = which == Member::force;
+    const char* name = energy ? "energy" : force ? "force" : "stiffness";
+    const py::function& function = energy  ? functions_->energy
+                                   : force ? functions_->force
+                                           : functions_->stiffness;
     const WithLock with_lock;
     const auto given = ask_interpreter([&] { return py::array_t<T>(py::ssize_t(n), x); });
-    const auto said = py::reinterpret_steal<py::object>(ask_interpreter(
-        [&] { return PyObject_CallOneArg(((*functions_).*which).ptr(), given.ptr()); }));
+    const auto said = py::reinterpret_steal<py::object>(
+        ask_interpreter([&] { return PyObject_CallOneArg(function.ptr(), given.ptr()); }));
     if (!said) throw py::error_already_set();
     const auto returned = ask_interpreter([&] { return py::array::ensure(said); });
     if (!returned || std::string("fiu").find(returned.dtype().kind()) == std::string::npos)
@@ -80,6 +70,8 @@ class Rows {
                                   std::to_string(n) + " (allowed: as many, or one)");
     std::copy_n(answer.data(), n, out);
   }
+
+ private:
   std::shared_ptr<const Functions> functions_;
 };
 

@@ -129,24 +129,24 @@ TEST_CASE("runs of a varied chain agree in every scalar", "[property][chain]") {
 
 TEST_CASE("every contact exists where its end says so", "[unit][chain]") {
   const double q[] = {1, 3, 7};
-  const Boundary open{3, Ends::free, Ends::free}, wall{3, Ends::fixed, Ends::fixed},
-      ring{3, Ends::periodic, Ends::periodic};
+  const Chain open{.sites = 3}, wall{.sites = 3, .ends = Ends::fixed},
+      ring{.sites = 3, .ends = Ends::periodic, .eta = {5, 1, 1, 7}};
   for (std::size_t i : {1, 2})
-    for (const Boundary& b : {open, wall, ring}) {
-      CHECK((b.pushes(i) && b.counts(i)));
-      CHECK(b.stretch(q, i) == q[i] - q[i - 1]);
+    for (const Chain& chain : {open, wall, ring}) {
+      CHECK((chain.pushes(i) && touches(chain, i)));
+      CHECK(stretch(chain, q, i) == q[i] - q[i - 1]);
     }
   for (std::size_t i : {0, 3}) {
     CHECK_FALSE(open.pushes(i));
-    CHECK((wall.pushes(i) && wall.counts(i)));
+    CHECK_FALSE(touches(open, i));
+    CHECK((wall.pushes(i) && touches(wall, i)));
     CHECK(ring.pushes(i));
-    CHECK(ring.counts(i) == (i == 3));
-    CHECK(ring.own(i) == 3);
-    CHECK(wall.own(i) == i);
-    CHECK(ring.stretch(q, i) == 1 - 7);
+    CHECK(touches(ring, i) == (i == 3));
+    CHECK(ring.eta_of(i) == 7);
+    CHECK(stretch(ring, q, i) == 1 - 7);
   }
-  CHECK(wall.stretch(q, 0) == 1);   // the first bead moves away from the left wall
-  CHECK(wall.stretch(q, 3) == -7);  // the last one into the right wall
+  CHECK(stretch(wall, q, 0) == 1);   // the first bead moves away from the left wall
+  CHECK(stretch(wall, q, 3) == -7);  // the last one into the right wall
 }
 
 TEST_CASE("contact forces sum to zero", "[property][chain]") {

@@ -9,7 +9,7 @@
 #include "lattice/impact/impact.hpp"
 #include "lattice/integrators/schemes.hpp"
 #include "lattice/model/dps.hpp"
-#include "lattice/numerics/parabola.hpp"
+#include "lattice/numerics/line_fit.hpp"
 
 using namespace lattice;
 
@@ -205,7 +205,7 @@ TEST_CASE("a contact that closes and opens within a step", "[unit][formulas]") {
     CAPTURE(c);
     const auto overlap = [c](double s) { return 0.01 - (s - c) * (s - c); };
     const Quintic<double> x{overlap(0), 2 * c, -1, overlap(1), 2 * c - 2, -1};
-    const auto push = [&](double s) { return three_halves(std::max(x(s), 0.0)); };
+    const auto push = [&](double s) { return Hertz{0}.force(-x(s)); };
     const auto impulse = exact_impulse(x, push, false);
     const double all = 3 * std::acos(-1.0) / 8 * 1e-4;
     check_close(impulse.velocity, all, 1e-12);
@@ -222,7 +222,7 @@ TEST_CASE("a contact that closes or opens between two looks", "[unit][formulas]"
         const Quintic<double> x{
             side * (p - c * c), side * 2 * c, -side, side * (p - (1 - c) * (1 - c)),
             side * 2 * (c - 1), -side};
-        const auto push = [&](double s) { return three_halves(std::max(x(s), 0.0)); };
+        const auto push = [&](double s) { return Hertz{0}.force(-x(s)); };
         return exact_impulse(x, push, false);
       };
       const double all = 3 * std::acos(-1.0) / 8 * p * p;

@@ -153,8 +153,6 @@ void add_holding_well(Parameters& p, Well& well, const std::string& without) {
   });
 }
 
-/**
-The names of the ends are those of boundary.hpp. */
 void add_ends(Parameters& p, Ends& ends) {
   std::vector<std::pair<std::string, Ends>> names;
   for (std::size_t k = 0; k < std::size(ends_names); ++k)

@@ -10,10 +10,8 @@ reader's choice, only the well is offered. */
 
 #include <string>
 
-#include "lattice/model/boundary.hpp"
-#include "lattice/model/contact.hpp"
+#include "lattice/model/chain.hpp"
 #include "lattice/model/potential_names.hpp"
-#include "lattice/model/well.hpp"
 #include "report/parameters.hpp"
 
 namespace lattice {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "lattice/events/columns.hpp"
-#include "lattice/model/typed.hpp"
+#include "lattice/model/kernel.hpp"
 
 namespace lattice {
 namespace {
@@ -85,8 +85,8 @@ void curvatures_of(const C& contact, const T* y, std::size_t n, T* push, T* link
     std::vector<T> r(n);
     for (std::size_t i = 1; i < n; ++i) r[i] = y[i] - y[i - 1];
     if (n < 2) return;
-    contact.forces(r.data() + 1, push + 1, n - 1);
-    contact.stiffnesses(r.data() + 1, link + 1, n - 1);
+    forces_of(contact, r.data() + 1, push + 1, n - 1);
+    stiffnesses_of(contact, r.data() + 1, link + 1, n - 1);
   } else if constexpr (std::is_same_v<T, double>) {
     sweep_curvature(contact, y, n, push, link);
   } else {
@@ -178,7 +178,7 @@ void Leapfrog<T>::kick_tangent_vector(const Curvature<T>& node, const T* y, T* v
 /**
 A kick needs the forces, and its record the curvatures; both come from the same square roots. The vectorised sweep
 leaves out the two end contacts, which depend on the boundary condition
-(boundary.hpp), and the stiffnesses $\eta_n$; both follow here. */
+(chain.hpp), and the stiffnesses $\eta_n$; both follow here. */
 template <class T>
 void Leapfrog<T>::evaluate(const T* y, T* well, T* link) {
   const std::size_t n = chain_.sites;
@@ -188,7 +188,7 @@ void Leapfrog<T>::evaluate(const T* y, T* well, T* link) {
   detail::with_kind(chain_.well, [&](const auto& kind) { stiffnesses_of(kind, y, well, n); });
   for (std::size_t i : {std::size_t(0), n}) {
     push_[i] = contact_push(chain_, y, i);
-    link[i] = chain_.boundary().pushes(i)
+    link[i] = chain_.pushes(i)
                   ? T(chain_.eta_of(i)) * chain_.contact.stiffness(stretch(chain_, y, i))
                   : T(0);
   }

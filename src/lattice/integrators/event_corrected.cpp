@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lattice/model/typed.hpp"
+#include "lattice/model/kernel.hpp"
 #include "lattice/numerics/interrupt.hpp"
 
 namespace lattice {
@@ -133,7 +133,7 @@ namespace detail {
 ## A step
 
 Only the contact has to be known to the corrections, because few of them are made. The sweeps that give the
-accelerations know the well as well (`accelerator` in typed.hpp). */
+accelerations know the well as well (`accelerator` in kernel.hpp). */
 template <class T, class C>
 struct NystromStep {
   const Nystrom& base;
@@ -214,13 +214,13 @@ struct NystromStep {
       enter(i, is_singular(x.x0, x.w0, x.x1, x.w1, at.small) ? 3 : 2);
     };
     at.contacts.clear();
-    if (chain.boundary().pushes(0) && window.first == 0) try_end(0);
+    if (chain.pushes(0) && window.first == 0) try_end(0);
     sweep_singular<T>(state.y.data() + left, state.v.data() + left, at.y[base.last()].data() + left,
                       at.v.data() + left, T(contact.opening()), h, at.small, now.tight,
                       at.flag.data(), inner);
     for (std::size_t k = 0; k < inner; ++k)
       if (at.flag[k]) enter(left + 1 + k, at.flag[k]);
-    if (chain.boundary().pushes(n) && window.last == n) try_end(n);
+    if (chain.pushes(n) && window.last == n) try_end(n);
     return slow;
   }
 

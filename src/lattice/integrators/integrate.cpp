@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "lattice/model/typed.hpp"
+#include "lattice/model/kernel.hpp"
 #include "lattice/numerics/interrupt.hpp"
 #include "lattice/numerics/progress.hpp"
 
