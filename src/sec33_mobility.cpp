@@ -525,6 +525,15 @@ struct WideSplitting {  // with a 64-bit mantissa; it rounds once per sample
   }
 };
 
+// The flow needs no steps; they only say where it may be interrupted
+struct EventDriven {
+  double step;
+
+  double advance(const Chain& chain, State<double>& state, Window&, double h, std::size_t n) const {
+    return double(flow(chain, state, h * double(n)).evaluations * chain.sites);
+  }
+};
+
 void report_integrators(Report& report, const RestingBreather& at) {
   Table& table = report.table(
       "integrators", {label("integrator", "scheme"), number("step", "largest step", "unit of time"),

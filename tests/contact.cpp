@@ -78,8 +78,7 @@ TEST_CASE("schemes have their order where contacts stay closed", "[convergence][
   } splittings[] = {{verlet(), 0.02, 0.1},
                     {blanes_moan_4(), 0.1, 0.2},
                     {blanes_moan_6(), 0.2, 0.4},
-                    {blanes_moan_6_14(), 0.4, 0.4},
-                    {calvo_sanz_serna_4(), 0.1, 0.2}};
+                    {blanes_moan_6_14(), 0.4, 0.4}};
   for (const auto& [scheme, step, within] : splittings) {
     CAPTURE(scheme.name);
     check_close(order(Splitting{scheme, step}, Splitting{scheme, step / 2}), scheme.order, within);

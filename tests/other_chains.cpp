@@ -7,7 +7,7 @@
 #include "commands/one_breather.hpp"
 #include "lattice/algebra/eigenvalues.hpp"
 #include "lattice/integrators/driven_chain.hpp"
-#include "lattice/orbits/other_chains.hpp"
+#include "lattice/orbits/breather.hpp"
 #include "run.hpp"
 
 using namespace lattice;

@@ -4,7 +4,7 @@
 
 A reader names a chain once, by a few beads in the middle, and the breather decides how long it has to be. Its
 contacts may have any exponent above one and be compressed, its masses and stiffnesses differ from bead to bead.
-What the ansatz does not know is reached on a path at fixed frequency (other_chains.hpp), which begins at the
+What the ansatz does not know is reached on a path at fixed frequency (`continue_to`), which begins at the
 breather of equal beads between contacts that are not compressed. */
 
 #include <cstddef>
