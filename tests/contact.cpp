@@ -153,8 +153,8 @@ TEST_CASE("a windowed run has the bits of the full run", "[property][window]") {
   const auto same_by = [](const auto& method, const Chain& chain, const State<double>& start) {
     auto windowed = start, full = start;
     Window some = waking(chain, windowed), all{0, chain.sites};
-    method.advance(chain, windowed, some, 0.05, 2000);
-    method.advance(chain, full, all, 0.05, 2000);
+    Method(method).on(chain)(windowed, some, 0.05, 2000);
+    Method(method).on(chain)(full, all, 0.05, 2000);
     CHECK(some.last - some.first < chain.sites);
     CHECK(windowed.y == full.y);
     CHECK(windowed.v == full.v);
