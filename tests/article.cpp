@@ -138,7 +138,8 @@ BreatherPair pair_at(double omega, double s) {
   BreatherPair pair{s, omega};
   for (std::size_t k : {0U, 1U})
     pair.orbit[k] = find_breather(problem_of(both_centres[k], omega, s));
-  measure(pair);
+  measure_in<double>(pair);
+  if (!settled(pair.equal_frequency) || !settled(pair.equal_area)) measure_in<Wide>(pair);
   return pair;
 }
 

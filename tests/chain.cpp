@@ -8,7 +8,7 @@
 #include "lattice/events/event_driven.hpp"
 #include "lattice/impact/impact.hpp"
 #include "lattice/integrators/integrate.hpp"
-#include "lattice/orbits/other_chains.hpp"
+#include "lattice/orbits/breather.hpp"
 #include "lattice/quadruple_orbits/orbits.hpp"
 #include "sec3/breather_like.hpp"
 

@@ -6,7 +6,7 @@
 #include "commands/multipliers.hpp"
 #include "commands/one_breather.hpp"
 #include "lattice/algebra/eigenvalues.hpp"
-#include "lattice/orbits/other_chains.hpp"
+#include "lattice/orbits/breather.hpp"
 #include "run.hpp"
 
 using namespace lattice;
