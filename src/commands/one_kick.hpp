@@ -67,6 +67,7 @@ struct OneKick : KickedBreather {
     const double ends = std::min(coarse.run.t_end, fine.run.t_end);
     const double way = std::abs(fine.travelled());
     const bool few = fine.t.size() <= 3 || coarse.t.size() < 3;
+    // A breather that hardly moves has no speed
     Estimate speed = undefined;
     if (way >= 1 && !few) speed = compare(coarse.speed_during(0, ends), fine.speed_during(0, ends));
     Answers q{"a larger --c or a shorter --time"};
@@ -103,6 +104,7 @@ struct OneThreshold : KickedBreather {
                        " is unstable and any kick moves it (allowed: the other centre)");
     if (!(p.frequency.value > 1e-5))
       throw Failure("so close to an exchange of stability the breather swings too slowly");
+    // The threshold from two methods, and what brackets it
     const EventCorrected fine = fourteen_stages(0.06);
     std::array<Estimate, 2> found;
     parallel_for("thresholds", 2, [&](std::size_t i) {

@@ -85,6 +85,7 @@ void add_potential(Parameters& p, const std::string& option, const std::string& 
 
 }  // namespace
 
+// What programs call
 void add_well(Parameters& p, Well& well, const Ranges& own) {
   add_potential(p, "well", "well of every bead", well, own);
   p.find("well")->formerly("onsite");

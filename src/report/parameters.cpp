@@ -54,6 +54,7 @@ Check one_of(const std::vector<std::string>& names) {
   return {complaint, comma_list(names), names};
 }
 
+// Names are shown as {one|other}
 std::string Check::shown() const {
   if (names.empty()) return allowed;
   std::string out;
@@ -72,6 +73,7 @@ Check writable_folder() {
   return {complaint, "a folder"};
 }
 
+// A place is tried before anything is computed
 std::string why_not_writable(const std::filesystem::path& folder, const std::string& file) {
   namespace fs = std::filesystem;
   std::error_code error, ignored;

@@ -216,6 +216,7 @@ Claims read_claims(const std::filesystem::path& path) {
                                                           {"covered_by", &Claim::covered_by},
                                                           {"reason", &Claim::reason},
                                                           {"status", &Claim::status}};
+  // Every row by itself, and no id twice
   const Table t = read(path);
   Claims out;
   std::set<std::string> ids;
