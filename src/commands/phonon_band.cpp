@@ -74,29 +74,28 @@ static void add_edges_of_instability(Answers& q, double d, double s) {
 }
 
 Table Band::table() const {
-  const auto v1 = [d = d](auto zero) { return contact_series(zero + d).v1; };
-  const auto fastest = [v1](auto zero) {
-    return phonon(inflection(v1(zero)), v1(zero)).group_velocity;
+  const auto fastest = [](auto compression) {
+    const auto v1 = contact_series(compression).v1;
+    return phonon(inflection(v1), v1).group_velocity;
   };
-  const auto last = [](auto zero) { return zero + std::numbers::pi_v<decltype(zero)>; };
 
   // The band, its inflection, and where modulations grow
   Answers q;
-  q.add("lower_edge", in_two_precisions([](auto zero) { return 1 + zero; }), "",
+  q.add("lower_edge", compare(1.0, 1.0), "",
         "frequency of the phonons of q = 0, that of a bead in its well");
-  q.add("upper_edge", in_two_precisions([=](auto zero) { return upper_edge(v1(zero)); }), "",
-        "frequency of the phonons of q = pi, the highest of the band");
-  q.add("inflection", in_two_precisions([=](auto zero) { return inflection(v1(zero)); }), "1/site",
-        "wavenumber q_c at which phonons are fastest: the inflection of omega(q)");
-  q.add("largest_group_velocity", in_two_precisions(fastest), speed_unit,
+  q.add("upper_edge", in_two_precisions([](auto x) { return upper_edge(contact_series(x).v1); }, d),
+        "", "frequency of the phonons of q = pi, the highest of the band");
+  q.add("inflection", in_two_precisions([](auto x) { return inflection(contact_series(x).v1); }, d),
+        "1/site", "wavenumber q_c at which phonons are fastest: the inflection of omega(q)");
+  q.add("largest_group_velocity", in_two_precisions(fastest, d), speed_unit,
         "group velocity of the phonons of q_c");
-  const auto phi = [this](auto at) {
-    return in_two_precisions(
-        [this, at](auto zero) { return coefficients(at(zero), zero + d, zero + s).phi; });
+  const auto phi_at_0 = [](auto x, auto y) { return coefficients(0 * x, x, y).phi; };
+  const auto phi_at_pi = [](auto x, auto y) {
+    return coefficients(std::numbers::pi_v<decltype(x)>, x, y).phi;
   };
-  q.add_small("phi_at_0", phi([](auto zero) { return zero; }), "",
+  q.add_small("phi_at_0", in_two_precisions(phi_at_0, d, s), "",
               "Phi = -beta omega_2 of Eq. (37) at q = 0; modulations grow where it is positive");
-  q.add_small("phi_at_pi", phi(last), "",
+  q.add_small("phi_at_pi", in_two_precisions(phi_at_pi, d, s), "",
               "Phi of Eq. (37) at q = pi; modulations grow where it is positive");
   add_edges_of_instability(q, d, s);
   return q.table;

@@ -17,10 +17,10 @@ and take the difference as the error. */
 
 namespace lattice {
 
-/// A formula in two precisions; it is called with the zero of either.
-template <class Formula>
-Estimate in_two_precisions(Formula formula) {
-  return compare(double(formula(double(0))), double(formula(static_cast<long double>(0))));
+/// A formula of these arguments in two precisions.
+template <class Formula, class... Arguments>
+Estimate in_two_precisions(Formula formula, Arguments... x) {
+  return compare(double(formula(x...)), double(formula(static_cast<long double>(x)...)));
 }
 
 /**

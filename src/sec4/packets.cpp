@@ -199,7 +199,7 @@ WatchedRing watch_packet(const Method& method, const Chain& ring, State<double> 
     out.t.push_back(now.t);
     out.centre.push_back(packet_sample(now.t, out.density).centre);
   };
-  out.drift = evolve(method, ring, out.end, 60, 1, look).energy_drift;
+  evolve(method, ring, out.end, 60, 1, look);
   out.shown = snapshot(ring, out.end);
   return out;
 }
@@ -218,25 +218,26 @@ Formed formed(const WatchedRing& coarse, const WatchedRing& fine) {
 }
 
 // Two steps side by side, as long as they give the same state
-RingPair side_by_side(const Chain& ring, const State<double>& start, double longest,
-                      const std::array<double, 2>& steps, double patience) {
+RingPair side_by_side(const Chain& ring, const State<double>& start, double step, double longest,
+                      double patience) {
+  const std::array<Splitting, 2> method{
+      {{blanes_moan_6_14(), step}, {blanes_moan_6_14(), step / 2}}};
   std::array<State<double>, 2> state{start, start};
   RingPair out;
-  const auto method = [&](std::size_t k) { return Splitting{blanes_moan_6_14(), steps[k]}; };
   Progress progress("ring", 1);
-  while (state[1].t < longest && !(state[1].t > patience * out.gathered)) {
+  while (state[1].t < longest && !(state[1].t > patience * out.gathered.value)) {
     std::array<RingSample, 2> seen;
     for (std::size_t k : {0, 1}) {
-      evolve(method(k), ring, state[k], interval, interval);
+      evolve(method[k], ring, state[k], interval, interval);
       seen[k] = ring_sample(ring, state[k]);
     }
     progress.reach(state[1].t / longest);
     out.agree = Estimate{state[1].t, interval};
     if (!(distance(state[0], state[1]) < 0.1)) return out;
     out.samples.push_back(seen);
-    if (!std::isnan(out.gathered) || !seen[0].gathered || !seen[1].gathered) continue;
-    out.gathered = seen[1].t;
-    for (std::size_t k : {0, 1}) out.packet[k] = watch_packet(method(k), ring, state[k]);
+    if (out.gathered.value > 0 || !seen[0].gathered || !seen[1].gathered) continue;
+    out.gathered = {state[1].t, interval};
+    for (std::size_t k : {0, 1}) out.packet[k] = watch_packet(method[k], ring, state[k]);
   }
   out.agree = exact(state[1].t);
   return out;
@@ -244,15 +245,15 @@ RingPair side_by_side(const Chain& ring, const State<double>& start, double long
 
 // What is read from a pair
 Estimate RingPair::width() const {
-  Estimate least{std::numeric_limits<double>::infinity(), 0};
+  Estimate least{std::nan(""), std::nan("")};
   for (const auto& [coarse, fine] : samples)
-    if (fine.t >= gathered && fine.t <= 1.5 * gathered && fine.width < least.value)
+    if (fine.t >= gathered.value && fine.t <= 1.5 * gathered.value && !(fine.width >= least.value))
       least = compare(coarse.width, fine.width);
   return least;
 }
 
 bool RingPair::travels() const {
-  if (std::isnan(gathered)) return false;
+  if (!(gathered.value > 0)) return false;
   const Formed p = formed();
   return p.peak_over_mean.value - p.peak_over_mean.error > 5 &&
          p.width.value + p.width.error < double(packet[1].density.size()) / 4 &&
@@ -263,7 +264,7 @@ bool RingPair::travels() const {
 PulseSplits pulse_splits(const RingPair& pair, double round) {
   double since = std::nan(""), alone = 0, split = std::nan(""), apart = std::nan("");
   for (const auto& [coarse, fine] : pair.samples) {
-    if (!(fine.t >= pair.gathered)) continue;
+    if (!(fine.t >= pair.gathered.value)) continue;
     const bool one = coarse.second < 0.5 && fine.second < 0.5;
     const bool two = coarse.second >= 0.5 && fine.second >= 0.5;
     if (std::isnan(split)) {

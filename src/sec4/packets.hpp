@@ -8,7 +8,6 @@ one another hold the most energy. */
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include "lattice/integrators/integrate.hpp"
@@ -94,7 +93,6 @@ struct WatchedRing {
   State<double> end;
   std::vector<double> density{};  ///< of the energy at the end
   std::vector<double> t{}, centre{};
-  double drift = 0;  ///< of the energy, relative
   Snapshot shown{};  ///< of the end
 };
 WatchedRing watch_packet(const Method& method, const Chain& ring, State<double> state);
@@ -106,27 +104,23 @@ struct Formed {
 };
 Formed formed(const WatchedRing& coarse, const WatchedRing& fine);
 
-/// Two runs with two steps side by side, the finer one second, looked at every 50 units of time. An instability
-/// magnifies differences: the runs stop when their relative distance has reached a tenth.
+/// Two runs with two steps side by side, the finer one second, looked at every 50 units of time.
 struct RingPair {
   std::vector<std::array<RingSample, 2>> samples{};
-  Estimate agree{};                     ///< how long the runs agree; exact if they have not parted
-  double gathered = std::nan("");       ///< when the energy has gathered in both,
-  std::array<WatchedRing, 2> packet{};  ///< and what they look like a little later
+  Estimate agree{};  ///< how long they agree; exact if they have not parted
+  Estimate gathered{std::nan(""), std::nan("")};  ///< when the energy has gathered in both,
+  std::array<WatchedRing, 2> packet{};            ///< and what they look like a little later
 
-  /// `gathered`, which is known to within one interval between two looks.
-  Estimate gathering() const { return {gathered, 50}; }
   Formed formed() const { return lattice::formed(packet[0], packet[1]); }
-  /// The least width of the packet, up to half as long again as it took the energy to gather.
+  /// The least width of the packet, up to half as long again as it took the energy to gather; nan if it has not.
   Estimate width() const;
   /// Whether there is a packet of five times the mean density, on a quarter of the ring, that moves to the right.
   bool travels() const;
 };
-/// Goes on until the runs part, until `longest`, or until `patience` times the time that it takes the energy to
-/// gather.
-RingPair side_by_side(const Chain& ring, const State<double>& start, double longest,
-                      const std::array<double, 2>& steps,
-                      double patience = std::numeric_limits<double>::infinity());
+/// By `step` and half of it, until `longest` or `patience` times the time that it takes the energy to gather. An
+/// instability magnifies differences: the runs stop before that when their relative distance has reached a tenth.
+RingPair side_by_side(const Chain& ring, const State<double>& start, double step, double longest,
+                      double patience);
 
 /// A pulse splits when the second window holds half of the first or more, in both runs, after the pulse has gone round
 /// the ring once as one; it may only have spread, so later the energy is to be gathered and shared in the same way.
