@@ -23,15 +23,11 @@ static double largest_in(const std::vector<double>& a, Window range) {
   return double(std::max_element(first, last) - a.begin() + 1);
 }
 
-// Slide a window along the chain and keep the centre of the one that holds the most energy
 std::size_t richest(const std::vector<double>& e, std::size_t half_width) {
-  double sum = window_sum(e, 0, half_width), best = sum;
+  double best = 0;
   std::size_t at = 0;
-  for (std::size_t n = 1; n < e.size(); ++n) {
-    if (n + half_width < e.size()) sum += e[n + half_width];
-    if (n > half_width) sum -= e[n - half_width - 1];
-    if (sum > best) best = sum, at = n;
-  }
+  for (std::size_t n = 0; n < e.size(); ++n)
+    if (const double sum = window_sum(e, n, half_width); sum > best) best = sum, at = n;
   return at;
 }
 
