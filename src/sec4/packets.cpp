@@ -1,7 +1,6 @@
 #include "sec4/packets.hpp"
 
 #include <Eigen/LU>
-#include <algorithm>
 
 #include "lattice/diagnostics/observe.hpp"
 #include "lattice/impact/impact.hpp"
@@ -23,16 +22,16 @@ static double largest_in(const std::vector<double>& a, Window range) {
   return double(std::max_element(first, last) - a.begin() + 1);
 }
 
-std::size_t richest(const std::vector<double>& e, std::size_t half_width) {
+std::size_t richest(const std::vector<double>& e) {
   double best = 0;
   std::size_t at = 0;
   for (std::size_t n = 0; n < e.size(); ++n)
-    if (const double sum = window_sum(e, n, half_width); sum > best) best = sum, at = n;
+    if (const double sum = window_sum(e, n, compressed_half_width); sum > best) best = sum, at = n;
   return at;
 }
 
 PacketSample packet_sample(double t, const std::vector<double>& e) {
-  const std::size_t peak = richest(e, compressed_half_width);
+  const std::size_t peak = richest(e);
   const Window near = around(peak, compressed_half_width, e.size());
   const std::vector<double> packet(e.begin() + std::ptrdiff_t(near.first),
                                    e.begin() + std::ptrdiff_t(near.last));
