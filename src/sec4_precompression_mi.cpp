@@ -290,7 +290,7 @@ void report_rings(Report& report) {
   facts.add("agree_s_minus_1_6", soft.agree);
   const auto add = [&](const RingPair& pair, const std::string& name) {
     if (std::isnan(pair.gathered.value)) return;
-    const Formed packet = pair.formed();
+    const Formed packet = formed(pair.packet[0], pair.packet[1]);
     facts.add("gathered" + name, pair.gathered);
     facts.add("packet_width" + name, pair.width(), "site");
     facts.add("formed_peak_over_mean" + name, packet.peak_over_mean);
@@ -299,11 +299,16 @@ void report_rings(Report& report) {
   };
   add(soft, "_s_minus_1_6"), add(hard, "_s_1"), add(linear, "_s_0");
 
-  // How many wavenumbers of the hard wells make a breather, and how wide is it?
+  // At how many wavenumbers of the hard wells is there in the end a packet of five times the mean
+  // density, on a quarter of the ring, that moves to the right?
   int made = 0;
   Estimate widest;
   for (std::size_t i = 2; i < pairs.size(); ++i) {
-    if (!pairs[i].travels()) continue;
+    if (std::isnan(pairs[i].gathered.value)) continue;
+    const auto& [peak, share, speed, width] = formed(pairs[i].packet[0], pairs[i].packet[1]);
+    if (!(peak.value - peak.error > 5) || !(width.value + width.error < 200.0 / 4) ||
+        !(speed.value > speed.error))
+      continue;
     ++made;
     widest = larger(widest, pairs[i].width());
   }

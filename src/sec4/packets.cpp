@@ -247,14 +247,6 @@ Estimate RingPair::width() const {
   return least;
 }
 
-bool RingPair::travels() const {
-  if (!(gathered.value > 0)) return false;
-  const Formed p = formed();
-  return p.peak_over_mean.value - p.peak_over_mean.error > 5 &&
-         p.width.value + p.width.error < double(packet[1].density.size()) / 4 &&
-         p.speed.value > p.speed.error;
-}
-
 // One pulse on its way round the ring, then two, and in the end two that stand apart
 PulseSplits pulse_splits(const RingPair& pair, double round) {
   double since = std::nan(""), alone = 0, split = std::nan(""), apart = std::nan("");

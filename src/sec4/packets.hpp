@@ -111,11 +111,8 @@ struct RingPair {
   Estimate gathered{std::nan(""), std::nan("")};  ///< when the energy has gathered in both,
   std::array<WatchedRing, 2> packet{};            ///< and what they look like a little later
 
-  Formed formed() const { return lattice::formed(packet[0], packet[1]); }
   /// The least width of the packet, up to half as long again as it took the energy to gather; nan if it has not.
   Estimate width() const;
-  /// Whether there is a packet of five times the mean density, on a quarter of the ring, that moves to the right.
-  bool travels() const;
 };
 /// By `step` and half of it, until `longest` or `patience` times the time that it takes the energy to gather. An
 /// instability magnifies differences: the runs stop before that when their relative distance has reached a tenth.
