@@ -59,7 +59,6 @@ keeps its order where they open. `watch_packet` is a run of 60 units of time, so
 centre of the packet, and `follow` a run that shows the energy density, too, and watches the last bead. */
 constexpr double d = 0.5;  // compression of the contacts
 const double v1 = 1.5 * std::sqrt(d), v2 = -0.375 / std::sqrt(d), v3 = -0.0625 / (d * std::sqrt(d));
-
 double omega_squared(double q) {  // Eq. (34)
   return 1 + 2 * v1 * (1 - std::cos(q));
 }
