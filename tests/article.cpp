@@ -867,11 +867,35 @@ TEST_CASE("4.1: Phi changes its sign at q_c with cos q_c = v_1 (1 - cos q_c)^2, 
 
 TEST_CASE("4.1: waves are unstable at q = 0 for s < 0 and at q = pi for 16 v_3 + s > 0",
           "[article][pre.edges]") {
-  const double threshold = -16 * contact_series(0.5).v3;
-  const BandEdges at = band_edges(0.5, threshold);
-  CHECK(stands("conditions at the edges",
-               {below("formula", at.formula, 1e-13), below("growth", at.growth, 0.02),
-                below("stable side", at.stable_side, 1e-12)}));
+  const double threshold = -16 * contact_series(0.5).v3, a = 0.005;
+  for (double s : {-2.0, 0.3, 3.0}) {
+    check_close(coefficients(0.0, 0.5, s).phi, -1.5 * s, 1e-13);
+    check_close(coefficients(M_PI, 0.5, s).phi, 1.5 * (s - threshold), 1e-13);
+  }
+  // The largest growth of slow modulations of an exact wave, and that of the NLS equation
+  const auto growth = [a](double q, double s, std::size_t harmonics) {
+    const auto nls = coefficients(q, 0.5, s);
+    const PlaneWave wave = plane_wave(Quartic{s}, CompressedHertz{0.5}, q, a, harmonics);
+    double most = 0;
+    for (double m : {0.5, 1.0, 1.5})
+      most = std::max(
+          most, growth_rate(wave, m * std::sqrt(std::abs(nls.h() * a * a / (2 * nls.curvature)))));
+    return std::array{most, std::abs(nls.h()) * a * a / 4};
+  };
+  const auto conditions = [&](double at_pi) {
+    const auto missed = [&](double q, double s) {
+      const auto coarse = growth(q, s, 6), fine = growth(q, s, 12);
+      return compare(std::abs(coarse[0] / coarse[1] - 1), std::abs(fine[0] / fine[1] - 1));
+    };
+    const auto left = [&](double q, double s) { return compare(0.0, growth(q, s, 12)[0]); };
+    return stands("conditions at the edges", {below("growth at 0", missed(0, -0.05), 0.02),
+                                              below("at pi", missed(M_PI, at_pi + 0.05), 0.02),
+                                              below("stable at 0", left(0, 0.05), 1e-12),
+                                              below("at pi", left(M_PI, at_pi - 0.05), 1e-12)});
+  };
+  CHECK(conditions(threshold));
+  CHECK_FALSE(conditions(threshold - 0.1));
+  CHECK_FALSE(conditions(threshold + 0.1));
 }
 
 TEST_CASE("4.1: the printed beta is that of exact waves, by frequency and by growth",
@@ -885,8 +909,13 @@ TEST_CASE("4.1: the printed beta is that of exact waves, by frequency and by gro
     });
     CHECK(agrees(beta, coefficients(q, 0.5, s).beta, Rel{1e-3}));
   }
-  const PhaseOfWave unstable{M_PI / 4, 0.5, -1.0 / 6};
-  CHECK(agrees(unstable.phi_from_growth(0.01), unstable.nls().phi, Rel{1e-3}));
+  const auto nls = coefficients(M_PI / 4, 0.5, -1.0 / 6);
+  const Estimate phi = at_zero_amplitude(0.01, [&](double a) {
+    const PlaneWave wave = plane_wave(Quartic{-1.0 / 6}, CompressedHertz{0.5}, M_PI / 4, a);
+    const double fastest = std::sqrt(-nls.h() * a * a / (2 * nls.curvature));
+    return growth_rate(wave, fastest) / (a * a / 4) * nls.omega * std::abs(nls.omega_2);
+  });
+  CHECK(agrees(phi, nls.phi, Rel{1e-3}));
 }
 
 TEST_CASE(
@@ -907,11 +936,11 @@ TEST_CASE(
   const std::array largest{0.25, 0.012872, 0.36871};
   for (std::size_t k = 0; k < 3; ++k) {
     CHECK(remains({fine[k], 1e-6 + std::abs(fine[k] - coarse[k])}, largest[k], Rel{1e-3}));
-    const auto bands = unstable_wavenumbers(0.5, wells[k]);
-    REQUIRE(bands.size() == 1);
+    const auto edges = edges_of_instability(0.5, wells[k]);
+    REQUIRE(edges.size() == 2);
     const double q_c = inflection(contact_series(0.5).v1);
-    check_close(k < 2 ? bands[0].to : bands[0].from, q_c, 1e-10);
-    CHECK((k < 2 ? bands[0].from < 0.01 : bands[0].to < 2.01));
+    check_close(k < 2 ? edges[1] : edges[0], q_c, 1e-10);
+    CHECK((k < 2 ? edges[0] < 0.01 : edges[1] < 2.01));
   }
 }
 

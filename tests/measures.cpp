@@ -11,7 +11,7 @@
 #include "sec3/branches.hpp"
 #include "sec33/dps_motion.hpp"
 #include "sec33/exchange.hpp"
-#include "sec4/exact_waves.hpp"
+#include "sec4/phonons.hpp"
 
 using namespace lattice;
 
@@ -226,17 +226,11 @@ TEST_CASE("a family begins at rest only with the square of the detuning", "[unit
   CHECK_FALSE(begins(2, 1e-3));
 }
 
-TEST_CASE("the instability of phonons is tested where it can fail", "[property]") {
-  const double d = 0.5, threshold = -16 * contact_series(d).v3;
-  const BandEdges early = band_edges(d, threshold - 0.1), late = band_edges(d, threshold + 0.1);
-  for (const BandEdges& wrong : {early, late}) check_close(wrong.formula.value, 0.15, 1e-12);
-  CHECK((early.growth.value > 0.02 && early.stable_side.value < 1e-12));
-  CHECK((late.growth.value < 0.02 && late.stable_side.value > 1e-9));
-  // And for s = 0.3 Phi is not much smaller than for the article's soft wells, where it is 1/4 at most
+TEST_CASE("for s = 0.3 Phi is not much smaller than for the article's soft wells", "[property]") {
   double largest = 0;
   for (int k = 0; k <= 400; ++k)
-    largest = std::max(largest, coefficients(M_PI * k / 400, d, 0.3).phi);
-  CHECK(largest > 0.1 * 0.25);
+    largest = std::max(largest, coefficients(M_PI * k / 400, 0.5, 0.3).phi);
+  CHECK(largest > 0.1 * 0.25);  // theirs is 1/4
 }
 
 TEST_CASE("forces rise though two of them are alike", "[unit]") {

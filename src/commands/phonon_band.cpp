@@ -8,7 +8,7 @@ namespace lattice {
 
 // Phi is positive at q = 0 if beta is negative there, and changes its sign at each zero of omega_2 and of beta
 template <class T>
-std::vector<Wavenumbers<T>> unstable_wavenumbers(T d, T s) {
+std::vector<T> edges_of_instability(T d, T s) {
   using std::asin, std::sqrt;
   const T root = sqrt(d), b = T(2) * s * d * root - T(1) / (T(4) * root);
   const auto positive = [&](T x) { return x * x * (x * (T(1) - x) + b) + s * d > T(0); };
@@ -30,24 +30,16 @@ std::vector<Wavenumbers<T>> unstable_wavenumbers(T d, T s) {
     zeros.push_back(middle);
   }
   std::sort(zeros.begin(), zeros.end());
-  // From one zero to the next
-  std::vector<Wavenumbers<T>> out;
-  bool inside = !positive(T(0));
-  if (inside) out.push_back({T(0), std::numbers::pi_v<T>});
-  for (T x : zeros) {
-    const T q = T(2) * asin(sqrt(x / T(2)));
-    inside = !inside;
-    if (inside)
-      out.push_back({q, std::numbers::pi_v<T>});
-    else
-      out.back().to = q;
-  }
-  return out;
+  std::vector<T> edges;
+  if (!positive(T(0))) edges.push_back(T(0));
+  for (T x : zeros) edges.push_back(T(2) * asin(sqrt(x / T(2))));
+  if (edges.size() % 2 == 1) edges.push_back(std::numbers::pi_v<T>);
+  return edges;
 }
 
 // The scalars that are used
-template std::vector<Wavenumbers<double>> unstable_wavenumbers(double, double);
-template std::vector<Wavenumbers<long double>> unstable_wavenumbers(long double, long double);
+template std::vector<double> edges_of_instability(double, double);
+template std::vector<long double> edges_of_instability(long double, long double);
 
 static constexpr char speed_unit[] = "site per unit of time";
 
@@ -55,8 +47,8 @@ static constexpr char speed_unit[] = "site per unit of time";
 The edges of the instability come in pairs, `unstable_from` and `unstable_to`, and those of a second interval
 with its number. Where every phonon is stable there are none. */
 static void add_edges_of_instability(Answers& q, double d, double s) {
-  const auto narrow = unstable_wavenumbers(d, s);
-  const auto wide = unstable_wavenumbers<long double>(d, s);
+  const auto narrow = edges_of_instability(d, s);
+  const auto wide = edges_of_instability<long double>(d, s);
   if (narrow.size() != wide.size())
     throw Failure("the unstable wavenumbers are too close to one another to be told apart");
   const Estimate none{std::nan(""), std::nan("")};
@@ -64,39 +56,43 @@ static void add_edges_of_instability(Answers& q, double d, double s) {
     for (const char* name : {"unstable_from", "unstable_to"})
       q.add(name, none, "1/site", "edge of the unstable wavenumbers; there are none",
             "all phonons are stable: Phi is positive nowhere");
-  for (std::size_t i = 0; i < narrow.size(); ++i) {
-    const std::string number = i == 0 ? "" : "_" + std::to_string(i + 1);
-    q.add_small("unstable_from" + number, compare(narrow[i].from, double(wide[i].from)), "1/site",
+  for (std::size_t i = 0; i < narrow.size(); i += 2) {
+    const std::string number = i == 0 ? "" : "_" + std::to_string(i / 2 + 1);
+    q.add_small("unstable_from" + number, compare(narrow[i], double(wide[i])), "1/site",
                 "least wavenumber of an interval in which phonons are modulationally unstable");
-    q.add("unstable_to" + number, compare(narrow[i].to, double(wide[i].to)), "1/site",
+    q.add("unstable_to" + number, compare(narrow[i + 1], double(wide[i + 1])), "1/site",
           "largest wavenumber of this interval, which begins at unstable_from" + number);
   }
 }
 
 Table Band::table() const {
-  const auto v1 = [d = d](auto zero) { return contact_series(zero + d).v1; };
-  const auto fastest = [v1](auto zero) {
-    return phonon(inflection(v1(zero)), v1(zero)).group_velocity;
+  const auto fastest = [](auto compression) {
+    const auto v1 = contact_series(compression).v1;
+    return phonon(inflection(v1), v1).group_velocity;
   };
-  const auto last = [](auto zero) { return zero + std::numbers::pi_v<decltype(zero)>; };
 
   // The band, its inflection, and where modulations grow
   Answers q;
-  q.add("lower_edge", in_two_precisions([](auto zero) { return 1 + zero; }), "",
+  q.add("lower_edge", compare(1.0, 1.0), "",
         "frequency of the phonons of q = 0, that of a bead in its well");
-  q.add("upper_edge", in_two_precisions([=](auto zero) { return upper_edge(v1(zero)); }), "",
-        "frequency of the phonons of q = pi, the highest of the band");
-  q.add("inflection", in_two_precisions([=](auto zero) { return inflection(v1(zero)); }), "1/site",
-        "wavenumber q_c at which phonons are fastest: the inflection of omega(q)");
-  q.add("largest_group_velocity", in_two_precisions(fastest), speed_unit,
+  q.add("upper_edge",
+        in_two_precisions(
+            [](auto x) {
+              return phonon(std::numbers::pi_v<decltype(x)>, contact_series(x).v1).omega;
+            },
+            d),
+        "", "frequency of the phonons of q = pi, the highest of the band");
+  q.add("inflection", in_two_precisions([](auto x) { return inflection(contact_series(x).v1); }, d),
+        "1/site", "wavenumber q_c at which phonons are fastest: the inflection of omega(q)");
+  q.add("largest_group_velocity", in_two_precisions(fastest, d), speed_unit,
         "group velocity of the phonons of q_c");
-  const auto phi = [this](auto at) {
-    return in_two_precisions(
-        [this, at](auto zero) { return coefficients(at(zero), zero + d, zero + s).phi; });
+  const auto phi_at_0 = [](auto x, auto y) { return coefficients(0 * x, x, y).phi; };
+  const auto phi_at_pi = [](auto x, auto y) {
+    return coefficients(std::numbers::pi_v<decltype(x)>, x, y).phi;
   };
-  q.add_small("phi_at_0", phi([](auto zero) { return zero; }), "",
+  q.add_small("phi_at_0", in_two_precisions(phi_at_0, d, s), "",
               "Phi = -beta omega_2 of Eq. (37) at q = 0; modulations grow where it is positive");
-  q.add_small("phi_at_pi", phi(last), "",
+  q.add_small("phi_at_pi", in_two_precisions(phi_at_pi, d, s), "",
               "Phi of Eq. (37) at q = pi; modulations grow where it is positive");
   add_edges_of_instability(q, d, s);
   return q.table;

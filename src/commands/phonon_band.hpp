@@ -17,10 +17,10 @@ and take the difference as the error. */
 
 namespace lattice {
 
-/// A formula in two precisions; it is called with the zero of either.
-template <class Formula>
-Estimate in_two_precisions(Formula formula) {
-  return compare(double(formula(double(0))), double(formula(static_cast<long double>(0))));
+/// A formula of these arguments in two precisions.
+template <class Formula, class... Arguments>
+Estimate in_two_precisions(Formula formula, Arguments... x) {
+  return compare(double(formula(x...)), double(formula(static_cast<long double>(x)...)));
 }
 
 /**
@@ -29,14 +29,9 @@ lost if we know all zeros. That of $\omega_2$ has a closed form, and with $x = 1
 of
 $$\tfrac{2d}9\,(4v_1x^2+3)\,\beta = -x^4 + x^3 + \bigl(2sd^{3/2}-\tfrac14d^{-1/2}\bigr)x^2 + sd,$$
 of which three stationary points are known, one of them at $x = 0$. */
-/// Wavenumbers from `from` to `to`, in 1/site.
+/// The edges of these intervals between 0 and pi, in 1/site: from, to, from, to ...
 template <class T>
-struct Wavenumbers {
-  T from, to;
-};
-/// The intervals between 0 and pi in which phi is positive.
-template <class T>
-std::vector<Wavenumbers<T>> unstable_wavenumbers(T d, T s);
+std::vector<T> edges_of_instability(T d, T s);
 
 /**
 The ranges exclude values at which a formula loses its digits or a run its meaning. */

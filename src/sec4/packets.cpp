@@ -1,7 +1,6 @@
 #include "sec4/packets.hpp"
 
 #include <Eigen/LU>
-#include <algorithm>
 
 #include "lattice/diagnostics/observe.hpp"
 #include "lattice/impact/impact.hpp"
@@ -23,20 +22,16 @@ static double largest_in(const std::vector<double>& a, Window range) {
   return double(std::max_element(first, last) - a.begin() + 1);
 }
 
-// Slide a window along the chain and keep the centre of the one that holds the most energy
-std::size_t richest(const std::vector<double>& e, std::size_t half_width) {
-  double sum = window_sum(e, 0, half_width), best = sum;
+std::size_t richest(const std::vector<double>& e) {
+  double best = 0;
   std::size_t at = 0;
-  for (std::size_t n = 1; n < e.size(); ++n) {
-    if (n + half_width < e.size()) sum += e[n + half_width];
-    if (n > half_width) sum -= e[n - half_width - 1];
-    if (sum > best) best = sum, at = n;
-  }
+  for (std::size_t n = 0; n < e.size(); ++n)
+    if (const double sum = window_sum(e, n, compressed_half_width); sum > best) best = sum, at = n;
   return at;
 }
 
 PacketSample packet_sample(double t, const std::vector<double>& e) {
-  const std::size_t peak = richest(e, compressed_half_width);
+  const std::size_t peak = richest(e);
   const Window near = around(peak, compressed_half_width, e.size());
   const std::vector<double> packet(e.begin() + std::ptrdiff_t(near.first),
                                    e.begin() + std::ptrdiff_t(near.last));
@@ -199,7 +194,7 @@ WatchedRing watch_packet(const Method& method, const Chain& ring, State<double> 
     out.t.push_back(now.t);
     out.centre.push_back(packet_sample(now.t, out.density).centre);
   };
-  out.drift = evolve(method, ring, out.end, 60, 1, look).energy_drift;
+  evolve(method, ring, out.end, 60, 1, look);
   out.shown = snapshot(ring, out.end);
   return out;
 }
@@ -218,25 +213,26 @@ Formed formed(const WatchedRing& coarse, const WatchedRing& fine) {
 }
 
 // Two steps side by side, as long as they give the same state
-RingPair side_by_side(const Chain& ring, const State<double>& start, double longest,
-                      const std::array<double, 2>& steps, double patience) {
+RingPair side_by_side(const Chain& ring, const State<double>& start, double step, double longest,
+                      double patience) {
+  const std::array<Splitting, 2> method{
+      {{blanes_moan_6_14(), step}, {blanes_moan_6_14(), step / 2}}};
   std::array<State<double>, 2> state{start, start};
   RingPair out;
-  const auto method = [&](std::size_t k) { return Splitting{blanes_moan_6_14(), steps[k]}; };
   Progress progress("ring", 1);
-  while (state[1].t < longest && !(state[1].t > patience * out.gathered)) {
+  while (state[1].t < longest && !(state[1].t > patience * out.gathered.value)) {
     std::array<RingSample, 2> seen;
     for (std::size_t k : {0, 1}) {
-      evolve(method(k), ring, state[k], interval, interval);
+      evolve(method[k], ring, state[k], interval, interval);
       seen[k] = ring_sample(ring, state[k]);
     }
     progress.reach(state[1].t / longest);
     out.agree = Estimate{state[1].t, interval};
     if (!(distance(state[0], state[1]) < 0.1)) return out;
     out.samples.push_back(seen);
-    if (!std::isnan(out.gathered) || !seen[0].gathered || !seen[1].gathered) continue;
-    out.gathered = seen[1].t;
-    for (std::size_t k : {0, 1}) out.packet[k] = watch_packet(method(k), ring, state[k]);
+    if (out.gathered.value > 0 || !seen[0].gathered || !seen[1].gathered) continue;
+    out.gathered = {state[1].t, interval};
+    for (std::size_t k : {0, 1}) out.packet[k] = watch_packet(method[k], ring, state[k]);
   }
   out.agree = exact(state[1].t);
   return out;
@@ -244,26 +240,18 @@ RingPair side_by_side(const Chain& ring, const State<double>& start, double long
 
 // What is read from a pair
 Estimate RingPair::width() const {
-  Estimate least{std::numeric_limits<double>::infinity(), 0};
+  Estimate least{std::nan(""), std::nan("")};
   for (const auto& [coarse, fine] : samples)
-    if (fine.t >= gathered && fine.t <= 1.5 * gathered && fine.width < least.value)
+    if (fine.t >= gathered.value && fine.t <= 1.5 * gathered.value && !(fine.width >= least.value))
       least = compare(coarse.width, fine.width);
   return least;
-}
-
-bool RingPair::travels() const {
-  if (std::isnan(gathered)) return false;
-  const Formed p = formed();
-  return p.peak_over_mean.value - p.peak_over_mean.error > 5 &&
-         p.width.value + p.width.error < double(packet[1].density.size()) / 4 &&
-         p.speed.value > p.speed.error;
 }
 
 // One pulse on its way round the ring, then two, and in the end two that stand apart
 PulseSplits pulse_splits(const RingPair& pair, double round) {
   double since = std::nan(""), alone = 0, split = std::nan(""), apart = std::nan("");
   for (const auto& [coarse, fine] : pair.samples) {
-    if (!(fine.t >= pair.gathered)) continue;
+    if (!(fine.t >= pair.gathered.value)) continue;
     const bool one = coarse.second < 0.5 && fine.second < 0.5;
     const bool two = coarse.second >= 0.5 && fine.second >= 0.5;
     if (std::isnan(split)) {

@@ -5,10 +5,10 @@
 Under precompression the largest single density need not belong to a packet. The packet is where the sites within 20 of
 one another hold the most energy. */
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include "lattice/integrators/integrate.hpp"
@@ -19,23 +19,21 @@ namespace lattice {
 /// Sites on either side of a packet's centre that belong to it, and of those to which its envelope is fitted.
 inline constexpr std::size_t compressed_half_width = 20, envelope_half_width = 10;
 
-/// The site around which all sites within `half_width` together hold the most energy.
-std::size_t richest(const std::vector<double>& e, std::size_t half_width);
+/// The site around which all sites within 20 together hold the most energy.
+std::size_t richest(const std::vector<double>& e);
 
 /// Time, energy centre, shares of packet and of the first five sites, participation number of the chain, and of the
-/// packet alone, at one instant.
+/// packet alone, from the energy density `e` at one instant.
 struct PacketSample {
   double t, centre, share, boundary, participation, packet_sites;
 };
-/// From the energy density `e` at time `t`.
 PacketSample packet_sample(double t, const std::vector<double>& e);
 
 /// Exponents of both shares in time over the last three quarters of the samples, mean speed of the centre there, and
-/// its least advance in any 100 units of time over the mean one.
+/// its least advance in any 100 units of time over the mean one. The samples are one unit of time apart, 140 at least.
 struct Traits {
   double share_exponent, boundary_exponent, speed, steadiness;
 };
-/// Of samples one unit of time apart that last more than 140.
 Traits traits(const std::vector<PacketSample>& samples);
 
 /**
@@ -61,23 +59,24 @@ Sech fit_sech(const std::vector<double>& a, Window range, double width);
 
 /**
 The 21 sites of the fit lie about the top of the envelope. The centre of energy is near it once the packet has formed.
-While it forms, at $t = 291$, the centre lies six sites behind, because waves on one side of the packet hold energy too;
-a sech fitted about it would come out too wide by forty per cent and miss by more. So where the top is not in the inner
-half of the window about the centre, the window moves there. */
+While it forms, at $t = 291$, the centre lies six sites behind, because waves behind the packet hold energy too. So where
+the top is not in the inner half of the window about the centre, the window moves there. */
 struct Snapshot {
   State<double> state;
   double centre;      ///< of the window of the fit, in sites from one
   Envelope envelope;  ///< of the whole chain
   Sech sech;          ///< fitted about the top of the envelope
+
+  /// The larger one of the sech's width and the distance of its top from the centre of the window.
+  double reach() const { return std::max(std::abs(sech.centre - centre), sech.width); }
 };
 Snapshot snapshot(const Chain& chain, const State<double>& state);
 /// Root mean square of the envelope between 40 and 80 sites behind (`side` = -1) or ahead (+1) of the packet, over
 /// the sech's height: nothing is left of the sech there.
 double tail_amplitude(const Snapshot& shot, int side);
 
-/// On a ring, where the participation number counts the background too: width in sites of the highest hump at half its
-/// height, of the density averaged over five neighbours, because the carrier makes it oscillate; all sites if the
-/// density does not fall to half of its height.
+/// Width in sites of the highest hump on a ring at half its height, of the density averaged over five neighbours, because
+/// the carrier makes it oscillate; all sites if the density does not fall so far. (Participation counts the background.)
 double packet_width(const std::vector<double>& density);
 
 /// What is seen of a ring at one instant.
@@ -94,7 +93,6 @@ struct WatchedRing {
   State<double> end;
   std::vector<double> density{};  ///< of the energy at the end
   std::vector<double> t{}, centre{};
-  double drift = 0;  ///< of the energy, relative
   Snapshot shown{};  ///< of the end
 };
 WatchedRing watch_packet(const Method& method, const Chain& ring, State<double> state);
@@ -106,27 +104,20 @@ struct Formed {
 };
 Formed formed(const WatchedRing& coarse, const WatchedRing& fine);
 
-/// Two runs with two steps side by side, the finer one second, looked at every 50 units of time. An instability
-/// magnifies differences: the runs stop when their relative distance has reached a tenth.
+/// Two runs with two steps side by side, the finer one second, looked at every 50 units of time.
 struct RingPair {
   std::vector<std::array<RingSample, 2>> samples{};
-  Estimate agree{};                     ///< how long the runs agree; exact if they have not parted
-  double gathered = std::nan("");       ///< when the energy has gathered in both,
-  std::array<WatchedRing, 2> packet{};  ///< and what they look like a little later
+  Estimate agree{};  ///< how long they agree; exact if they have not parted
+  Estimate gathered{std::nan(""), std::nan("")};  ///< when the energy has gathered in both,
+  std::array<WatchedRing, 2> packet{};            ///< and what they look like a little later
 
-  /// `gathered`, which is known to within one interval between two looks.
-  Estimate gathering() const { return {gathered, 50}; }
-  Formed formed() const { return lattice::formed(packet[0], packet[1]); }
-  /// The least width of the packet, up to half as long again as it took the energy to gather.
+  /// The least width of the packet, up to half as long again as it took the energy to gather; nan if it has not.
   Estimate width() const;
-  /// Whether there is a packet of five times the mean density, on a quarter of the ring, that moves to the right.
-  bool travels() const;
 };
-/// Goes on until the runs part, until `longest`, or until `patience` times the time that it takes the energy to
-/// gather.
-RingPair side_by_side(const Chain& ring, const State<double>& start, double longest,
-                      const std::array<double, 2>& steps,
-                      double patience = std::numeric_limits<double>::infinity());
+/// By `step` and half of it, until `longest` or `patience` times the time that it takes the energy to gather. An
+/// instability magnifies differences: the runs stop before that when their relative distance has reached a tenth.
+RingPair side_by_side(const Chain& ring, const State<double>& start, double step, double longest,
+                      double patience);
 
 /// A pulse splits when the second window holds half of the first or more, in both runs, after the pulse has gone round
 /// the ring once as one; it may only have spread, so later the energy is to be gathered and shared in the same way.

@@ -26,25 +26,18 @@ ContactSeries<T> contact_series(T d) {
   return {T(3) / T(2) * root, -T(3) / T(8) / root, -T(1) / T(16) / (d * root)};
 }
 
-/// Frequency, group velocity in sites per unit of time, and scaled curvature omega omega''/v_1.
+/// Frequency, group velocity in sites per unit of time, scaled curvature omega omega''/v_1, and omega''.
 template <class T>
 struct Phonon {
-  T omega, group_velocity, omega_2;
-  /// omega''(q).
-  T curvature(T v1) const { return v1 * omega_2 / omega; }
+  T omega, group_velocity, omega_2, curvature;
 };
 /// The phonon of wavenumber `q`, Eq. (34) and its derivatives.
 template <class T>
 Phonon<T> phonon(T q, T v1) {
   using std::cos, std::sin, std::sqrt;
   const T square = T(1) + T(2) * v1 * (T(1) - cos(q)), omega = sqrt(square);
-  return {omega, v1 * sin(q) / omega, cos(q) - v1 * sin(q) * sin(q) / square};
-}
-/// Upper edge of the band, at q = pi; the lower one, at q = 0, is 1.
-template <class T>
-T upper_edge(T v1) {
-  using std::sqrt;
-  return sqrt(T(1) + T(4) * v1);
+  const T omega_2 = cos(q) - v1 * sin(q) * sin(q) / square;
+  return {omega, v1 * sin(q) / omega, omega_2, v1 * omega_2 / omega};
 }
 /// The inflection q_c, where cos q_c = v_1 (1 - cos q_c)^2, a quadratic equation for 1 - cos q_c, written so that
 /// nothing cancels. There the curvature vanishes and phonons are fastest.
@@ -71,12 +64,12 @@ T nls_beta(T q, const ContactSeries<T>& v, T s) {
          T(3) / T(2) * (T(4) * v.v3 * x + s);
 }
 
-/// All that the NLS equation says about one wavenumber; phi = -beta omega_2 is that of Eq. (37).
+/// All that the NLS equation says about one phonon; phi = -beta omega_2 is that of Eq. (37).
 template <class T>
-struct Coefficients {
-  T omega, group_velocity, curvature, beta, omega_2, phi;
+struct Coefficients : Phonon<T> {
+  T beta, phi;
   /// Of Eq. (36).
-  T h() const { return beta / omega; }
+  T h() const { return beta / this->omega; }
 };
 /// The coefficients at wavenumber `q` for the compression `d` > 0 and the anharmonicity `s`.
 template <class T>
@@ -84,7 +77,7 @@ Coefficients<T> coefficients(T q, T d, T s) {
   const ContactSeries<T> v = contact_series(d);
   const Phonon<T> p = phonon(q, v.v1);
   const T beta = nls_beta(q, v, s);
-  return {p.omega, p.group_velocity, p.curvature(v.v1), beta, p.omega_2, -beta * p.omega_2};
+  return {p, beta, -beta * p.omega_2};
 }
 
 }  // namespace lattice
