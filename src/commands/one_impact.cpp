@@ -26,8 +26,7 @@ OneImpact::Found OneImpact::find() const {
           refined(tolerance, [&](const EventCorrected& method) { return strike(method, whole); })};
 }
 
-/// The strongest site in both runs. Where two sites are nearly as strong these differ, and it may be that neither is
-/// the strongest.
+/// The strongest site in both runs; where two sites are nearly as strong these differ.
 static void add_strongest(Answers& q, const ImpactRun& coarse, const ImpactRun& fine) {
   const auto a = strongest_site(coarse.density), b = strongest_site(fine.density);
   Estimate e{std::nan(""), std::nan("")};
@@ -44,8 +43,7 @@ static void add_strongest(Answers& q, const ImpactRun& coarse, const ImpactRun& 
 }
 
 /**
-A run of any length must print something, so a quantity that does not exist, such as the speed of a
-packet that never came so far, is `nan`, with its reason. */
+A quantity that does not exist, such as the speed of a packet that never came so far, is `nan`, with its reason. */
 Table OneImpact::quantities(const Found& found) const {
   const auto& [whole, runs] = found;
   const double to = way_end(whole.chain.sites), undefined = std::nan("");
@@ -102,9 +100,6 @@ Table OneImpact::quantities(const Found& found) const {
   return q.table;
 }
 
-/**
-The reader may rather want to see the wave than to measure it: `--profile` prints the state at the
-end instead. */
 Table OneImpact::profile(const Found& found) const {
   const ImpactRun& fine = found.runs.fine;
   Table table{{count("n", "site", "site"), number("y", "displacement"), number("v", "velocity"),

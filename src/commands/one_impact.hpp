@@ -10,21 +10,13 @@ depends on the window. If a bead runs away the command fails, because then there
 measure. It also fails if the motion reaches the far end, unless you choose the end yourself with
 `--sites`: then what it sends back belongs to the run, and `far_end_moved` says whether there is any.
 
-The packet that is measured is the foremost one. In soft wells it is the breather of the article. In hard wells a weak
-packet may run ahead of the one that has most of the energy, and `strongest_site` tells where this is; how it
-turns round is measured by `sec34_boomeron run`.
-
-In Python this is `lattice.strike`, which also takes chains that no option can describe. */
+The packet that is measured is the foremost one. In hard wells it may be weak, and `strongest_site` tells where most of
+the energy is. In Python this is `lattice.strike`, which also takes chains that no option can describe. */
 
 #include "lattice/impact/impact.hpp"
 #include "report/program.hpp"
 
 namespace lattice {
-
-/**
-The chain is struck with ever smaller steps until the *end states* of two runs agree to this, relative to
-their largest entry. */
-inline constexpr double usual_tolerance = 1e-4;
 
 /// The command: the impact (dimensionless), its two runs, its tables.
 struct OneImpact {
@@ -36,13 +28,11 @@ struct OneImpact {
   Impact impact{1.87, {.well = Quartic{}}, 600};
   std::optional<std::size_t> sites{};  ///< otherwise as many as needed
   bool as_profile = false;             ///< whether `table` is the profile
-  double tolerance = usual_tolerance;  ///< of the end states, relative
+  double tolerance = 1e-4;  ///< of the end states of two runs, relative to their largest entry
 
   /// Declares them with wells and contacts of any name.
   void parameters(Parameters& p);
 
-  /**
-  A command first computes, and then tells what it found in one way or the other. */
   struct Found {
     Impact impact;            ///< on a chain that has a length
     Refined<ImpactRun> runs;  ///< that agree to the tolerance
