@@ -16,6 +16,7 @@ How a command is read, runs beside the interpreter, and answers. Each module inc
 #include <deque>
 #include <exception>
 #include <future>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -24,6 +25,7 @@ How a command is read, runs beside the interpreter, and answers. Each module inc
 #include <variant>
 #include <vector>
 
+#include "lattice/integrators/refinement.hpp"
 #include "lattice/numerics/interrupt.hpp"
 #include "report/command_line.hpp"
 
@@ -178,6 +180,59 @@ py::tuple answer(const Command& command, const Found& found) {
   });
   return py::make_tuple(to_python(tables.first), to_python(tables.second));
 }
+
+/**
+## Motion
+
+The arrays for what is seen of a run are made before it, so that one which would not fit is refused before it begins. */
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+constexpr double most_gigabytes = 2;
+
+State<double> state_of(const Chain& chain, const double* y, const double* v) {
+  State<double> state(chain.sites);
+  std::copy_n(y, chain.sites, state.y.begin());
+  std::copy_n(v, chain.sites, state.v.begin());
+  return state;
+}
+
+void refuse_too_many(const Chain& chain, double time, double sample) {
+  const double gigabytes = (time / sample + 2) * 2 * double(chain.sites) * sizeof(double) / 1e9;
+  if (gigabytes <= most_gigabytes) return;
+  std::ostringstream text;
+  text.precision(3);
+  text << "sample: y and v would take " << gigabytes << " GB (allowed: " << most_gigabytes
+       << "; take samples further apart, or several runs, each from the end of the one before)";
+  throw UsageError(text.str());
+}
+
+/// Room for the samples of a run.
+struct Samples {
+  Numbers t, y, v;
+  double *t_to, *y_to, *v_to;
+  const double* end;
+
+  Samples(const Chain& chain, double time, double sample) {
+    refuse_too_many(chain, time, sample);
+    const std::size_t rows = time_grid(time, sample, largest_step).samples + 1;
+    const std::vector<std::size_t> shape{rows, chain.sites};
+    t = Numbers(std::vector{rows}), y = Numbers(shape), v = Numbers(shape);
+    t_to = t.mutable_data(), y_to = y.mutable_data(), v_to = v.mutable_data();
+    end = t_to + rows;
+  }
+  Samples(const Samples&) = delete;
+  Samples& operator=(const Samples&) = delete;
+
+  void take(const State<double>& now) {
+    if (t_to == end) throw std::logic_error("more samples than the run has room for");
+    *t_to++ = now.t;
+    y_to = std::copy(now.y.begin(), now.y.end(), y_to);
+    v_to = std::copy(now.v.begin(), now.v.end(), v_to);
+  }
+  void demand_all() const {
+    if (t_to != end) throw std::logic_error("a run ends before its time and does not say so");
+  }
+};
 
 /**
 ## Complaints

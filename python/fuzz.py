@@ -186,13 +186,14 @@ class Call:
                 rest["sample"] = self.either(0.01, 0.2, 1, 100)
             if chance.random() < 0.5:
                 rest["tolerance"] = self.either(1e-2, 1e-6, 1e-9)
-            if chance.random() < 0.3:
+            driven = chance.random() < 0.3 and hasattr(lattice, "drive")  # volume two has it
+            if driven:
                 rest |= {"damping": self.either(0, 0.1, 2), "force": self.either(0, 0.3), "frequency": self.either(0, 1.1)}
             self.note(**rest)
             most = 1e3 if chain.sites < 100 else 1
             if isinstance(rest["time"], (int, float)) and most < rest["time"] <= 1e9:
                 rest["time"] = most
-            found = chain.evolve(**state, **rest)
+            found = lattice.drive(chain, **state, **rest) if driven else chain.evolve(**state, **rest)
             self.asked = float(rest["time"]), len(state["y"])
             return found
         if chance.random() < 0.4:

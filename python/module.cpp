@@ -11,10 +11,8 @@ documentation. */
 
 #include <pybind11/complex.h>
 
-#include <array>
 #include <functional>
 #include <memory>
-#include <sstream>
 
 #include "commands/any_orbit.hpp"
 #include "commands/dps_strike.hpp"
@@ -22,7 +20,6 @@ documentation. */
 #include "commands/one_barrier.hpp"
 #include "commands/one_breather.hpp"
 #include "commands/one_impact.hpp"
-#include "lattice/integrators/driven_chain.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "report/model_options.hpp"
 
@@ -49,26 +46,16 @@ class Rows {
   const Functions& functions() const { return *functions_; }
 
   template <class T>
-  void energies(const T* x, T* out, std::size_t n) const {
-    call(&Functions::energy, "energy", x, out, n);
-  }
-  template <class T>
-  void forces(const T* x, T* out, std::size_t n) const {
-    call(&Functions::force, "force", x, out, n);
-  }
-  template <class T>
-  void stiffnesses(const T* x, T* out, std::size_t n) const {
-    call(&Functions::stiffness, "stiffness", x, out, n);
-  }
-
- private:
-  template <class T>
-  void call(py::function Functions::*which, const char* name, const T* x, T* out,
-            std::size_t n) const {
+  void row(Member which, const T* x, T* out, std::size_t n) const {
+    const bool energy = which == Member::energy, force = which == Member::force;
+    const char* name = energy ? "energy" : force ? "force" : "stiffness";
+    const py::function& function = energy  ? functions_->energy
+                                   : force ? functions_->force
+                                           : functions_->stiffness;
     const WithLock with_lock;
     const auto given = ask_interpreter([&] { return py::array_t<T>(py::ssize_t(n), x); });
-    const auto said = py::reinterpret_steal<py::object>(ask_interpreter(
-        [&] { return PyObject_CallOneArg(((*functions_).*which).ptr(), given.ptr()); }));
+    const auto said = py::reinterpret_steal<py::object>(
+        ask_interpreter([&] { return PyObject_CallOneArg(function.ptr(), given.ptr()); }));
     if (!said) throw py::error_already_set();
     const auto returned = ask_interpreter([&] { return py::array::ensure(said); });
     if (!returned || std::string("fiu").find(returned.dtype().kind()) == std::string::npos)
@@ -83,6 +70,8 @@ class Rows {
                                   std::to_string(n) + " (allowed: as many, or one)");
     std::copy_n(answer.data(), n, out);
   }
+
+ private:
   std::shared_ptr<const Functions> functions_;
 };
 
@@ -186,57 +175,7 @@ py::tuple dps_strike(const Words& words) {
 /**
 ## A chain in motion
 
-Any motion of a chain can be followed, with the error of its end. The arrays for what is seen are made before the
-run, so that one which would not fit is refused before it begins. */
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
-
-constexpr double most_gigabytes = 2;
-
-State<double> state_of(const Chain& chain, const double* y, const double* v) {
-  State<double> state(chain.sites);
-  std::copy_n(y, chain.sites, state.y.begin());
-  std::copy_n(v, chain.sites, state.v.begin());
-  return state;
-}
-
-void refuse_too_many(const Chain& chain, double time, double sample) {
-  const double gigabytes = (time / sample + 2) * 2 * double(chain.sites) * sizeof(double) / 1e9;
-  if (gigabytes <= most_gigabytes) return;
-  std::ostringstream text;
-  text.precision(3);
-  text << "sample: y and v would take " << gigabytes << " GB (allowed: " << most_gigabytes
-       << "; take samples further apart, or several runs, each from the end of the one before)";
-  throw UsageError(text.str());
-}
-
-/// Room for the samples of a run.
-struct Samples {
-  Numbers t, y, v;
-  double *t_to, *y_to, *v_to;
-  const double* end;
-
-  Samples(const Chain& chain, double time, double sample) {
-    refuse_too_many(chain, time, sample);
-    const std::size_t rows = time_grid(time, sample, largest_step).samples + 1;
-    const std::vector<std::size_t> shape{rows, chain.sites};
-    t = Numbers(std::vector{rows}), y = Numbers(shape), v = Numbers(shape);
-    t_to = t.mutable_data(), y_to = y.mutable_data(), v_to = v.mutable_data();
-    end = t_to + rows;
-  }
-  Samples(const Samples&) = delete;
-  Samples& operator=(const Samples&) = delete;
-
-  void take(const State<double>& now) {
-    if (t_to == end) throw std::logic_error("more samples than the run has room for");
-    *t_to++ = now.t;
-    y_to = std::copy(now.y.begin(), now.y.end(), y_to);
-    v_to = std::copy(now.v.begin(), now.v.end(), v_to);
-  }
-  void demand_all() const {
-    if (t_to != end) throw std::logic_error("a run ends before its time and does not say so");
-  }
-};
-
+Any motion of a chain can be followed, with the error of its end. */
 py::tuple evolve_chain(const Chain& chain, const Numbers& y, const Numbers& v, double time,
                        double sample, double tolerance) {
   Samples samples(chain, time, sample);
@@ -247,43 +186,6 @@ py::tuple evolve_chain(const Chain& chain, const Numbers& y, const Numbers& v, d
   });
   samples.demand_all();
   return py::make_tuple(samples.t, samples.y, samples.v, run.error, run.energy_drift);
-}
-
-/**
-With damping or a force the energy is not conserved but accounted for, and the budget takes the place of the drift. */
-py::tuple drive_chain(const Chain& chain, const Numbers& y, const Numbers& v, double time,
-                      double sample, double tolerance, const std::vector<double>& damping,
-                      double force, double frequency) {
-  DrivenChain driven{chain, {}, {}};
-  driven.losses.of_site = damping;
-  if (force != 0) driven.drive = {Drive::By::base, frequency, force};
-  Samples samples(chain, time, sample);
-  std::vector<double> injected, dissipated, energies;
-  State<double> state = state_of(chain, y.data(), v.data());
-  const auto pair = at_work([&] {
-    return evolve(Converged{tolerance}, driven, state, time, sample,
-                  [&](const State<double>& now, const EnergyBudget& budget) {
-                    samples.take(now);
-                    injected.push_back(budget.work);
-                    dissipated.push_back(budget.beams);
-                    energies.push_back(energy(chain, now));
-                    return true;
-                  });
-  });
-  samples.demand_all();
-  // The three balance: none is better known than the others, though two runs may agree in it by chance
-  const auto all = [](const DrivenEnd& run) {
-    return std::array{run.budget.work, run.budget.beams, run.energy};
-  };
-  const auto coarse = all(pair.coarse), fine = all(pair.fine);
-  double error = 0;
-  for (std::size_t k : {0, 1, 2}) error = std::max(error, compare(coarse[k], fine[k]).error);
-  const auto known = [&](std::size_t k) {
-    return py::make_tuple(fine[k], fine[k] == 0 ? compare(coarse[k], fine[k]).error : error);
-  };
-  return py::make_tuple(samples.t, samples.y, samples.v, pair.error, pair.fine.imbalance, known(0),
-                        known(1), known(2), array_of(injected), array_of(dissipated),
-                        array_of(energies));
 }
 
 /**
@@ -384,7 +286,6 @@ void add_model(py::module_& m) {
                              [](const Chain& c) { return own_in<OwnContact>(c.contact); })
       .def("_vary", &vary)
       .def("evolve", &evolve_chain)
-      .def("_drive", &drive_chain)
       .def("orbit", &orbit_of)
       .def("multipliers", &multipliers_of_orbit)
       .def("energy_density", &density_of)

@@ -366,47 +366,25 @@ class Chain(_lattice.Chain):
             raise ValueError(f"y and v: shapes {out[0].shape} and {out[-1].shape} (allowed: equal ones)")
         return out
 
-    def evolve(self, y, v, time, sample=0.2, tolerance=1e-4, damping=0, force=0, frequency=1):
-        """The motion from positions `y` and velocities `v` (arrays of `sites` numbers) over `time`.
+    def _run(self, y, v, time, sample, tolerance):
+        """What begins a run: one number a site, a time and how to look at it."""
+        y, v = self._rows(y=y, v=v)
+        if y.ndim != 1:
+            raise ValueError(f"y and v: shape {y.shape} (allowed: ({self.sites},), one number a site)")
+        return y, v, _within("time", time, 0, 1e9), _within("sample", sample, 1e-9, 1e9), _within("tolerance", tolerance, 1e-14, 0.1)
 
-        damping: rate nu >= 0 at which free oscillations lose energy, mass_n (y_n'' + nu y_n') = ..., or one rate a site,
-            such as rates that grow towards an end that absorbs
-        force, frequency: F and Omega of a force F sin(Omega t) on the first bead, from the start on; free ends only
+    def evolve(self, y, v, time, sample=0.2, tolerance=1e-4):
+        """The motion from positions `y` and velocities `v` (arrays of `sites` numbers) over `time`.
 
         The steps are halved until the end states of two runs agree to `tolerance`, relative to their largest entry;
         otherwise RuntimeError with the history, and when a bead runs away. Returns a Result with the arrays t (samples), y
         and v (samples x sites; 2 GB at most), samples being at most `sample` apart, and the quantities error, of the end
         state, and energy_drift, the largest relative deviation of the energy, Eq. (6). The error is zero only where rounding
-        leaves no difference, as in a chain at rest.
-
-        With damping or a force the quantities are error, injected, dissipated and energy (what the force gave, what the
-        damping took, what is there at the end; their error is the largest of their differences in two runs) and imbalance
-        (largest deviation of energy + dissipated - injected from its value at the start, relative to the most energy that
-        was there or came in); the arrays injected_t, dissipated_t and energy_t say the same of every sample. Damping and
-        force are of order two in the step, so that a tolerance below 1e-6 is seldom reached."""
-        y, v = self._rows(y=y, v=v)
-        if y.ndim != 1:
-            raise ValueError(f"y and v: shape {y.shape} (allowed: ({self.sites},), one number a site)")
-        run = y, v, _within("time", time, 0, 1e9), _within("sample", sample, 1e-9, 1e9), _within("tolerance", tolerance, 1e-14, 0.1)
-        rates = _array("damping", damping, f"a rate, or {self.sites}, one a site",
-                       lambda shape: shape in ((), (self.sites,)))
-        if np.any(rates < 0):
-            raise ValueError(f"damping: {rates.min():g} (allowed: rates >= 0)")
-        force, frequency = _within("force", force, -1e6, 1e6), _within("frequency", frequency, 0, 1e3)
-        meaning = "difference of the end states of the last two runs"
-        if not (force or np.any(rates)):
-            t, y, v, error, drift = super().evolve(*run)
-            known = {"error": Estimate(error, 0, "relative", meaning=meaning),
-                     "energy_drift": Estimate(drift, 0, "relative", meaning="largest deviation of the energy, Eq. (6)")}
-            return Result(known, t=t, y=y, v=v)
-        t, y, v, error, open_, injected, dissipated, energy, *courses = self._drive(
-            *run, np.broadcast_to(rates, self.sites).tolist(), force, frequency)
-        known = {"error": Estimate(error, 0, "relative", meaning=meaning),
-                 "injected": Estimate(*injected, meaning="work of the force on the first bead"),
-                 "dissipated": Estimate(*dissipated, meaning="energy that the damping took"),
-                 "energy": Estimate(*energy, meaning="energy at the end, Eq. (6)"),
-                 "imbalance": Estimate(open_, 0, "relative", meaning="largest deviation of energy + dissipated - injected")}
-        return Result(known, t=t, y=y, v=v, **dict(zip(("injected_t", "dissipated_t", "energy_t"), courses)))
+        leaves no difference, as in a chain at rest."""
+        t, y, v, error, drift = super().evolve(*self._run(y, v, time, sample, tolerance))
+        known = {"error": Estimate(error, 0, "relative", meaning="difference of the end states of the last two runs"),
+                 "energy_drift": Estimate(drift, 0, "relative", meaning="largest deviation of the energy, Eq. (6)")}
+        return Result(known, t=t, y=y, v=v)
 
     def _orbit(self, period, **arrays):
         """What begins an orbit: one number a site, and a period."""
@@ -583,7 +561,7 @@ for _function in (strike, breather, multipliers, barrier):
 _described(dps, "dps")
 # Volume two, where it is built
 try:
-    from ._travelling import _beyond, travelling
-    __all__.append("travelling")
+    from ._volume_two import _beyond, drive, travelling
+    __all__ += ["drive", "travelling"]
 except ModuleNotFoundError:
     _beyond = None

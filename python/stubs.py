@@ -26,7 +26,7 @@ KINDS = {"chain": "Chain | None", "mass": "ArrayLike | None", "eta": "ArrayLike 
          "damping": "ArrayLike", "energy": "Function", "force": "Function", "stiffness": "Function", "quantities": "dict[str, Estimate]",
          "arrays": "Any", "exact": "bool", "unit": "str", "meaning": "str", "reason": "str", "count": "int"}
 PLAIN = ("value", "error", "rim", "opening", "exponent", "time", "period", "sample", "tolerance", "frequency")
-SPECIAL = {("Chain.evolve", "force"): "float"}
+SPECIAL = {("drive", "chain"): "Chain", ("drive", "force"): "float"}
 RETURNED = {**dict.fromkeys(("evolve", "orbit", "multipliers"), "Result"), "energy_density": "NDArray[Any]", "accelerations": "NDArray[Any]", "set_threads": "None"}
 ATTRIBUTES = {
     "Chain": {"sites": "int", "well": "str", "contact": "str", "ends": "str", "mass": "NDArray[Any]", "eta": "NDArray[Any]", "onsite": "str"},

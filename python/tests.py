@@ -222,12 +222,6 @@ class Refusals(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "sample: y and v would take 160 GB .allowed: 2;"):
             lattice.Chain(1000).evolve(np.zeros(1000), np.eye(1000)[0], time=1e6, sample=0.1)
         self.assertEqual(chain.evolve(0 * v, v, 0).t.tolist(), [0])
-        for message, options in [("damping: -1", {"damping": -1}), ("damping: 3 entries", {"damping": [1, 1, 1]}),
-                                 ("force: nan", {"force": math.nan}), ("frequency: -1", {"frequency": -1, "force": 1})]:
-            with self.assertRaisesRegex(ValueError, f"^{message}"):
-                chain.evolve(0 * v, v, 1, **options)
-        with self.assertRaisesRegex(ValueError, "free ends"):
-            lattice.Chain(4, ends="fixed").evolve(0 * v, v, 1, force=1)
 
     def test_a_value_that_is_none(self):
         for value in (True, False, np.True_, 1j, np.complex128(1), b"1", [1], np.ones(1)):
@@ -334,45 +328,11 @@ class OwnChains(unittest.TestCase):
             with self.assertRaisesRegex((ValueError, RuntimeError), said):
                 call()
 
-    def test_damping_and_a_force(self):
-        """A bead alone, which every textbook has, and the budget of a chain."""
-        two = lattice.Chain(2, mass=[1, 1], eta=0)
-        run = two.evolve([0.3, 0], [0, 0], 50, tolerance=1e-6, damping=0.1)
-        w = math.sqrt(1 - 0.05**2)
-        want = 0.3 * np.exp(-0.05 * run.t) * (np.cos(w * run.t) + 0.05 / w * np.sin(w * run.t))
-        np.testing.assert_allclose(run.y[:, 0], want, rtol=0, atol=1e-6)
-        self.assertEqual(run.injected, 0)
-        shaken = two.evolve([0, 0], [0, 0], 400, tolerance=1e-6, damping=0.1, force=0.05, frequency=1.2)
-        far = 0.05 / (1 - 1.2**2 + 0.12j) * np.exp(1.2j * shaken.t)
-        np.testing.assert_allclose(shaken.y[-99:, 0], far.imag[-99:], rtol=0, atol=1e-6)
-        chain, rest = lattice.Chain(20), np.zeros(20)
-        run = chain.evolve(rest, rest, 60, damping=np.linspace(0, 0.3, 20), force=0.2, frequency=1.1)
-        self.assertEqual(run.energy_t.shape, run.t.shape)
-        self.assertEqual((run.injected_t[-1], run.dissipated_t[-1], run.energy_t[-1]), (run.injected, run.dissipated, run.energy))
-        self.assertGreater(run.dissipated, 0)
-        self.assertLess(run.imbalance, 1e-6)
-        np.testing.assert_allclose(run.energy_t + run.dissipated_t, run.injected_t, rtol=0, atol=1e-6 * run.injected)
-        self.assertLess(abs(run.energy - chain.energy_density(run.y[-1], run.v[-1]).sum()), 1e-12)
-        # Without both nothing has changed
-        plain = chain.evolve(rest, np.eye(20)[0], 30)
-        self.assertEqual(bits(chain.evolve(rest, np.eye(20)[0], 30, damping=0, force=0, frequency=7).y), bits(plain.y))
-        self.assertEqual(list(plain.quantities), ["error", "energy_drift"])
-
     def test_what_is_faster_than_the_steps(self):
-        """A stiff contact of 0.02 units of time (DOP853 between the zeros of the overlap), and a force of ten turns a unit."""
+        """A stiff contact of 0.02 units of time (DOP853 between the zeros of the overlap)."""
         a, f = 1 + 4.8e-5, 3.29614
         run = lattice.Chain(2, mass=[1, 1e6], eta=[0, 1e5, 0]).evolve([a * math.cos(f), 1], [-a * math.sin(f), 0], 6)
         np.testing.assert_allclose(run.y[-1], [-0.991841245840, 0.999982001374], rtol=0, atol=3e-9)
-        w = 20 * math.pi
-        run = lattice.Chain(2, eta=0).evolve([1, 0], [0, 0], 10, force=1, frequency=w)
-        want = math.cos(10) + (math.sin(10 * w) - w * math.sin(10)) / (1 - w**2)
-        self.assertLess(abs(run.y[-1, 0] - want), 3 * run.error)
-        # What three quantities are off by adds up to nothing: a small difference of one alone is chance
-        force = dict(damping=[0.02157, 0.00728, 0, 0.02613], force=0.4785, frequency=0.3997)
-        run = lattice.Chain(4, eta=[0, 0.01, 1.4e4, 0.015, 0]).evolve([-0.5757, 0.1428, 0.8524, 0.5865],
-                                                                      [-0.6745, 0.3928, -0.4321, 0.3976], 5.53, tolerance=6e-5, **force)
-        for name, want in (("injected", 0.50277154), ("dissipated", 0.11219036)):
-            self.assertLess(abs(getattr(run, name) - want), getattr(run, name).error)
 
     def test_a_pattern_is_repeated(self):
         self.assertEqual(bits(lattice.Chain(20, mass=[1, 0.5]).mass), bits([1, 0.5] * 10))

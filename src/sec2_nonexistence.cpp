@@ -26,7 +26,7 @@ and large starts end (c); energy and mean force of a localized state (d, e). Dra
 #include <vector>
 
 #include "lattice/diagnostics/observe.hpp"
-#include "lattice/gsl/gsl_ode.hpp"
+#include "lattice/gsl/reference.hpp"
 #include "lattice/gsl/random.hpp"
 #include "lattice/integrators/event_corrected.hpp"
 #include "lattice/numerics/parallel.hpp"

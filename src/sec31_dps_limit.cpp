@@ -25,7 +25,7 @@ the table `dps_error` against `eps`, and `order` of `dps_order`.](fig:x02) */
 
 #include "commands/dps_strike.hpp"
 #include "lattice/events/event_driven.hpp"
-#include "lattice/gsl/gsl_ode.hpp"
+#include "lattice/gsl/reference.hpp"
 #include "lattice/integrators/event_corrected.hpp"
 #include "lattice/numerics/line_fit.hpp"
 #include "lattice/numerics/parallel.hpp"

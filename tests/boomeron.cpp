@@ -71,28 +71,15 @@ TEST_CASE("a turning carries the errors of step and smoothing", "[unit][boomeron
   CHECK(std::isinf(SameTurn{}(a, steady)));
 }
 
-TEST_CASE("hard wells turn the packet, linear and soft ones do not", "[property][boomeron]") {
-  CHECK(outcome_of(2, 1, 40, 0).fate == Fate::turns);
-  CHECK(outcome_of(2, 0, 40, 0).fate == Fate::escapes);
-  CHECK(outcome_of(2, 0.005, 40, 0).fate == Fate::escapes);
-  CHECK(outcome_of(0.5, 1, 30, 0).fate == Fate::escapes);
-  CHECK(outcome_of(3, 20, 30, 0).fate == Fate::stays);
-}
-
-TEST_CASE("at small amplitude only s v0^(3/2) counts", "[property][boomeron]") {
-  const auto apex = [](double velocity, double chi) {
-    return outcome_of(velocity, chi / (velocity * std::sqrt(velocity)), 40, 0).apex;
-  };
-  const double small = apex(0.002, 1.3), smaller = apex(0.001, 1.3);
-  check_close(small, smaller, 0, 0.1);
-  CHECK(std::abs(apex(0.2, 1.3) - small) > 0.3 * small);
-}
-
 TEST_CASE("the apex converges with the step", "[convergence][boomeron]") {
+  const Impact impact{.velocity = 1.95,
+                      .chain = {150, Quartic{1}},
+                      .time = 700,
+                      .denser = false,
+                      .packet = WhichPacket::strongest};
   double apex[3];
   for (int k : {0, 1, 2})
-    apex[k] = turn_of(strike(EventCorrected{0.2 / (1 << k)}, turning_impact(1.95, 1, 700)).path)
-                  .apex.site;
+    apex[k] = turn_of(strike(EventCorrected{0.2 / (1 << k)}, impact).path).apex.site;
   CHECK(std::abs(apex[2] - apex[1]) < std::abs(apex[1] - apex[0]) / 4);
   CHECK(std::abs(apex[2] - apex[1]) < 1e-3);
 }

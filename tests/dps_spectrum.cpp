@@ -56,7 +56,7 @@ TEST_CASE("a wrong profile gets a wrong verdict", "[unit][dps]") {
 TEST_CASE("counting and solving give the same eigenvalues", "[unit][dps]") {
   for (Centre centre : {Centre::site, Centre::bond}) {
     const auto s = state(centre, 3);
-    const auto spectrum = contact_spectrum(s, true);
+    const auto spectrum = contact_spectrum(s);
     REQUIRE(spectrum.m.size() == s.u.size());
     CHECK(std::abs(spectrum.phase_defect) < 1e-14);
     for (std::size_t k = 1; k <= 12; ++k) {

@@ -9,7 +9,7 @@
 #include "lattice/impact/impact.hpp"
 #include "lattice/integrators/schemes.hpp"
 #include "lattice/model/dps.hpp"
-#include "lattice/numerics/parabola.hpp"
+#include "lattice/numerics/line_fit.hpp"
 
 using namespace lattice;
 
@@ -168,7 +168,7 @@ TEST_CASE("merged stages are the whole scheme", "[unit][formulas]") {
 
 TEST_CASE("the quintic has the values at both ends", "[unit][formulas]") {
   // x = 1 + 2 s - s^2 + 3 s^3 - 2 s^4 + s^5 and its derivatives.
-  const Quintic<double> x{1, 2, -1, 4, 6, 6};
+  const Quintic x{1, 2, -1, 4, 6, 6};
   for (double s : {0.0, 0.3, 0.7, 1.0}) {
     check_close(x(s), 1 + s * (2 + s * (-1 + s * (3 + s * (-2 + s)))), 1e-13);
     check_close(x.slope(s), 2 + s * (-2 + s * (9 + s * (-8 + s * 5))), 1e-13);
@@ -180,7 +180,7 @@ TEST_CASE("the exact impulse by hand", "[unit][formulas]") {
     CAPTURE(alpha);
     const double a = alpha + 1, b = alpha + 2, c = alpha + 3;
     const bool fourth = alpha == 1.25;
-    const auto impulse = [&](const Quintic<double>& x) {
+    const auto impulse = [&](const Quintic& x) {
       const auto push = [&](double s) { return std::pow(std::max(x(s), 0.0), alpha); };
       return exact_impulse(x, push, fourth);
     };
@@ -204,8 +204,8 @@ TEST_CASE("a contact that closes and opens within a step", "[unit][formulas]") {
   for (double c : {0.25, 0.5, 0.75}) {
     CAPTURE(c);
     const auto overlap = [c](double s) { return 0.01 - (s - c) * (s - c); };
-    const Quintic<double> x{overlap(0), 2 * c, -1, overlap(1), 2 * c - 2, -1};
-    const auto push = [&](double s) { return three_halves(std::max(x(s), 0.0)); };
+    const Quintic x{overlap(0), 2 * c, -1, overlap(1), 2 * c - 2, -1};
+    const auto push = [&](double s) { return Hertz{0}.force(-x(s)); };
     const auto impulse = exact_impulse(x, push, false);
     const double all = 3 * std::acos(-1.0) / 8 * 1e-4;
     check_close(impulse.velocity, all, 1e-12);
@@ -219,10 +219,9 @@ TEST_CASE("a contact that closes or opens between two looks", "[unit][formulas]"
     for (double p : {1e-3, 1e-6}) {
       CAPTURE(c, p);
       const auto impulse = [&](double side) {
-        const Quintic<double> x{
-            side * (p - c * c), side * 2 * c, -side, side * (p - (1 - c) * (1 - c)),
-            side * 2 * (c - 1), -side};
-        const auto push = [&](double s) { return three_halves(std::max(x(s), 0.0)); };
+        const Quintic x{side * (p - c * c), side * 2 * c, -side, side * (p - (1 - c) * (1 - c)),
+                        side * 2 * (c - 1), -side};
+        const auto push = [&](double s) { return Hertz{0}.force(-x(s)); };
         return exact_impulse(x, push, false);
       };
       const double all = 3 * std::acos(-1.0) / 8 * p * p;
@@ -343,7 +342,9 @@ TEST_CASE("an event-corrected run across contact events agrees with the event-dr
     vary(chain, {1, 2, 1, 1, 1.5, 1}, {1, 0.6, 1.4, 1, 1, 0.8, 1});
     auto aware = struck(6, 1.5), event_driven = aware;
     Window all{0, 6};
-    EventCorrected{0.02}.advance(chain, aware, all, 0.02, 400);
+    const EventCorrected method{0.02};
+    NystromMemory memory = method.memory(chain);
+    method.advance(chain, aware, all, 0.02, 400, memory);
     flow(chain, event_driven, 8.0);
     aware.t = event_driven.t;
     check_close(distance(aware, event_driven), 0, 2e-11);

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "check.hpp"
-#include "lattice/gsl/gsl_ode.hpp"
+#include "lattice/gsl/reference.hpp"
 #include "report/command_line.hpp"
 #include "report/heartbeat.hpp"
 

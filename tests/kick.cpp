@@ -22,7 +22,7 @@ struct Resting {
 
 Resting breather(Centre centre, double omega, Phase phase = Phase::compressed) {
   const Fitted found =
-      fit_chain(centre, omega, 0, 0, centre == Centre::site ? 21 : 20, 1e-16, phase);
+      fit_chain(centre, omega, Quartic{0}, 0, centre == Centre::site ? 21 : 20, 1e-16, phase);
   return {{found.problem.chain.sites}, found.orbit.start, found.problem.period()};
 }
 

@@ -80,45 +80,14 @@ TEST_CASE("a wave on a ring travels one site in the time it is asked to", "[prop
 }
 
 TEST_CASE("equations and unknowns of every symmetry fit the chain", "[unit][orbits]") {
-  for (const Symmetry& s : {even_in_time(7), bond_centred(8), site_centred(7), returning(5),
-                            travelling(6, 1, true), travelling_reversible(4, true)}) {
+  for (const Symmetry& s :
+       {even_in_time(7), bond_centred(8), site_centred(7), returning(5), travelling(6, 1, true)}) {
     CAPTURE(s.name);
     for (const Combination& unknown : s.unknowns)
       for (const Term& term : unknown) CHECK(term.index < 2 * s.sites);
     for (const Equation& equation : s.equations) REQUIRE_FALSE(equation.end.empty());
     const std::size_t unknowns = s.unknowns.size() + (s.free_period ? 1 : 0);
     CHECK(s.equations.size() >= unknowns);
-  }
-  CHECK(travelling_reversible(4, true).equations.size() == 10);
-  CHECK(travelling_reversible(4, true).unknowns.size() == 9);
-}
-
-TEST_CASE("unfolding undoes folding", "[unit][orbits]") {
-  Problem problem = breather_problem(Centre::site, 1.1, 0, 10 + 1);
-  problem.chain.sites = 10;
-  problem.symmetry = travelling_reversible(4, true);
-  Vector<double> x(10);
-  x << 1, 2, 3, 4, 5, 6, 7, 8, 9, 10;
-  State<double> state = problem.expand(x);
-  CHECK(state.y[4] == 0);
-  CHECK(state.y[3] == -state.y[5]);
-  CHECK(state.v[3] == state.v[5]);
-  CHECK(state.y[9] == 0);
-  state.t = 10;
-  CHECK(problem.reduce(state) == x);
-}
-
-TEST_CASE("the derivative with respect to a free period is exact", "[unit][orbits]") {
-  Problem problem = breather_problem(Centre::site, 1.1, 0.3, 11);
-  problem.chain.sites = 10;
-  problem.symmetry = travelling_reversible(4, true);
-  Vector<double> x(10);
-  x << 0.02, -0.01, 0.001, 0, 0.03, -0.02, 0.004, 0.001, 0, 6;
-  const Evaluation<double> here = problem.evaluate(x, {});
-  for (Eigen::Index k : {0, 4, 5, 9}) {
-    const Vector<double> slope = slope_along(problem, x, k, k == 9 ? 1e-6 : 1e-8);
-    CAPTURE(k);
-    CHECK(sup<double>(slope - here.jacobian.col(k)) < 1e-5);
   }
 }
 

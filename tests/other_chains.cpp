@@ -6,8 +6,7 @@
 #include "commands/multipliers.hpp"
 #include "commands/one_breather.hpp"
 #include "lattice/algebra/eigenvalues.hpp"
-#include "lattice/integrators/driven_chain.hpp"
-#include "lattice/orbits/other_chains.hpp"
+#include "lattice/orbits/breather.hpp"
 #include "run.hpp"
 
 using namespace lattice;
@@ -338,43 +337,4 @@ TEST_CASE("what has no breather is refused in one line", "[cli][chains]") {
   CHECK(lost.error_lines() == 1);
   CHECK(lost.errors.find("the path to this chain ends after") != std::string::npos);
   CHECK(lost.errors.find("relative residuals") != std::string::npos);
-}
-
-TEST_CASE("a driven run for a tolerance balances its budget", "[property][chains]") {
-  DrivenChain driven{Chain{12}, {}, {Drive::By::base, 1.2, 0.05}};
-  driven.losses.of_site.assign(12, 0.1);
-  State<double> state(12);
-  std::size_t seen = 0;
-  const auto pair = evolve(Converged{1e-5}, driven, state, 60, 0.5,
-                           [&](const State<double>&, const EnergyBudget&) { return ++seen, true; });
-  CHECK(seen == 121);
-  CHECK(pair.error <= 1e-5);
-  CHECK(pair.error > 0);
-  CHECK(pair.fine.imbalance < 1e-8);
-  CHECK(distance(state, pair.fine.end) == 0);
-  check_close(pair.fine.energy + pair.fine.budget.beams, pair.fine.budget.work, 0, 1e-8);
-  // One bead alone is the damped oscillator of every textbook
-  DrivenChain one{Chain{1}, {0.1, 0}, {Drive::By::base, 1.2, 0.05}};
-  State<double> alone(1);
-  evolve(Converged{1e-6}, one, alone, 400, 1,
-         [](const State<double>&, const EnergyBudget&) { return true; });
-  const std::complex<double> i(0, 1),
-      response = 0.05 / (1 - 1.2 * 1.2 + i * 0.1 * 1.2) * std::exp(i * 1.2 * 400.0);
-  check_close(alone.y[0], response.imag(), 1e-7);
-}
-
-TEST_CASE("a drive that is faster than the steps is seen", "[property][chains]") {
-  // With 2 pi / omega = 0.1 and 0.2 the force vanishes at the ends of all steps of the first resolutions
-  for (double omega : {20 * std::acos(-1.0), 10 * std::acos(-1.0), 40.0, 3.0}) {
-    CAPTURE(omega);
-    State<double> state(1);
-    state.y[0] = 1;
-    const auto pair =
-        evolve(Converged{1e-4}, {Chain{1}, {}, {Drive::By::base, omega, 1}}, state, 10, 10,
-               [](const State<double>&, const EnergyBudget&) { return true; });
-    const double w = omega, y = std::cos(10) + (std::sin(10 * w) - w * std::sin(10)) / (1 - w * w),
-                 v = -std::sin(10) + w * (std::cos(10 * w) - std::cos(10)) / (1 - w * w);
-    check_close(state.y[0], y, 2 * pair.error);
-    check_close(state.v[0], v, 2 * pair.error);
-  }
 }

@@ -234,7 +234,7 @@ TEST_CASE("a zero of the barrier does not depend on the pairs around it",
     BreatherPair pairs[] = {{0, from}, {0, to}};
     for (BreatherPair& r : pairs) {
       for (int k : {0, 1}) r.orbit[k] = find_breather(problem_of(both_centres[k], r.omega));
-      measure(r);
+      measure_in<Wide>(r);
     }
     return frequency_of_zero(pairs[0], pairs[1], gap);
   };

@@ -228,14 +228,14 @@ TEST_CASE("runs that end early prove nothing by their end", "[unit][accuracy]") 
   CHECK_FALSE(left.broken());
   const auto apart = [](const Run& a, const Run& b) {
     Attempts two(1, "ends");
-    two.begin(a);
+    two.enter(a);
     CHECK_FALSE(two.agree(a, b, [] { return 0.0; }));
     return two.error;
   };
   for (const auto& [a, b] : {std::pair(broken, broken), {broken, left}, {left, whole}})
     CHECK(std::isinf(apart(a, b)));
   Attempts gone(1e-6, "ends");
-  gone.begin(left);
+  gone.enter(left);
   CHECK_FALSE(gone.agree(left, left, [] { return 0.0; }));
   check_close(gone.error, 0.25 / 44.5, 0, 1e-15);
   State<double> a(3), b(3);

@@ -12,9 +12,8 @@
 using namespace lattice;
 
 TEST_CASE("a table survives the round trip", "[unit][table]") {
-  Table table{{{"x", "m", "a number, with 'quotes'", Kind::real},
-               {"k", "", "a count", Kind::integer},
-               {"s", "", "a text", Kind::text}}};
+  Table table{number("x", "a number, with 'quotes'", "m"), count("k", "a count"),
+              label("s", "a text")};
   table.meta = {{"program", "test"}, {"command", "test --a 'b c', d}"}};
   table.add({0.1, std::int64_t(-3), std::string("plain")});
   table.add({-5e-324, std::int64_t(1) << 60, std::string("comma, \"quote\" # hash")});
@@ -34,7 +33,7 @@ TEST_CASE("a table survives the round trip", "[unit][table]") {
 }
 
 TEST_CASE("rows must fit, columns must exist", "[unit][table]") {
-  Table table{{{"x", "", "", Kind::real}}};
+  Table table{number("x", "")};
   CHECK_THROWS_AS(table.add({std::int64_t(1)}), std::invalid_argument);
   CHECK_THROWS_AS(table.add({1.0, 2.0}), std::invalid_argument);
   CHECK_THROWS_AS(table.numbers("y"), std::out_of_range);
@@ -124,7 +123,7 @@ TEST_CASE("the checksum of a table is the CRC-32 of its rows", "[unit][table]") 
 }
 
 TEST_CASE("writing where it cannot leaves nothing", "[unit][table]") {
-  const Table table{{{"x", "", "", Kind::real}}};
+  const Table table{number("x", "")};
   CHECK_THROWS_AS(write("/nonexistent/folder/x.ecsv", table), std::runtime_error);
   const auto path = std::filesystem::temp_directory_path() / "lattice_table_test.ecsv";
   write(path, table);
@@ -135,7 +134,7 @@ TEST_CASE("writing where it cannot leaves nothing", "[unit][table]") {
 
 TEST_CASE("a line break is refused when written and when read", "[unit][table]") {
   const auto with = [](const std::string& cell, const std::string& meta, const std::string& unit) {
-    Table table{{{"s", unit, "a text", Kind::text}}};
+    Table table{Column{"s", unit, "a text", Kind::text}};
     table.add({cell});
     table.meta = {{"command", meta}};
     return to_text(table);
@@ -146,7 +145,7 @@ TEST_CASE("a line break is refused when written and when read", "[unit][table]")
   CHECK_THROWS_AS(with("", "two\nlines", ""), std::invalid_argument);
   CHECK_THROWS_AS(with("", "", "two\nlines"), std::invalid_argument);
   const auto path = std::filesystem::temp_directory_path() / "lattice_break_test.ecsv";
-  Table table{{{"s", "", "", Kind::text}}};
+  Table table{label("s", "")};
   table.add({std::string("two\nlines")});
   CHECK_THROWS(write(path, table));
   CHECK_FALSE(std::filesystem::exists(path));

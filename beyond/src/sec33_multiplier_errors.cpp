@@ -21,6 +21,7 @@ pair. */
 #include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
 #include "sec33/exchange.hpp"
+#include "sec5/travelling.hpp"
 
 using namespace lattice;
 
@@ -62,7 +63,8 @@ Damage damage(const Matrix<double>& map, double kappa) {
                  std::min({std::abs(z - home[0]), std::abs(z - home[1]), std::abs(z - home[2])}));
     d.excess = std::max(d.excess, std::abs(std::abs(z) - 1));
   }
-  d.kappa = std::abs(quadruplet_kappa(map) - kappa);
+  // Each of the four may be wrong by the root of the error, but not the sum from which kappa follows
+  d.kappa = std::abs(phase_kappa(eigenvalues_of(map)) - kappa);
   return d;
 }
 
@@ -301,7 +303,7 @@ void report_printed(Report& report) {
   parallel_for("trials", kappa.size(), [&](std::size_t i) {
     const Around& at = around[i % around.size()];
     const Matrix<double> map = trials[i / around.size()].map(at);
-    kappa[i] = quadruplet_kappa(map);
+    kappa[i] = phase_kappa(eigenvalues_of(map));
     if (int(i % wells) != steps) return;
     const Matrix<double> good = monodromy(at.problem.chain, at.orbit.start, at.orbit.period());
     wrong[i] = sup<double>((map - good).reshaped());

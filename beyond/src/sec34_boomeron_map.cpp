@@ -21,10 +21,10 @@ at rest before the impact, with free ends and so long that nothing returns from 
 #include <utility>
 #include <vector>
 
-#include "lattice/impact/turning.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
 #include "report/sweep.hpp"
+#include "sec34/fate.hpp"
 
 using namespace lattice;
 
@@ -35,7 +35,7 @@ A map needs one criterion for all its points, although the impacts differ by ord
 when its energy centre, averaged over about one internal period, has come back by five sites; a packet that is trapped
 between two sites swings by less. It has *escaped* when it passes site 40, and it *stays* if it never gets beyond site
 8. We wait ten times as long as the slow packet of a weak impact needs to reach site 40, and after strong impacts, where
-all is faster, accordingly less (turning.hpp). So a packet that turns further out than site 40 is said to escape, which
+all is faster, accordingly less (fate.hpp). So a packet that turns further out than site 40 is said to escape, which
 is a limit of the map and no statement about the chain: with $s=1$ and $v_0=1.5$ the map says *escaped*, and the packet
 does turn, at site [183](num:sec34_boomeron.apex_site_150).
 

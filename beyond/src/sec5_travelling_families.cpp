@@ -364,7 +364,7 @@ double speed_in(const Path& p, std::size_t i) {
   return (p.centre[i + 1] - p.centre[i - 1]) / (p.t[i + 1] - p.t[i - 1]);
 }
 
-Cells crossing(std::size_t k, Branch<double>& branch) {
+Cells crossing(std::size_t k, Branch& branch) {
   const Orbit<double> orbit = branch.orbit_at(1);
   Shooting<double> problem = branch.problem();
   problem.chain.well = Quartic{1};
@@ -380,7 +380,7 @@ Table exact_at_one(const std::vector<Start>& starts) {
   std::vector<std::vector<Cells>> rows(starts.size());
   parallel_for(starts.size(), [&](std::size_t i) {
     const std::size_t k = starts[i].first;
-    Branch<double> branch = branch_in_s(starts[i].second, 1);
+    Branch branch = branch_in_s(starts[i].second, 1);
     try {
       rows[i].push_back(crossing(k, branch));
       if (k > 3) return;

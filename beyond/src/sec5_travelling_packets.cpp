@@ -11,8 +11,8 @@ has passed swinging a little. So it loses energy, slows down, and turns into som
         phase turns by theta, amplitude |z(n)|
 
 The same chain has exact travelling breathers, which leave nothing behind, but those that we know have isolated speeds
-(`sec5_travelling_breathers`). Does one of them capture the packet? The article does not ask, and prints nothing with
-which our numbers could be compared. Over 16,000 sites, in linear wells, we find:
+(`sec5_travelling_breathers`). Does one of them capture the packet? The article does not ask. Over 16,000 sites, in
+linear wells, we find:
 
 - No exact breather captures the packets of the two impacts that we follow.
 - The tail weakens all the way, but more slowly than the $1/n$ of a simple energy balance. Its final law is open.
@@ -322,9 +322,9 @@ But the shift times there are not multiples of $2\pi$: no exact breather has cap
 type II at such shift times have some ten times the energy, figure x20.) Could one still do so, farther out? The orbit
 $k = 1$ pins its phase like a very weak pendulum. Displaced a little, the phase swings by $2|\kappa|^{1/2}$ per shift,
 some $10^{-5}$, and only a phase that turns not much faster could be captured. That of the weaker packet turns by
-$T-\vartheta$, modulo $2\pi$, which is more than ten thousand times as much at the end, and rising. Whether another
-orbit captures the packet farther out is not known. Another program, with Yoshida's splitting of order six, followed
-both packets ten times as far and saw no capture.
+$T-\vartheta$, modulo $2\pi$, which is more than ten thousand times as much at the end, and rising. Another
+program, with Yoshida's splitting of order six, followed both packets ten times as far and saw no capture; what happens
+farther out is not known.
 
 | at the end | exact, or on the line | here |
 |---|---|---|

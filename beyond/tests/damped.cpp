@@ -1,7 +1,7 @@
 // Friction: the closed form of one bead and absorbing ends; the slow clock of the DpS field and of packets, and the
 // shift of a breather that decays.
 
-#include "lattice/integrators/driven_chain.hpp"
+#include "sec5/driven_chain.hpp"
 
 #include <array>
 #include <numbers>

@@ -1,17 +1,18 @@
 // Driven and damped chains: losses, drives, what they book; thresholds.
 
-#include "sec5/driven_array.hpp"
-#include "sec5/driven_end.hpp"
+#include "sec5/driven_chain.hpp"
 
-#include <limits>
+#include <complex>
 #include <numbers>
 
 #include "check.hpp"
+#include "lattice/impact/impact.hpp"
 #include "lattice/model/cantilever.hpp"
 #include "lattice/model/dps.hpp"
 #include "lattice/standing/stationary.hpp"
 #include "sec5/driven_array.hpp"
 #include "sec5/packet_members.hpp"
+#include "sec5/solution_curve.hpp"
 #include "sec5/travelling.hpp"
 
 using namespace lattice;
@@ -109,6 +110,72 @@ TEST_CASE("impossible losses are refused", "[unit][driven]") {
   CHECK_THROWS_AS(evolve({Chain{3}, {std::nan(""), 0}}, state, grid), std::invalid_argument);
 }
 
+TEST_CASE("a driven chain runs with the length of its masses and in states of that length only",
+          "[unit][driven]") {
+  Chain twelve{12};
+  vary(twelve, std::vector<double>(12, 1), {});
+  const auto refused = [](const Chain& chain, State<double> state) {
+    CAPTURE(chain.sites, chain.mass.size(), state.y.size());
+    CHECK_THROWS_AS(evolve({chain, {}, {}}, state, time_grid(1, 1, 0.1)), std::invalid_argument);
+  };
+  for (const std::size_t sites : {8, 13, 136}) {
+    Chain other = twelve;
+    other.sites = sites;
+    refused(other, struck(sites, 1));
+    refused(twelve, struck(sites, 1));
+    refused(Chain{12}, struck(sites, 1));
+  }
+  State<double> torn = struck(12, 1);
+  torn.v.pop_back();
+  refused(twelve, torn);
+  // Masses without stiffnesses, and the other way round
+  Chain half{12};
+  half.mass = half.inverse_mass = twelve.mass;
+  refused(half, struck(12, 1));
+  half = Chain{12};
+  half.eta = twelve.eta;
+  refused(half, struck(12, 1));
+}
+
+TEST_CASE("a driven run for a tolerance balances its budget", "[property][driven]") {
+  DrivenChain driven{Chain{12}, {}, {Drive::By::base, 1.2, 0.05}};
+  driven.losses.of_site.assign(12, 0.1);
+  State<double> state(12);
+  std::size_t seen = 0;
+  const auto pair = evolve(Converged{1e-5}, driven, state, 60, 0.5,
+                           [&](const State<double>&, const EnergyBudget&) { return ++seen, true; });
+  CHECK(seen == 121);
+  CHECK(pair.error <= 1e-5);
+  CHECK(pair.error > 0);
+  CHECK(pair.fine.imbalance < 1e-8);
+  CHECK(distance(state, pair.fine.end) == 0);
+  check_close(pair.fine.energy + pair.fine.budget.beams, pair.fine.budget.work, 0, 1e-8);
+  // One bead alone is the damped oscillator of every textbook
+  DrivenChain one{Chain{1}, {0.1, 0}, {Drive::By::base, 1.2, 0.05}};
+  State<double> alone(1);
+  evolve(Converged{1e-6}, one, alone, 400, 1,
+         [](const State<double>&, const EnergyBudget&) { return true; });
+  const std::complex<double> i(0, 1),
+      response = 0.05 / (1 - 1.2 * 1.2 + i * 0.1 * 1.2) * std::exp(i * 1.2 * 400.0);
+  check_close(alone.y[0], response.imag(), 1e-7);
+}
+
+TEST_CASE("a drive that is faster than the steps is seen", "[property][driven]") {
+  // With 2 pi / omega = 0.1 and 0.2 the force vanishes at the ends of all steps of the first resolutions
+  for (double omega : {20 * std::acos(-1.0), 10 * std::acos(-1.0), 40.0, 3.0}) {
+    CAPTURE(omega);
+    State<double> state(1);
+    state.y[0] = 1;
+    const auto pair =
+        evolve(Converged{1e-4}, {Chain{1}, {}, {Drive::By::base, omega, 1}}, state, 10, 10,
+               [](const State<double>&, const EnergyBudget&) { return true; });
+    const double w = omega, y = std::cos(10) + (std::sin(10 * w) - w * std::sin(10)) / (1 - w * w),
+                 v = -std::sin(10) + w * (std::cos(10 * w) - std::cos(10)) / (1 - w * w);
+    check_close(state.y[0], y, 2 * pair.error);
+    check_close(state.v[0], v, 2 * pair.error);
+  }
+}
+
 TEST_CASE("packets of a strong drive are counted between the looks of a coarse run",
           "[unit][driven]") {
   // Extrapolated midpoint rule in another program, with looks ever closer: four packets in the second half
@@ -137,35 +204,53 @@ TEST_CASE("a piston has to lift the breather of the DpS limit to its top", "[uni
               1e-9);
 }
 
+TEST_CASE("a curve of solutions is followed through its fold", "[unit][driven]") {
+  // a = x (2 - x) has its largest a at x = 1, and the way there is known; a second unknown follows the first
+  const auto parabola = [](const Vector<double>& x) {
+    Vector<double> out(2);
+    out << x[2] - x[0] * (2 - x[0]), x[1] - 3 * x[0];
+    return out;
+  };
+  const SolutionCurve curve = follow_solutions(parabola, 3, 0.1, 0.02, 1, 0.5);
+  check_close(curve.fold, 1, 1e-5);
+  for (const Vector<double>& x : curve.points) CHECK(parabola(x).norm() < 1e-10);
+  CHECK(curve.points.back()[0] > 1.6);
+  check_close(curve.points.back()[2], 0.5, 0.05);
+  CHECK(curve.length.back() > 3 * 1.7);
+  const auto straight = [](const Vector<double>& x) {
+    return Vector<double>::Constant(1, x[1] - x[0]);
+  };
+  CHECK_THROWS_AS(follow_solutions(straight, 2, 0.1, 0.1, 1, 0.5), std::runtime_error);
+}
+
 TEST_CASE("the fold of the quiet orbit is where emission begins", "[property][driven]") {
-  const double omega = 1.1, law = threshold_law(Drive::By::piston, omega);
-  const DrivenChain driven{Chain{10}, {2.5e-3, 0}, {Drive::By::piston, omega}};
-  const QuietOrbits branch = quiet_orbits(driven, 48);
-  check_close(branch.fold / law, 1.117, 2e-3);
-  CHECK(branch.amplitude.back() < 0.9 * branch.fold);  // it has turned back
+  // It lies at 1.1167 times the law, as the chapter finds
+  const double omega = 1.1, fold = 1.1167 * threshold_law(Drive::By::piston, omega);
   const auto count = [&](double share) {
-    DrivenChain run{
-        Chain{40}, {2.5e-3, 0}, {Drive::By::piston, omega, share * branch.fold, 0, 1000}};
-    return drive_chain(run, 3000, 20, 0.2, 1).passages.size();
+    const DrivenChain run{
+        Chain{40}, {2.5e-3, 0}, {Drive::By::piston, omega, share * fold, 0, 1000}};
+    return drive_chain(run, 3000, 20, 0.2).passages.size();
   };
   CHECK(count(0.96) == 0);
-  CHECK(count(1.06) == 1);
+  CHECK(count(1.06) >= 1);
 }
 
 TEST_CASE("one packet leaves below lasting emission, none before a slow rise",
           "[property][driven]") {
   // The fold lies at 1.1167 times the law, lasting emission begins at 1.066 and the first packet at 0.978
-  const double omega = 1.1, law = threshold_law(Drive::By::piston, omega), silence = 2000;
-  const auto sent = [&](double share, double ramp) {
+  const double omega = 1.1, law = threshold_law(Drive::By::piston, omega);
+  const auto passages = [&](double share, double ramp) {
     const DrivenChain run{Chain{60}, {2.5e-3, 0}, {Drive::By::piston, omega, share * law, 0, ramp}};
-    const std::size_t all = std::numeric_limits<std::size_t>::max();
-    return drive_chain(run, 5000, 20, 0.2, all, silence);
+    return drive_chain(run, 5000, 20, 0.2).passages;
   };
-  CHECK(sent(0.96, 0).passages.empty());
-  CHECK(sent(1.02, 0).passages.size() == 1);
-  CHECK(!sent(1.02, 0).lasts(5000, silence));
-  CHECK(sent(1.09, 0).lasts(5000, silence));
-  CHECK(sent(1.09, 3000).passages.empty());
+  CHECK(passages(0.96, 0).empty());
+  const auto one = passages(1.02, 0);
+  REQUIRE(one.size() == 1);
+  CHECK(one[0] < 3000);
+  const auto many = passages(1.09, 0);
+  REQUIRE(many.size() > 2);
+  CHECK(many.back() > 3000);
+  CHECK(passages(1.09, 3000).empty());
 }
 
 TEST_CASE("a base that begins at once sends something weak first", "[property][driven]") {
@@ -181,22 +266,6 @@ TEST_CASE("a base that begins at once sends something weak first", "[property][d
   CHECK(weak.loudest < 0.015);
   CHECK(!strong.passages.empty());
   CHECK(strong.loudest > 0.3);
-}
-
-TEST_CASE("the orbit is that of a run", "[property][driven]") {
-  const double omega = 1.2, a = 0.5 * threshold_law(Drive::By::piston, omega);
-  const DrivenChain driven{Chain{10}, {0.02, 0}, {Drive::By::piston, omega, a}};
-  DrivenOrbit orbit{driven, 48};
-  // A run of many periods settles on it; then the state must return
-  State<double> state(10);
-  const double period = 2 * std::numbers::pi / omega;
-  evolve(driven, state, TimeGrid{500 * period, 500, 48});
-  Vector<double> x(21);
-  for (int n = 0; n < 10; ++n) x[n] = state.y[std::size_t(n)], x[10 + n] = state.v[std::size_t(n)];
-  x[20] = a;
-  CHECK(sup<double>(orbit.return_error(x)) < 1e-7 * a);
-  x[20] = 1.1 * a;
-  CHECK(sup<double>(orbit.return_error(x)) > 1e-4 * a);
 }
 
 TEST_CASE("the energy budget of a driven chain closes at the steps of the command",
@@ -235,16 +304,10 @@ TEST_CASE("a threshold that is no sharp one lies among its neighbours", "[unit][
                   std::runtime_error);
 }
 
-TEST_CASE("rates, spreads and bisections", "[unit][driven]") {
+TEST_CASE("rates and bisections", "[unit][driven]") {
   Emission e;
   e.passages = {10, 60, 70, 80, 90};
   check_close(e.rate(100), 0.08, 1e-15);
-  check_close(e.spread(100), 0, 1e-15);
-  e.passages = {60, 70, 90};
-  CHECK(e.spread(100) == -1);
-  CHECK(e.lasts(100, 11));
-  CHECK(!e.lasts(100, 9));
-  CHECK(!Emission{}.lasts(100, 1000));
   const auto found = bisect_threshold(0, 1, 1e-3, [](double a) { return a > 0.3; });
   check_close(found.value, 0.3, found.error);
   CHECK(found.error < 1e-3);
@@ -353,41 +416,9 @@ TEST_CASE("units of the array", "[unit][driven]") {
   CHECK(u.rate(0) == 0);
 }
 
-namespace {
-
 using By = Drive::By;
 
-constexpr double turn = 2 * std::numbers::pi;
-
-/// The state one period later less that at the start, for state and amplitude `x`.
-Vector<double> miss_by_hand(DrivenChain d, const Vector<double>& x, std::size_t steps) {
-  const Eigen::Index n = x.size() / 2;
-  State<double> s{std::size_t(n)};
-  std::copy(x.data(), x.data() + n, s.y.begin());
-  std::copy(x.data() + n, x.data() + 2 * n, s.v.begin());
-  d.drive.amplitude = x[2 * n];
-  evolve(d, s, TimeGrid{turn / d.drive.omega, steps, 1},
-         [](const State<double>&, const EnergyBudget&) { return true; });
-  Vector<double> out(2 * n);
-  for (Eigen::Index i = 0; i < n; ++i)
-    out[i] = s.y[std::size_t(i)] - x[i], out[n + i] = s.v[std::size_t(i)] - x[n + i];
-  return out;
-}
-
-/// Its derivative.
-Matrix<double> slopes_by_hand(const DrivenChain& d, const Vector<double>& x, std::size_t steps,
-                              double change) {
-  Matrix<double> out(x.size() - 1, x.size());
-  for (Eigen::Index k = 0; k < x.size(); ++k) {
-    const Vector<double> e = change * Vector<double>::Unit(x.size(), k);
-    out.col(k) = (miss_by_hand(d, x + e, steps) - miss_by_hand(d, x - e, steps)) / (2 * change);
-  }
-  return out;
-}
-
-}  // namespace
-
-TEST_CASE("the law of the threshold, and the equations of a quiet orbit", "[unit][driven]") {
+TEST_CASE("the law of the threshold", "[unit][driven]") {
   const double width = 2 * tau_0() * 0.07, piston = dps_threshold(By::piston).value;
   check_close(law_estimate(By::piston, 1.07).value, 2 * width * width * piston, 0, 1e-12);
   check_close(law_estimate(By::base, 1.07).value,
@@ -399,30 +430,6 @@ TEST_CASE("the law of the threshold, and the equations of a quiet orbit", "[unit
     check_close(law.error / law.value, top.error / top.value, 0, 1e-12);
     CHECK(law.value == threshold_law(by, 1.07));
   }
-  // Two beads: state and amplitude
-  DrivenOrbit orbit{{Chain{2}, {0.1, 0.2}, {By::piston, 1.2, 7, 0, 0}}, 12};
-  CHECK((DrivenOrbit{}.steps == 64 && orbit.length == 0 && orbit.scale == 1));
-  orbit.scale = 0.3, orbit.length = 0.7;
-  Vector<double> x(5);
-  x << 0.2, -0.1, 0.3, 0.15, 0.5;
-  orbit.from = 0.5 * x, orbit.along = Vector<double>::LinSpaced(5, 0.1, 0.6);
-  const Vector<double> expected = miss_by_hand(orbit.driven, x, 12);
-  const Evaluation<double> here = orbit.evaluate(x, true), bare = orbit.evaluate(x, false);
-  CHECK(bare.jacobian.size() == 0);
-  CHECK(bare.residual == here.residual);
-  double plane = -0.7 * 0.3;
-  for (int i = 0; i < 5; ++i) plane += 0.5 * x[i] * orbit.along[i];
-  for (int i = 0; i < 4; ++i) check_close(here.residual[i], expected[i], 1e-12);
-  check_close(here.residual[4], plane, 1e-15);
-  const Matrix<double> slopes = slopes_by_hand(orbit.driven, x, 12, 1e-5);
-  for (int k = 0; k < 5; ++k) {
-    for (int i = 0; i < 4; ++i) check_close(here.jacobian(i, k), slopes(i, k), 1e-7);
-    check_close(here.jacobian(4, k), orbit.along[k], 0);
-    for (const Vector<double>& size :
-         {orbit.equations().sizes(x, false).unknown, orbit.equations().sizes(x, true).equation})
-      check_close(size[k], 0.3, 0);
-  }
-  CHECK(orbit.equations().sizes(x, false).equation.size() == 5);
 }
 
 TEST_CASE("an array whose far end moves is too short for its drive", "[unit][driven]") {

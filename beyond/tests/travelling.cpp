@@ -67,7 +67,7 @@ TEST_CASE("an impact's packet becomes an exact orbit in a few steps", "[converge
   for (int sign : {1, -1}) {
     const Orbit<double> orbit =
         newton(type_one<double>(5), cut_packet(TypeOneOrbits::first_velocity, 15, 30, sign));
-    CAPTURE(sign, to_text(orbit.history));
+    CAPTURE(sign, orbit.residual());
     CHECK(orbit.iterations() <= 9);
     CHECK(sign * central_velocity(orbit) > 0);
     CHECK(sup(all_equations(orbit)) < 1e-12);
@@ -243,4 +243,42 @@ TEST_CASE("the flow over a shift and its multipliers", "[unit][travelling]") {
   check_close(
       phase_kappa<double>({{3, 0}, {1, 0.5}, {0.4, 0}, {1.25, 0}, {1, -0.5}, {0.75, 0}, {-1, 0}}),
       kappa, 1e-15);
+}
+
+TEST_CASE("unfolding undoes folding", "[unit][travelling]") {
+  Shooting<double> problem = breather_problem(Centre::site, 1.1, 0, 10 + 1);
+  problem.chain.sites = 10;
+  problem.symmetry = travelling_reversible(4, true);
+  Vector<double> x(10);
+  x << 1, 2, 3, 4, 5, 6, 7, 8, 9, 10;
+  State<double> state = problem.expand(x);
+  CHECK(state.y[4] == 0);
+  CHECK(state.y[3] == -state.y[5]);
+  CHECK(state.v[3] == state.v[5]);
+  CHECK(state.y[9] == 0);
+  state.t = 10;
+  CHECK(problem.reduce(state) == x);
+}
+
+TEST_CASE("equations and unknowns of a reversible orbit fit the chain", "[unit][travelling]") {
+  const Symmetry s = travelling_reversible(4, true);
+  for (const Combination& unknown : s.unknowns)
+    for (const Term& term : unknown) CHECK(term.index < 2 * s.sites);
+  for (const Equation& equation : s.equations) REQUIRE_FALSE(equation.end.empty());
+  CHECK(s.equations.size() == 10);
+  CHECK(s.unknowns.size() == 9);
+}
+
+TEST_CASE("the derivative with respect to a free period is exact", "[unit][travelling]") {
+  Shooting<double> problem = breather_problem(Centre::site, 1.1, 0.3, 11);
+  problem.chain.sites = 10;
+  problem.symmetry = travelling_reversible(4, true);
+  Vector<double> x(10);
+  x << 0.02, -0.01, 0.001, 0, 0.03, -0.02, 0.004, 0.001, 0, 6;
+  const Evaluation<double> here = problem.evaluate(x, {});
+  for (Eigen::Index k : {0, 4, 5, 9}) {
+    const Vector<double> slope = slope_along(problem, x, k, k == 9 ? 1e-6 : 1e-8);
+    CAPTURE(k);
+    CHECK(sup<double>(slope - here.jacobian.col(k)) < 1e-5);
+  }
 }

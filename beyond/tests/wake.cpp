@@ -8,6 +8,15 @@
 
 using namespace lattice;
 
+/// An impact on hard wells whose strongest packet is followed.
+static Impact turning_impact(double velocity, double s, double time, std::size_t sites) {
+  return {.velocity = velocity,
+          .chain = {sites, Quartic{s}},
+          .time = time,
+          .denser = false,
+          .packet = WhichPacket::strongest};
+}
+
 TEST_CASE("a cut keeps the packet and nothing else", "[unit][wake]") {
   const Chain chain{60, Quartic{1}};
   const ImpactRun run = strike(EventCorrected{0.1}, turning_impact(1.9, 1, 60, 60));

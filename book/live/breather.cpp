@@ -31,7 +31,8 @@ NewtonRule<double> coarser() {
 /// On the article's chain, or on one of `sites` sites for a breather that will move.
 Fitted find(const Request& r, std::size_t sites = 0) {
   const std::size_t odd = r.bond == 0, usual = sites ? 22 + odd : 32 - odd;
-  return fit_chain(r.centre(), r.omega, r.s, sites, usual, sites ? 1e-16 : 1e-17, r.phase());
+  return fit_chain(r.centre(), r.omega, Quartic{r.s}, sites, usual, sites ? 1e-16 : 1e-17,
+                   r.phase());
 }
 
 /**

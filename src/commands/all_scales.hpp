@@ -6,6 +6,8 @@
 from it in closed form. The last rows show that the beam's modulus in place of the beads' would have given a $\lambda$
 that is not small. */
 
+#include <cmath>
+#include <numbers>
 #include <string>
 
 #include "lattice/model/cantilever.hpp"
@@ -22,19 +24,36 @@ struct AllScales {
   void parameters(Parameters& p) {
     p.add("velocity", velocity, "impact velocity in m/s", {1e-6, 1e3, "m/s"});
   }
-
   Table table() const {
     const CantileverArray array;
     const Scales s = array.scales(), steel{s.m, s.k, array.gamma(array.beam_modulus)};
+    const double lambda = s.lambda(velocity);
     const Collision known = collision_by_energy();
     Table table{quantity_columns()};
     const auto add = [&](const std::string& name, double value, const std::string& unit = "") {
       table.add({name, exact(value), unit, "exact"});
     };
-    // What is given and what follows
+    // What an experimenter chooses
     for (const auto& [name, unit, value] : given_scales(array)) add(name, value, unit);
     add("impact_velocity", velocity, "m/s");
-    for (const auto& [name, unit, value] : derived_scales(array, velocity)) add(name, value, unit);
+    // The model: masses, stiffnesses, and the scales of time, length and energy
+    add("area_moment", array.area_moment(), "m^4");
+    add("beam_mass", array.beam_mass(), "kg");
+    add("bead_mass", array.bead_mass(), "kg");
+    add("effective_mass", s.m, "kg");
+    add("stiffness", s.k, "N/m");
+    add("gamma", s.gamma, "N/m^(3/2)");
+    add("tau_h", s.tau_h(velocity), "s");
+    add("tau_c", s.tau_c(), "s");
+    add("linear_period", 2 * std::numbers::pi * s.tau_c(), "s");
+    add("delta", s.delta(velocity), "m");
+    add("hertz_stiffness", s.gamma * std::sqrt(s.delta(velocity)), "N/m");
+    add("xi", s.xi(), "m");
+    add("lambda", lambda);
+    add("lambda_5_2", lambda * lambda * std::sqrt(lambda));
+    add("unit_velocity", s.unit_velocity(), "m/s");
+    add("unit_force", s.unit_force(), "N");
+    add("unit_energy", s.unit_energy(), "J");
     add("contact_time", known.contact_time * s.tau_h(velocity), "s");
     add("max_compression", known.compression * s.delta(velocity), "m");
     add("cradle_lambda_5_2", cradle(9.81, known.contact_time));

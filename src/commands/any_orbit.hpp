@@ -2,9 +2,9 @@
 /**
 # Any periodic orbit of any chain
 
-The other commands know breathers. A chain of the reader's own, with its masses, contacts, wells and ends, has more
-periodic orbits. From a guess Newton's method finds one that begins at rest, and of every orbit, at rest or not, the
-multipliers tell how stable it is. In Python these are `Chain.orbit` and `Chain.multipliers`. */
+From a guess Newton's method finds an orbit that begins at rest, in a chain with masses, contacts, wells and ends of the
+reader's own, and of every orbit, at rest or not, the multipliers tell how stable it is. In Python these are `Chain.orbit`
+and `Chain.multipliers`. */
 
 #include <complex>
 #include <utility>
@@ -27,9 +27,7 @@ struct OrbitMultipliers {
   Estimate largest_modulus;
 };
 
-/**
-The given start is taken to the nearest orbit, since multipliers of a motion that does not return mean nothing. */
-/// The multipliers of the orbit through `start`, in two precisions. Throws std::invalid_argument where no orbit passes
+/// The multipliers of the orbit nearest to `start`, in two precisions. Throws std::invalid_argument where none passes
 /// within a thousandth of the amplitude, NewtonFailed.
 OrbitMultipliers multipliers_through(const Chain& chain, const State<double>& start, double period);
 

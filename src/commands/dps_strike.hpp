@@ -3,24 +3,26 @@
 # The DpS impact with your own parameters
 
 `sec31_dps_limit impact --tau 250` strikes the first site of a DpS chain, $A_1(0) = -i$, and measures
-the packet that runs away, in the way of the impact chapter (sec34_dps_impact.cpp). It prints the
-packet's centre (site), its speed (sites per unit of $\tau$, fitted from site 20 to twenty sites before
-the far end), its amplitude (the largest maximum of $|A_n|$ over the last site or two), its share of
-the norm within five sites of its peak, and the share left on the first ten sites. All are dimensionless
-and hold for every $\epsilon$. With `--alpha` the force of the contacts has another exponent than the article's $3/2$.
-The error is the difference from a run with a thousand times the tolerance
-and half the samples; the speed also carries the error of the fit. A quantity that does not exist is
-`nan`. In Python this is `lattice.dps`.
+the packet that runs away, in the way of the impact chapter (sec34_dps_impact.cpp): its centre, its speed between site 20
+and twenty sites before the far end, its amplitude, its share of the norm within five sites of its peak, and the share left
+on the first ten sites. All are dimensionless and hold for every $\epsilon$. The error is the difference from a run with a
+thousand times the tolerance and half the samples; the speed also carries the error of the fit. In Python this is
+`lattice.dps`.
 
 How fast a front is nobody has proved, and after an impact on a fixed end it is faster. So a chain whose last site
 has moved is lengthened and struck again. If you choose the end yourself with `--sites`, what it sends back
 belongs to the run. */
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
+#include <string>
 
+#include "commands/why_no_speed.hpp"
 #include "lattice/dps/dps_impact.hpp"
+#include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
 
 namespace lattice {
@@ -33,16 +35,76 @@ struct DpsStrike {
   Ends end = Ends::free;               ///< where the impact is: free or fixed
   double alpha = 1.5;                  ///< exponent of the contact force
 
-  /// Declares them, as every command does (program.hpp).
-  void parameters(Parameters& p);
+  void parameters(Parameters& p) {
+    p.add("tau", tau, "slow time of the run", {1, 1e4});
+    p.add("sites", sites, "chain length (default: as long as needed)", {2, 1e5});
+    p.add("end", end, "end where the impact is", {{"free", Ends::free}, {"fixed", Ends::fixed}});
+    p.add(
+        "alpha", alpha, "exponent of the contact force, 3/2 for spheres",
+        {1.05, 4, "", "at 1 the equation is linear and packets disperse; more than 4 is untested"});
+  }
   using Found = std::array<DpsOutcome, 2>;  ///< the coarser and the finer run
-  /// Throws std::runtime_error if GSL cannot go on.
-  Found find() const;
-  /// Rows `quantity,value,error,unit,kind,meaning,reason`.
-  Table quantities(const Found& found) const;
+
+  /// Most fronts are slower than `fastest`; where another one has moved the far end the chain was too short. Throws
+  /// std::runtime_error if GSL cannot go on.
+  Found find() const {
+    const double quiet = 1e-9;  // |A_n| of an end that has not moved; the struck site has 1
+    const double fastest = alpha == 1.5 ? 0.4 : std::max(0.5, 1 / (2 * tau_0(alpha)));
+    Found runs;
+    for (std::size_t n = sites.value_or(20 + std::size_t(std::ceil(fastest * tau)));; n += n / 2) {
+      parallel_for(2, [&](std::size_t k) {
+        const double samples = std::ceil(fastest / 0.4 * (k ? 4 : 2) * std::max(tau, 25.0));
+        runs[k] =
+            follow_dps({n, end, alpha}, dps_impact(n), tau, std::size_t(samples), k ? 1e-11 : 1e-8);
+      });
+      if (sites || std::max(runs[0].far_end, runs[1].far_end) <= quiet) return runs;
+    }
+  }
+
+  /// What both runs give. A test compares it with what the impact chapter measures in a run of its own.
+  Table quantities(const Found& runs) const {
+    const auto both = [&](auto of) {
+      const bool none = runs[0].path.t.empty() || runs[1].path.t.empty();
+      return none ? undefined : compare(of(runs[0]), of(runs[1]));
+    };
+    const double to = way_end(runs[1].end.size());
+    const Path& path = runs[1].path;
+    const std::string lost = why_no_packet(path),
+                      still = why_no_speed(path, density(runs[1].end), 10, "norm");
+    Answers q;
+    q.add("centre", both([](const DpsOutcome& out) { return out.path.centre.back(); }), "site",
+          "centre of the norm of the foremost packet at the end of the run, as in Eq. (24)", lost);
+    q.add(
+        "speed", both([&](const DpsOutcome& out) {
+          const auto line = out.path.line(fit_from, to);
+          return line ? line->estimate() : undefined;
+        }),
+        "site per tau",
+        "speed of the foremost packet, fitted between site 20 and twenty sites before the far end",
+        still);
+    q.add(
+        "amplitude", both([](const DpsOutcome& out) { return packet_amplitude(out.path); }), "",
+        "largest maximum in time of |A_n| of the foremost packet over the last site of its way, or "
+        "the last two",
+        lost.empty() ? "|A_n| of the packet has no maximum in time on its last two sites" : lost);
+    q.add("norm_window", both([](const DpsOutcome& out) { return out.path.energy.back(); }), "",
+          "sum of |A_n|^2 over the eleven sites about the packet's peak at the end; 1 in all",
+          lost);
+    q.add_small("residual_boundary",
+                both([](const DpsOutcome& out) { return boundary_share(density(out.end), 10); }),
+                "", "sum of |A_n|^2 over the first ten sites at the end, over that of all sites");
+    return q.table;
+  }
+
   /// The field at the end, site by site.
-  Table profile(const Found& found) const;
-  /// What the program prints.
+  Table profile(const Found& runs) const {
+    Table table{{count("n", "site", "site"), number("real", "real part of A_n at the end"),
+                 number("imag", "imaginary part of A_n at the end")}};
+    const Field& field = runs[1].end;
+    for (std::size_t n = 0; n < field.size(); ++n)
+      table.add({n + 1, field[n].real(), field[n].imag()});
+    return table;
+  }
   Table table() const { return quantities(find()); }
 };
 

@@ -6,11 +6,11 @@
 pair passes $+1$ (exchange.hpp), the one nearest to the linear well first. Other pairs may leave the circle elsewhere and
 are not looked at.
 
-A breather may lose and regain its stability several times. Wells are looked at in steps of a fortieth, or so short that
-the amplitude changes by less than three per cent, from the linear one to $s = \pm1$, to where the family ends, or to where
-the article's 31 or 32 sites do not hold its tail. Two exchanges may lie between two neighbours of one sign. Then
-$|\kappa|$ is least at one of these, and the parabola through it and its neighbours tells where it comes nearest to zero in
-between; two parabolas more, each a tenth as wide, follow. */
+Wells are looked at in steps of a fortieth, or so short that the amplitude changes by less than three per cent, from the
+linear one to $s = \pm1$, to where the family ends, or to where the article's 31 or 32 sites do not hold its tail. A
+breather may lose and regain its stability between two looks of one sign. Then $|\kappa|$ is least at one of these, and
+the parabola through it and its neighbours tells where it comes nearest to zero in between; two parabolas more, each a
+tenth as wide, follow. */
 
 #include <vector>
 

@@ -7,6 +7,7 @@ errors, those next to $+1$ first, for wells of any name (`--well pendulum`) and 
 `breather` (`--contact power --alpha 1.8`, `--precompression 1e-3 --omega 1.3`, `--mass-ratio 0.8 --omega 1.3`).
 In Python this is `lattice.multipliers`. */
 
+#include <cmath>
 #include <complex>
 #include <utility>
 #include <vector>
@@ -16,28 +17,59 @@ In Python this is `lattice.multipliers`. */
 
 namespace lattice {
 
-/**
-The chapter tabulates multipliers under the same headings. */
-/// Real and imaginary part, modulus, argument (rad), error.
-Columns multiplier_columns();
+/// Real and imaginary part, modulus, argument (rad), error: the headings of the chapter too.
+inline Columns multiplier_columns() {
+  return {number("real", "real part"), number("imag", "imaginary part"),
+          number("modulus", "its modulus"), number("argument", "its argument", "rad"),
+          number("error", "of the multiplier, from two tolerances")};
+}
 
 /// Every multiplier with its error, the two of the time-translation pair first.
-std::vector<std::pair<std::complex<double>, double>> multipliers_of(const Spectrum& all);
+inline std::vector<std::pair<std::complex<double>, double>> multipliers_of(const Spectrum& all) {
+  std::vector<std::pair<std::complex<double>, double>> out{{1, 0}, {1, 0}};
+  for (const Pair& pair : all.pairs)
+    for (int sign : {1, -1})
+      out.emplace_back(multiplier(pair.kappa, sign), pair.multiplier_error());
+  return out;
+}
 
 /// The command: which breather, its spectrum, its tables.
 struct Multipliers : ChosenBreather {
   static constexpr Title title{"multipliers", "all Floquet multipliers of one breather"};
 
-  /// Declares which breather.
-  void parameters(Parameters& p);
-  using Found = Spectrum;
+  void parameters(Parameters& p) {
+    ChosenBreather::parameters(p);
+    add_well(p);
+    add_contacts(p);
+    add_masses(p);
+    p.add("sites", sites, "sites (default: as many as needed)", {3, 1000});
+  }
   /// The spectrum of the breather, in two precisions. Throws UsageError, NewtonFailed, NoBranch.
-  Found find() const;
-  /// Rows `quantity,value,error,unit,kind,meaning,reason` for the pinning pair and the largest modulus.
-  Table quantities(const Found& found) const;
+  Spectrum find() const {
+    const Fitted chosen = find_chosen(*this, 1e-17);
+    return spectrum<Wide>(chosen.problem, chosen.orbit);
+  }
+  /// What a shift along the chain does is said by the pair next to +1, whether the breather is stable by all of them.
+  Table quantities(const Spectrum& found) const {
+    Answers q;
+    const Pair& pinning = found.pairs.front();
+    const bool real = std::abs(pinning.kappa.imag()) <= pinning.radius();
+    q.add_small(
+        "kappa", real ? found.kappa() : undefined, "",
+        "(lambda + 1/lambda - 2)/4 of the pinning pair of multipliers, the one nearest to +1; "
+        "above 0 it is unstable, otherwise largest_modulus decides",
+        "the pair nearest to +1 is half of a quadruplet: its kappa is not real");
+    q.add("largest_modulus", found.largest_modulus(), "",
+          "of all multipliers; the breather is unstable if it exceeds 1 by more than its error");
+    return q.table;
+  }
   /// Every multiplier.
-  Table profile(const Found& found) const;
-  /// What the program prints.
+  Table profile(const Spectrum& found) const {
+    Table out{multiplier_columns()};
+    for (const auto& [z, error] : multipliers_of(found))
+      out.add({z.real(), z.imag(), std::abs(z), std::arg(z), error});
+    return out;
+  }
   Table table() const { return profile(find()); }
 };
 

@@ -2,7 +2,7 @@
 /**
 # A barrier with your own parameters
 
-`sec32_barrier barrier --omega 1.1` prints the barrier (breather.hpp) at equal frequency and at equal area, both
+`sec32_barrier barrier --omega 1.1` prints the barrier (breather_pairs.hpp) at equal frequency and at equal area, both
 with their signs, from two tolerances in extended precision, for other wells (`--well pendulum`) and contacts too
 (`--contact power --alpha 1.75`, `--precompression 1e-3 --omega 1.3`). In Python this is `lattice.barrier`. */
 
@@ -15,15 +15,42 @@ namespace lattice {
 struct OneBarrier : ChosenBreather {
   static constexpr Title title{"barrier", "energy between the two breathers, with its sign"};
 
-  /// Declares them.
-  void parameters(Parameters& p);
-  using Found = BreatherPair;
+  void parameters(Parameters& p) {
+    add_omega(p);
+    add_well(p);
+    add_contacts(p);
+  }
+
+  /**
+  Between spheres that are not compressed the chains are those of the chapter; other breathers decide themselves how long
+  theirs is. */
   /// Both breathers, measured in extended precision. Throws UsageError, NewtonFailed, NoBranch.
-  Found find() const;
-  /// Rows `quantity,value,error,unit,kind,meaning,reason`.
-  Table quantities(const Found& found) const;
-  /// What the program prints.
-  Table table() const { return quantities(find()); }
+  BreatherPair find() const {
+    BreatherPair pair{0, omega_b};
+    const bool plain = std::holds_alternative<Hertz>(like.contact);
+    for (int k : {0, 1}) {
+      ChosenBreather one = *this;
+      one.centre = both_centres[k];
+      auto problem = breather_problem(one.centre, omega_b, well, sites_of(one.centre));
+      const Fitted found =
+          plain ? Fitted{problem, find_breather(problem)} : find_chosen(one, 1e-20);
+      pair.others.push_back(found.problem);
+      pair.orbit[k] = found.orbit;
+    }
+    measure_in<Wide>(pair);
+    return pair;
+  }
+
+  Table table() const {
+    const BreatherPair found = find();
+    Answers q;
+    q.add_small("equal_frequency", found.equal_frequency, "",
+                "E_site - E_bond, the energies of both breathers at the frequency omega_b");
+    q.add_small(
+        "equal_area", found.equal_area, "",
+        "E_site - E_bond at the area of the bond-centred breather, as a moving one keeps it");
+    return q.table;
+  }
 };
 
 }  // namespace lattice

@@ -5,8 +5,8 @@
 `sec33_mobility kick --centre bond --omega 1.1 --c 2e-4` kicks one breather along its discrete gradient (kick.hpp). The
 run ends early if the breather comes within eight sites of an end of its chain. If less than nine tenths of the energy
 stays together, the breather has broken up, and that is an error; so is a chain too short for the breather. Errors come
-from two step sizes and, unless `--sites` is given, from two chains, of which the longer one has the smaller step. A
-breather that has moved less than one site has no speed: it is `nan`.
+from two step sizes and, unless `--sites` is given, from two chains, of which the longer one has the smaller step: what a
+strong kick sheds comes back from its ends later. A breather that has moved less than one site has no speed: it is `nan`.
 
 `sec33_mobility threshold --centre bond --omega 1.1` finds the least kick that frees it (kick_threshold.hpp), takes some
 seconds and refuses an unstable centre. */
@@ -19,10 +19,17 @@ namespace lattice {
 /// Which breather is kicked, on which chain.
 struct KickedBreather : ChosenBreather {
   KickedBreather() { centre = Centre::bond; }
-  /// Declares them.
-  void parameters(Parameters& p);
+  void parameters(Parameters& p) {
+    add_centre(p);
+    p.add("omega", omega_b, "frequency omega_b > 1", breather_range(1.01, 2));
+    add_phase(p);
+    p.add("sites", sites, "chain length (default: 52 or 53)", {8, 400});
+  }
   /// The breather before the kick. Throws UsageError, NewtonFailed.
-  RestingBreather at_rest() const;
+  RestingBreather at_rest() const {
+    return on_chosen_chain(
+        *this, [&] { return resting_breather(centre, phase, omega_b, sites ? sites : 52); });
+  }
 };
 
 /// The command `kick`.
@@ -30,17 +37,100 @@ struct OneKick : KickedBreather {
   static constexpr Title title{"kick", "speed of a breather after a kick"};
   double c = 2e-4, time = 20000;
 
-  /// Declares size and duration too.
-  void parameters(Parameters& p);
-  /// What the program prints.
-  Table table() const;
+  void parameters(Parameters& p) {
+    KickedBreather::parameters(p);
+    p.add("c", c, "size of the kick, a velocity", {1e-9, 1});
+    p.add("time", time, "duration", {1000, 1e6});
+  }
+
+  /// The coarser and the finer run. Throws Failure where the breather breaks up.
+  std::array<KickedPath, 2> find() const {
+    const RestingBreather at = at_rest();
+    const RestingBreather longer =
+        sites ? at : resting_breather(centre, phase, omega_b, at.chain.sites + 20);
+    const double room = 0.5 * double(at.chain.sites) - 8;
+    std::array<KickedPath, 2> runs;
+    parallel_for(2, [&](std::size_t i) {
+      runs[i] = (i ? longer : at)
+                    .after(c, EventCorrected{i ? 0.05 : 0.1}, time,
+                           [&](const KickedPath& path, const State<double>&, const auto&) {
+                             return path.share > 0.9 && std::abs(path.travelled()) < room;
+                           });
+      if (runs[i].share <= 0.9 || runs[i].run.escaped())
+        throw Failure("the breather breaks up after a kick of " + short_text(c));
+    });
+    return runs;
+  }
+
+  Table table() const {
+    const auto [coarse, fine] = find();
+    const double ends = std::min(coarse.run.t_end, fine.run.t_end);
+    const double way = std::abs(fine.travelled());
+    const bool few = fine.t.size() <= 3 || coarse.t.size() < 3;
+    // A breather that hardly moves has no speed
+    Estimate speed = undefined;
+    if (way >= 1 && !few) speed = compare(coarse.speed_during(0, ends), fine.speed_during(0, ends));
+    Answers q{"a larger --c or a shorter --time"};
+    q.add("velocity", speed, "site per unit of time",
+          "speed of the breather's energy centre over the whole run, with its sign",
+          way < 1
+              ? "the breather has moved by " + short_text(std::round(100 * way) / 100) +
+                    " sites, less than one"
+              : "the run ends before the place has been averaged four times over eleven periods");
+    q.add_small("drift", compare(coarse.run.energy_drift, fine.run.energy_drift), "relative",
+                "largest change of the chain's energy during the run");
+    q.add_small(
+        "sites_travelled", compare(coarse.travelled(), fine.travelled()), "site",
+        "way of the energy centre from its first mean over eleven periods to the last, with "
+        "its sign");
+    q.add("time", exact(fine.run.t_end), "",
+          "when the run ended: the given time, or earlier near an end of the chain");
+    return q.table;
+  }
 };
 
 /// The command `threshold`.
 struct OneThreshold : KickedBreather {
   static constexpr Title title{"threshold", "the kick that frees a pinned breather"};
-  /// What the program prints.
-  Table table() const;
+
+  /**
+  The prediction says where to look. An extrapolation is no proof: a kick one per cent below it must turn back, one per
+  cent above it must get over. */
+  Table table() const {
+    const RestingBreather at = at_rest();
+    const Prediction p = predict_threshold(at, barriers_at(omega_b).equal_area);
+    if (!p.exists())
+      throw UsageError("--centre: this breather at omega_b = " + short_text(omega_b) +
+                       " is unstable and any kick moves it (allowed: the other centre)");
+    if (!(p.frequency.value > 1e-5))
+      throw Failure("so close to an exchange of stability the breather swings too slowly");
+    // The threshold from two methods, and what brackets it
+    const EventCorrected fine = fourteen_stages(0.06);
+    std::array<Estimate, 2> found;
+    parallel_for("thresholds", 2, [&](std::size_t i) {
+      found[i] = freeing_kick_of(at, p, i ? EventCorrected{0.15} : fine);
+    });
+    const Estimate c = compare(found[1], found[0]);
+    parallel_for("bracket", 2, [&](std::size_t i) {
+      const double beside = (i ? 1.01 : 0.99) * c.value;
+      const Mobility fate = mobility_of(decided_path(at, beside, fine, 10 / p.frequency.value));
+      if (fate != (i ? Mobility::free : Mobility::pinned))
+        throw Failure("the threshold is not within one per cent of " + short_text(c.value));
+    });
+    // What the runs find, and what was predicted
+    Answers q;
+    q.add("c_threshold", c, "site per unit of time",
+          "least size c of the kick after which the breather passes the barrier, from runs");
+    q.add("barrier", {c.value * c.value / 2, c.value * c.error}, "",
+          "energy c^2/2 of the threshold kick");
+    q.add("predicted", p.threshold, "site per unit of time",
+          "the threshold kick as it follows from the barrier and the pinning mode");
+    q.add_small("effective_barrier", p.barrier, "",
+                "E_site - E_bond at equal area, the barrier of the moving breather");
+    q.add_small("kinetic_share", p.share, "",
+                "share of the energy c^2/2 that moves the breather along; below 0 if its mass is");
+    return q.table;
+  }
 };
 
 }  // namespace lattice

@@ -3,32 +3,52 @@
 # The exponents of a DpS breather with your own parameters
 
 `sec33_dps_stability spectrum --centre bond --mu 1 --sites 32` prints all exponents (spectrum.hpp), two for each site:
-first the two zeros of the phase, then the pinning pair, then the rest. With `--alpha 2` the contacts are not those of
-spheres, and their force grows with the square of the overlap. */
+first the two zeros of the phase, then the pinning pair, then the rest. Each comes from a long mantissa, with its distance
+from the one in double precision. With `--alpha 2` the force of the contacts grows with the square of the overlap. */
+
+#include <cmath>
 
 #include "lattice/standing/spectrum.hpp"
+#include "report/program.hpp"
 #include "sec3/breather_options.hpp"
 
 namespace lattice {
-
-/// The eigenvalues of the contact matrix of a breather, in one precision.
-template <class T>
-ContactSpectrum<T> spectrum_of(Centre centre, const T& mu, std::size_t sites, double alpha = 1.5) {
-  return contact_spectrum(stationary<T>(centre, mu, sites, alpha));
-}
-
-/// Each exponent from a long mantissa, with its distance from the one in double precision.
-Table spectrum_table(Centre centre, double mu, std::size_t sites, double alpha = 1.5);
 
 /// The command: which breather, its spectrum.
 struct OneSpectrum : ChosenBreather {
   static constexpr Title title{"spectrum", "all exponents of a breather"};
   double mu = 1, alpha = 1.5;
 
-  /// Declares which breather.
-  void parameters(Parameters& p);
-  /// What the program prints.
-  Table table() const;
+  void parameters(Parameters& p) {
+    add_centre(p);
+    p.add("mu", mu, "frequency of the breather", {1e-6, 1e6});
+    p.add("sites", sites, "chain length (default: 31 or 32, with other exponents as needed)",
+          {8, 1001});
+    p.add("alpha", alpha, "exponent of the contact force, 3/2 for spheres", static_exponents());
+  }
+
+  /// The exponents, computed in the type `T`. Throws UsageError.
+  template <class T>
+  auto find() const {
+    return on_chosen_chain(*this, [&] {
+      const std::size_t length = sites ? sites : sites_of(centre, alpha);
+      return exponents(contact_spectrum(stationary<T>(centre, T(mu), length, alpha)));
+    });
+  }
+
+  Table table() const {
+    const auto coarse = find<double>();
+    const auto fine = find<long double>();
+    Table table{
+        {number("real", "growth rate", "1 per unit of time"),
+         number("imag", "frequency in the turning frame", "1 per unit of time"),
+         number("error", "distance from the value in double precision", "1 per unit of time")}};
+    for (std::size_t i = 0; i < fine.size(); ++i) {
+      const double re = double(fine[i].first), im = double(fine[i].second);
+      table.add({re, im, std::hypot(re - coarse[i].first, im - coarse[i].second)});
+    }
+    return table;
+  }
 };
 
 }  // namespace lattice

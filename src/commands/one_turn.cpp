@@ -70,22 +70,20 @@ double decorrelation_time(const Method& first, State<double> a, const Method& se
 
 // The neighbours start from the steps that have proved to be short enough for the turn
 Table OneTurn::table() const {
-  const double v = velocity;
   const auto chain_for = [&](double duration) {
-    Chain chain = on_long_chain({v, like, duration}).chain;
+    Chain chain = on_long_chain({velocity, like, duration}).chain;
     if (sites) chain.sites = *sites;
     return chain;
   };
-  const Chain chain = chain_for(time);
-  const Impact impact{.velocity = v,
-                      .chain = chain,
+  const Impact impact{.velocity = velocity,
+                      .chain = chain_for(time),
                       .time = time,
                       .denser = false,
                       .packet = WhichPacket::strongest};
   const auto runs = refined(
       tolerance, [&](const EventCorrected& method) { return strike(method, impact); }, SameTurn{});
   const TurnEstimate read = estimate_turn(runs.coarse.path, runs.fine.path);
-  const auto parted = decorrelation_to(runs.method, v, 1e-8, chain_for(4 * time), 4 * time);
+  const auto parted = decorrelation_to(runs.method, velocity, 1e-8, chain_for(4 * time), 4 * time);
   const Turn turn = turn_of(runs.fine.path);
   // The turn, and when the impacts of two neighbours part
   const std::string by = " by t = " + short_text(time),
@@ -99,9 +97,7 @@ Table OneTurn::table() const {
       "return_time", read.return_time, "",
       "time at which this packet, on its way back, is nearest to the struck end",
       turn.apex.found() ? "the packet has turned and not moved out again by three sites" + by : on);
-  const double never = std::nan("");
-  q.add("decorrelation_time",
-        parted && std::isfinite(parted->value) ? *parted : Estimate{never, never}, "",
+  q.add("decorrelation_time", parted && std::isfinite(parted->value) ? *parted : undefined, "",
         "time after which two impacts whose velocities differ by a fraction 1e-8 have parted",
         parted ? "the two impacts have not parted by t = " + short_text(4 * time)
                : "the steps part the two impacts as early as their velocities do");

@@ -3,11 +3,11 @@
 # One impact in hard wells, with your own parameters
 
 `sec34_boomeron run --velocity 1.9 --s 1 --time 1000` prints turning point, rebound, and the time at which two impacts
-that differ by a fraction $10^{-8}$ have parted, looked for up to four times as long. What did not happen in the given
-time is `nan`. The step is halved until turning point and rebound of two runs agree to the tolerance, and what is left
-of their difference is `step_difference`; where they do not agree, the motion became chaotic first, and the command
-fails. The errors of the times also hold what another width of the smoothing would change. The chain is so long that
-nothing returns from its far end, unless `--sites` gives it a length; where the far end moves the command fails. */
+that differ by a fraction $10^{-8}$ have decorrelated, looked for up to four times as long. What did not happen in the
+given time is `nan`. The step is halved until turning point and rebound of two runs agree to the tolerance, and what is
+left of their difference is `step_difference`; where they do not agree, the motion became chaotic first, and the command
+fails. The errors of the times also hold what another width of the smoothing would change. Nothing returns from the far
+end of the chain, unless `--sites` gives it a length; where the far end moves the command fails. */
 
 #include <cstddef>
 #include <optional>
@@ -25,9 +25,8 @@ struct OneTurn {
   std::optional<std::size_t> sites{};  // otherwise as many as needed
   Chain like{.well = Quartic{1}};
 
-  /// Declares them with wells and contacts of any name.
   void parameters(Parameters& p);
-  /// What the program prints. Throws RefinementFailed and FarEndReached.
+  /// Throws RefinementFailed and FarEndReached.
   Table table() const;
 };
 

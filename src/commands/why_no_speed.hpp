@@ -2,8 +2,8 @@
 /**
 # Why a packet has no speed
 
-The foremost packet of an impact is measured on its way from site 20 to twenty sites before the far end
-(observe.hpp). There may be no such way, or no packet on it, and whoever gets `nan` wants to know which. */
+The foremost packet of an impact is measured on its way from site 20 to twenty sites before the far end. Where its speed is
+`nan` there is no such way, or no packet on it. */
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +22,8 @@ inline double way_end(std::size_t sites) {
 
 /// Why there is no packet in `path`; empty if there is one.
 inline std::string why_no_packet(const Path& path) {
-  if (!path.t.empty()) return "";
-  return "no packet: nowhere do eleven neighbours hold a hundredth of the whole";
+  return path.t.empty() ? "no packet: nowhere do eleven neighbours hold a hundredth of the whole"
+                        : "";
 }
 
 /// Why `path` has no speed on this way, from the `density` at the end; empty if it has one. `share` is what the

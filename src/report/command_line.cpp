@@ -1,7 +1,8 @@
 /**
 # The words of a line
 
-A line is read in two passes: first every word finds its place, then the values are checked and taken. */
+A line is read in two passes: first every word finds its place, then the values are checked and taken, so that nothing has
+happened when a line is refused. */
 
 #include "report/command_line.hpp"
 
@@ -64,142 +65,127 @@ is none. Any other word is the command, or one too many. A line is read from the
 complaint is about the first word that is wrong. */
 namespace {
 
+/// Whether a word is an option, or was meant to be one.
+bool like_option(const std::string& word) {
+  return word.size() > 1 && word[0] == '-' && !typed_number(word);
+}
+
 struct Reader {
   std::deque<Offer>& offers;
   const std::vector<std::string>& words;
   Offer* at = &offers.front();
   std::vector<std::pair<std::string, Option*>> given{};  ///< under the names that were typed
 
-  Asked run();
-  Offer* command(const std::string& word) const;
-  bool asks_for_help() const;
-  Option& option(const std::string& name) const;
-  void place_option(std::size_t& k);
-  void place_command(const std::string& word);
-  void take() const;
+  /// The command of this name; null if there is none.
+  Offer* command(const std::string& word) const {
+    for (Offer& offer : offers)
+      if (!offer.name.empty() && offer.name == word) return &offer;
+    return nullptr;
+  }
+
+  /// The option of this name. One that is unknown here may belong elsewhere.
+  Option& option(const std::string& name) const {
+    if (Option* const found = at->parameters.find(name)) return *found;
+    const std::string known = at->parameters.names();
+    for (Offer& offer : offers)
+      if (offer.parameters.find(name))
+        refuse("--" + name,
+               offer.name.empty() ? "belongs to a full run, without a command"
+                                  : "belongs to '" + offer.name + "'",
+               known);
+    std::vector<std::string> names{"help"};
+    for (const Option& p : at->parameters.all()) names.push_back(p.name);
+    refuse("--" + name, "there is no such option" + perhaps(nearest(name, names), "--"), known);
+  }
+
+  /// Takes the option at word `k`, and goes on to its value.
+  void place_option(std::size_t& k) {
+    const auto equals = words[k].find('=');
+    const bool joined = equals != std::string::npos;
+    const std::string typed = words[k].substr(0, equals), name = typed.substr(2);
+    Option& found = option(name);
+    std::string value = joined ? words[k].substr(equals + 1) : "";
+    if (found.takes == Option::Takes::flag) {
+      if (joined) refuse(typed, "takes no value, but got '" + value + "'", typed + " alone");
+    } else {
+      const bool next = !joined && k + 1 < words.size();
+      if (next && like_option(words[k + 1]))
+        refuse(typed, "needs a value, and '" + words[k + 1] + "' is an option",
+               found.check.allowed);
+      if (!next && value.empty()) refuse(typed, "needs a value", found.check.allowed);
+      if (next) value = words[++k];
+      if (found.given())
+        refuse(typed, "given twice, '" + *found.typed + "' and '" + value + "'", "once");
+    }
+    found.typed = value;
+    given.emplace_back(name, &found);
+  }
+
+  /// A word that is no option is the command, or one too many.
+  void place_command(const std::string& word) {
+    const std::string quoted = "'" + word + "'", inside = at->name;
+    Offer* const found = command(word);
+    if (found && inside.empty()) {
+      at = found;
+      if (!given.empty())
+        refuse("--" + given.front().first, "belongs to a full run, without " + quoted,
+               at->parameters.names());
+      return;
+    }
+    if (found) refuse(quoted, "there is a command already, '" + inside + "'", "one command");
+    std::vector<std::string> names;
+    for (const Offer& offer : offers)
+      if (!offer.name.empty()) names.push_back(offer.name);
+    if (inside.empty() && !names.empty())
+      refuse(quoted, "there is no such command" + perhaps(nearest(word, names), "'"),
+             comma_list(names));
+    refuse(
+        quoted,
+        names.empty() ? "belongs to no option, and there are no commands" : "belongs to no option",
+        at->parameters.names());
+  }
+
+  /// All values are checked before one is taken. A complaint names the option as it was typed, also where it has another
+  /// name today.
+  void take() const {
+    for (const auto& [name, option] : given) {
+      const std::string &value = *option->typed, typed = "--" + name;
+      const std::string wrong = option->check.complaint ? option->check.complaint(value) : "";
+      if (!wrong.empty()) throw UsageError(typed + ": " + wrong);
+      for (const std::string& rival : option->rivals)
+        if (at->parameters.find(rival)->given())
+          refuse(typed, "'" + value + "' cannot be together with --" + rival, "one of the two");
+    }
+    for (const auto& [name, option] : given) option->take(*option->typed);
+    at->parameters.finish();
+  }
 };
-
-/// The command of this name; null if there is none.
-Offer* Reader::command(const std::string& word) const {
-  const auto found = std::find_if(offers.begin() + 1, offers.end(),
-                                  [&](const Offer& offer) { return offer.name == word; });
-  return found == offers.end() ? nullptr : &*found;
-}
-
-/// `help` and `help COMMAND` are other words for `--help` and `COMMAND --help`.
-bool Reader::asks_for_help() const {
-  return (!words.empty() && words.front() == "help") ||
-         std::any_of(words.begin(), words.end(),
-                     [](const auto& word) { return word == "--help" || word == "-h"; });
-}
-
-/// Whether a word is an option, or was meant to be one.
-bool like_option(const std::string& word) {
-  return word.size() > 1 && word[0] == '-' && !typed_number(word);
-}
-
-/// The option of this name. One that is unknown here may belong elsewhere.
-Option& Reader::option(const std::string& name) const {
-  if (Option* const found = at->parameters.find(name)) return *found;
-  const std::string known = at->parameters.names();
-  for (Offer& offer : offers)
-    if (offer.parameters.find(name))
-      refuse("--" + name,
-             offer.name.empty() ? "belongs to a full run, without a command"
-                                : "belongs to '" + offer.name + "'",
-             known);
-  std::vector<std::string> names{"help"};
-  for (const Option& p : at->parameters.all()) names.push_back(p.name);
-  refuse("--" + name, "there is no such option" + perhaps(nearest(name, names), "--"), known);
-}
-
-/// Takes the option at word `k`, and goes on to its value.
-void Reader::place_option(std::size_t& k) {
-  const auto equals = words[k].find('=');
-  const bool joined = equals != std::string::npos;
-  const std::string typed = words[k].substr(0, equals), name = typed.substr(2);
-  Option& found = option(name);
-  std::string value = joined ? words[k].substr(equals + 1) : "";
-  if (found.takes == Option::Takes::flag) {
-    if (joined) refuse(typed, "takes no value, but got '" + value + "'", typed + " alone");
-  } else {
-    const bool next = !joined && k + 1 < words.size();
-    if (next && like_option(words[k + 1]))
-      refuse(typed, "needs a value, and '" + words[k + 1] + "' is an option", found.check.allowed);
-    if (!next && value.empty()) refuse(typed, "needs a value", found.check.allowed);
-    if (next) value = words[++k];
-    if (found.given())
-      refuse(typed, "given twice, '" + *found.typed + "' and '" + value + "'", "once");
-  }
-  found.typed = value;
-  given.emplace_back(name, &found);
-}
-
-/// A word that is no option is the command, or one too many.
-void Reader::place_command(const std::string& word) {
-  const std::string quoted = "'" + word + "'", inside = at->name;
-  Offer* const found = command(word);
-  if (found && inside.empty()) {
-    at = found;
-    if (!given.empty())
-      refuse("--" + given.front().first, "belongs to a full run, without " + quoted,
-             at->parameters.names());
-    return;
-  }
-  if (found) refuse(quoted, "there is a command already, '" + inside + "'", "one command");
-  std::vector<std::string> names;
-  for (const Offer& offer : offers)
-    if (!offer.name.empty()) names.push_back(offer.name);
-  if (inside.empty() && !names.empty())
-    refuse(quoted, "there is no such command" + perhaps(nearest(word, names), "'"),
-           comma_list(names));
-  refuse(quoted,
-         names.empty() ? "belongs to no option, and there are no commands" : "belongs to no option",
-         at->parameters.names());
-}
-
-/**
-## Values are checked, and then taken
-
-Nothing has happened when a line is refused. A complaint names the option as it was typed, also where it has
-another name today. */
-void Reader::take() const {
-  for (const auto& [name, option] : given) {
-    const std::string &value = *option->typed, typed = "--" + name;
-    const std::string wrong = option->check.complaint ? option->check.complaint(value) : "";
-    if (!wrong.empty()) throw UsageError(typed + ": " + wrong);
-    for (const std::string& rival : option->rivals)
-      if (at->parameters.find(rival)->given())
-        refuse(typed, "'" + value + "' cannot be together with --" + rival, "one of the two");
-  }
-  for (const auto& [name, option] : given) option->take(*option->typed);
-  at->parameters.finish();
-}
-
-Asked Reader::run() {
-  if (asks_for_help()) {
-    for (const std::string& word : words)
-      if (Offer* const named = command(word)) return {Asked::What::help, named};
-    return {Asked::What::help, at};
-  }
-  for (std::size_t k = 0; k < words.size(); ++k) {
-    const std::string& word = words[k];
-    if (word == "--version" && at == &offers.front()) return {Asked::What::version, at};
-    if (word.size() > 2 && word.rfind("--", 0) == 0)
-      place_option(k);
-    else if (like_option(word))
-      refuse("'" + word + "'", "an option has two dashes and a name", at->parameters.names());
-    else
-      place_command(word);
-  }
-  take();
-  return {Asked::What::run, at};
-}
 
 }  // namespace
 
 Asked read_line(std::deque<Offer>& offers, const std::vector<std::string>& words) {
-  return Reader{offers, words}.run();
+  Reader reader{offers, words};
+  // `help` and `help COMMAND` are other words for `--help` and `COMMAND --help`
+  const auto asks = [](const auto& word) { return word == "--help" || word == "-h"; };
+  if ((!words.empty() && words.front() == "help") ||
+      std::any_of(words.begin(), words.end(), asks)) {
+    for (const std::string& word : words)
+      if (Offer* const named = reader.command(word)) return {Asked::What::help, named};
+    return {Asked::What::help, reader.at};
+  }
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const std::string& word = words[k];
+    if (word == "--version" && reader.at->name.empty()) return {Asked::What::version, reader.at};
+    if (word.size() > 2 && word.rfind("--", 0) == 0)
+      reader.place_option(k);
+    else if (like_option(word))
+      refuse("'" + word + "'", "an option has two dashes and a name",
+             reader.at->parameters.names());
+    else
+      reader.place_command(word);
+  }
+  reader.take();
+  return {Asked::What::run, reader.at};
 }
 
 /**
@@ -218,8 +204,8 @@ static std::string entry(const std::string& name, const std::string& meaning) {
   return out;
 }
 
-std::string help_text(const std::string& program, const std::deque<Offer>& offers, const Offer& of,
-                      const std::string& after) {
+std::string help_text(const std::string& program, const std::deque<Offer>& offers,
+                      const Offer& of) {
   const bool whole = of.name.empty(), commands = whole && offers.size() > 1;
   std::string out = of.meaning + "\nUsage: " + program + (whole ? "" : " " + of.name) +
                     " [options]" + (commands ? "\n       " + program + " COMMAND [options]" : "") +
@@ -236,28 +222,30 @@ std::string help_text(const std::string& program, const std::deque<Offer>& offer
   for (const Offer& offer : offers)
     if (commands && !offer.name.empty()) out += entry(offer.name, offer.meaning);
   if (numbers) out += "\nA number may be a fraction, such as -1/6.\n";
-  return out + (after.empty() ? "" : (numbers ? "" : "\n") + after + "\n");
+  return out + (of.note.empty() ? "" : (numbers ? "" : "\n") + of.note + "\n");
 }
 
 /**
-## The line in a header */
-std::string shell_quoted(const std::string& argument) {
+## The line in a header
+
+An argument with blanks, quotes or control characters is quoted as a shell would want it: a line feed in a name would
+otherwise break the header. */
+static std::string shell_quoted(const std::string& argument) {
   const auto plain = [](unsigned char c) {
     return std::isalnum(c) != 0 || std::string("-_=+./,:@%").find(char(c)) != std::string::npos;
   };
   if (!argument.empty() && std::all_of(argument.begin(), argument.end(), plain)) return argument;
-  std::string out;
-  bool strange = false;
+  std::string escaped;
+  bool strange = false;  // plain quotes do not hold it
   for (unsigned char c : argument) {
+    const bool control = c < 32 || c == 127;
     char code[8];
     std::snprintf(code, sizeof code, "\\x%02x", unsigned(c));
-    strange = strange || c < 32 || c == 127;
-    out += c < 32 || c == 127       ? code
-           : c == '\'' || c == '\\' ? "\\" + std::string(1, char(c))
-                                    : std::string(1, char(c));
+    if (c == '\'' || c == '\\') escaped += '\\';
+    escaped += control ? code : std::string(1, char(c));
+    strange = strange || control || c == '\'';
   }
-  if (strange || argument.find('\'') != std::string::npos) return "$'" + out + "'";
-  return "'" + argument + "'";
+  return strange ? "$'" + escaped + "'" : "'" + argument + "'";
 }
 
 std::string command_text(const std::string& program, int argc, const char* const* argv) {

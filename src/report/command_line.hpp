@@ -7,6 +7,7 @@ its value after a blank or `=`. What can be wrong is answered in one line that n
 what is allowed, and the nearest name where one was misspelt. */
 
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ namespace lattice {
 struct Offer {
   std::string name, meaning, note{};  ///< the note is the last line of its help
   Parameters parameters{};
+  std::function<Table()> compute{};  ///< what a command computes from their values
 };
 
 /// What was asked for: the offer that was chosen, or its help, or the version.
@@ -31,20 +33,13 @@ struct Asked {
 /// first of `offers` being the program itself. Throws UsageError.
 Asked read_line(std::deque<Offer>& offers, const std::vector<std::string>& words);
 
-/// What `--help` prints for `of`; a text `after` the list is its last paragraph.
-std::string help_text(const std::string& program, const std::deque<Offer>& offers, const Offer& of,
-                      const std::string& after);
+/// What `--help` prints for `of`, which ends with its note.
+std::string help_text(const std::string& program, const std::deque<Offer>& offers, const Offer& of);
 
 /// The name that is nearest to `word`, if one is near.
 std::optional<std::string> nearest(const std::string& word, const std::vector<std::string>& names);
 
-/**
-The command in a header is there to be typed again. An argument with blanks, quotes or control
-characters is therefore quoted as a shell would want it, and kept on one line: a line feed in a
-name would otherwise break the header. */
-std::string shell_quoted(const std::string& argument);
-
-/// The whole command without its threads, on which no result depends.
+/// The whole command as a shell would read it, on one line and without its threads, on which no result depends.
 std::string command_text(const std::string& program, int argc, const char* const* argv);
 
 }  // namespace lattice

@@ -60,49 +60,38 @@ static double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// One thread writes the line, as long as somebody looks at it
-struct Heartbeat::Beat {
-  explicit Beat(std::string label) : label_(std::move(label)) {
-    try {
-      thread_ = std::thread([this] { run(); });
-    } catch (const std::system_error&) {
-      // No thread can start, and no line is shown
-    }
-  }
-  ~Beat() {
-    {
-      const std::lock_guard lock(guard_);
-      done_ = true;
-    }
-    over_.notify_one();
-    if (thread_.joinable()) thread_.join();
-    std::fprintf(stderr, "\r\033[K");
-  }
-  void run() {
-    std::unique_lock lock(guard_);
-    while (!over_.wait_for(lock, std::chrono::seconds(1), [&] { return done_; })) {
-      const std::string line = progress_line(label_, now() - since_, watch_.stages());
-      std::fprintf(stderr, "\r%.*s\033[K", width(), line.c_str());
-    }
-  }
-  /// Columns that a line may have without being broken, after which it could not be overwritten.
-  static int width() {
-    winsize size{};
-    return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col - 1 : 159;
-  }
+/// Columns that a line may have without being broken, after which it could not be overwritten.
+static int width() {
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col - 1 : 159;
+}
 
-  std::string label_;
-  double since_ = now();
-  Watch watch_{now};
-  std::mutex guard_{};
-  std::condition_variable over_{};
-  bool done_ = false;
-  std::thread thread_{};
-};
+Heartbeat::Heartbeat(const std::string& label) {
+  if (isatty(STDERR_FILENO) == 0) return;
+  watch_.emplace(now);
+  try {
+    thread_ = std::jthread([this, label](const std::stop_token& over) { show(label, over); });
+  } catch (const std::system_error&) {
+    // No thread can start, and no line is shown
+  }
+}
 
-Heartbeat::Heartbeat(std::string label)
-    : beat_(isatty(STDERR_FILENO) != 0 ? std::make_unique<Beat>(std::move(label)) : nullptr) {}
+Heartbeat::~Heartbeat() {
+  thread_ = {};  // stops and joins it
+  if (watch_) std::fprintf(stderr, "\r\033[K");
+}
 
-Heartbeat::~Heartbeat() = default;
+void Heartbeat::show(const std::string& label, const std::stop_token& over) const {
+  const double since = now();
+  std::mutex guard;
+  std::unique_lock lock(guard);
+  std::condition_variable_any ended;
+  while (true) {
+    ended.wait_for(lock, over, std::chrono::seconds(1), [] { return false; });
+    if (over.stop_requested()) return;
+    const std::string line = progress_line(label, now() - since, watch_->stages());
+    std::fprintf(stderr, "\r%.*s\033[K", width(), line.c_str());
+  }
+}
 
 }  // namespace lattice

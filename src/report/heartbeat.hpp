@@ -2,11 +2,13 @@
 /**
 # A sign of life
 
-Whoever waits wants to see that something moves, and how long it will take. On a terminal, and never in a log, standard
-error shows one line that is overwritten once a second: who computes since when, and how far it is (progress.hpp). */
+On a terminal, and never in a log, standard error shows one line that is overwritten once a second: who computes since
+when, how far it is (progress.hpp), and how long it will take. */
 
-#include <memory>
+#include <optional>
+#include <stop_token>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "lattice/numerics/progress.hpp"
@@ -17,18 +19,19 @@ namespace lattice {
 std::string progress_line(const std::string& who, double seconds,
                           const std::vector<ShownStage>& stages);
 
-/// Shows the line of `label`, once a second.
+/// Shows the line of `label` once a second, if somebody watches a terminal.
 class Heartbeat {
  public:
-  /// Begins at once if somebody watches a terminal.
-  explicit Heartbeat(std::string label);
+  explicit Heartbeat(const std::string& label);
   ~Heartbeat();
   Heartbeat(const Heartbeat&) = delete;
   Heartbeat& operator=(const Heartbeat&) = delete;
 
  private:
-  struct Beat;
-  std::unique_ptr<Beat> beat_;
+  void show(const std::string& label, const std::stop_token& over) const;
+
+  std::optional<Watch> watch_{};  ///< if somebody watches
+  std::jthread thread_{};         ///< writes the line
 };
 
 }  // namespace lattice

@@ -7,15 +7,15 @@ allowed. */
 #include "report/parameters.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <fstream>
+#include <system_error>
 
 #include "lattice/model/potential_names.hpp"
-#include "report/files.hpp"
 
 namespace lattice {
 
-/**
-The numerator and the denominator of a fraction are decimal numbers. */
 std::optional<double> typed_number(std::string_view text) {
   const auto slash = text.find('/');
   if (slash == std::string_view::npos) return parse_number(text);
@@ -25,29 +25,20 @@ std::optional<double> typed_number(std::string_view text) {
   return *above / *below;
 }
 
-Check in_range(const Allowed& range) {
+/// A number, or a `whole` one, of this range.
+static Check in_range(const Allowed& range, bool whole) {
   const std::string allowed = "[" + short_text(range.least) + ", " + short_text(range.most) + "]" +
                               (range.unit.empty() ? "" : " " + range.unit);
-  const auto complaint = [range, allowed](const std::string& value) {
+  const auto complaint = [range, whole, allowed](const std::string& value) -> std::string {
+    const std::string is_not = "'" + value + "' is not ", but = " (allowed: " + allowed + ")";
     const auto x = typed_number(value);
-    if (!x) return "'" + value + "' is not a number (allowed: " + allowed + ")";
-    const bool good = *x >= range.least && *x <= range.most;
-    const std::string why = range.why.empty() ? "" : ": " + range.why;
-    return good ? "" : "'" + value + "' is not in the allowed range " + allowed + why;
+    if (!x) return is_not + "a number" + but;
+    if (whole && !(*x == std::floor(*x) && std::abs(*x) < 1e15))
+      return is_not + "a whole number" + but;
+    if (*x >= range.least && *x <= range.most) return "";
+    return is_not + "in the allowed range " + allowed + (range.why.empty() ? "" : ": " + range.why);
   };
   return {complaint, allowed};
-}
-
-/// The same for whole numbers.
-static Check whole_in_range(const Allowed& range) {
-  const Check number = in_range(range);
-  const auto complaint = [number](const std::string& value) {
-    const auto x = typed_number(value);
-    if (x && !(*x == std::floor(*x) && std::abs(*x) < 1e15))
-      return "'" + value + "' is not a whole number (allowed: " + number.allowed + ")";
-    return number.complaint(value);
-  };
-  return {complaint, number.allowed};
 }
 
 Check not_empty() {
@@ -63,6 +54,7 @@ Check one_of(const std::vector<std::string>& names) {
   return {complaint, comma_list(names), names};
 }
 
+// Names are shown as {one|other}
 std::string Check::shown() const {
   if (names.empty()) return allowed;
   std::string out;
@@ -81,25 +73,20 @@ Check writable_folder() {
   return {complaint, "a folder"};
 }
 
-/**
-A parameter says of itself what was typed, or what holds if nothing was. */
-bool Option::called(const std::string& word) const {
-  return word == name || std::find(old_names.begin(), old_names.end(), word) != old_names.end();
-}
-
-Option& Option::shows(const std::string& value) {
-  standard = value;
-  return *this;
-}
-
-Option& Option::formerly(const std::string& old_name) {
-  old_names.push_back(old_name);
-  return *this;
-}
-
-Option& Option::excludes(const Option& other) {
-  rivals.push_back(other.name);
-  return *this;
+// A place is tried before anything is computed
+std::string why_not_writable(const std::filesystem::path& folder, const std::string& file) {
+  namespace fs = std::filesystem;
+  std::error_code error, ignored;
+  fs::create_directories(folder, error);
+  const fs::path path = folder / file, part = path.string() + ".part";
+  if (!error && fs::exists(path, error) && !fs::is_regular_file(path, ignored)) return "";
+  if (!error) {
+    const bool known = fs::exists(part, ignored);
+    errno = 0;
+    if (!std::ofstream(part, std::ios::app)) error.assign(errno, std::generic_category());
+    if (!known) fs::remove(part, ignored);
+  }
+  return error ? error.message() : "";
 }
 
 std::string Option::used() const {
@@ -108,35 +95,12 @@ std::string Option::used() const {
   return takes == Takes::number ? short_text(*typed_number(*typed)) : *typed;
 }
 
-/**
-Each kind of variable has its own way to take what was typed, which is good when it arrives there. */
-Option& Parameters::add(const std::string& name, double& value, const std::string& meaning,
-                        const Allowed& range) {
-  return keep({name, meaning, short_text(value), Option::Takes::number, in_range(range),
-               [&value](const std::string& typed) { value = *typed_number(typed); }});
-}
-
-Option& Parameters::add(const std::string& name, std::size_t& value, const std::string& meaning,
-                        const Allowed& range) {
-  return keep({name, meaning, std::to_string(value), Option::Takes::number, whole_in_range(range),
-               [&value](const std::string& typed) { value = std::size_t(*typed_number(typed)); }});
-}
-
-Option& Parameters::add(const std::string& name, std::optional<double>& value,
-                        const std::string& meaning, const Allowed& range) {
-  return keep({name, meaning, "none", Option::Takes::number, in_range(range),
-               [&value](const std::string& typed) { value = *typed_number(typed); }});
-}
-
-Option& Parameters::add(const std::string& name, std::optional<std::size_t>& value,
-                        const std::string& meaning, const Allowed& range) {
-  return keep({name, meaning, "none", Option::Takes::number, whole_in_range(range),
-               [&value](const std::string& typed) { value = std::size_t(*typed_number(typed)); }});
-}
-
-Option& Parameters::add(const std::string& name, std::string& value, const std::string& meaning,
-                        const std::vector<std::string>& names) {
-  return add(name, value, meaning, one_of(names));
+// Each kind of variable has its own way to take what was typed, which is good when it arrives there
+Option& Parameters::add_number(const std::string& name, const std::string& meaning,
+                               const std::string& standard, const Allowed& range, bool whole,
+                               std::function<void(double)> take) {
+  return keep({name, meaning, standard, Option::Takes::number, in_range(range, whole),
+               [take](const std::string& typed) { take(*typed_number(typed)); }});
 }
 
 Option& Parameters::add(const std::string& name, std::string& value, const std::string& meaning,
@@ -163,12 +127,8 @@ Option& Parameters::keep(Option parameter) {
 
 Option* Parameters::find(const std::string& name) {
   for (Option& p : all_)
-    if (p.called(name)) return &p;
+    if (p.name == name || std::count(p.old_names.begin(), p.old_names.end(), name)) return &p;
   return nullptr;
-}
-
-void Parameters::finish() const {
-  for (const auto& then : then_) then();
 }
 
 std::string Parameters::names() const {

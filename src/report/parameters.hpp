@@ -4,19 +4,21 @@
 
 What a reader types is checked where it enters: a wrong value is answered by one line that names the
 option, the value and what is allowed. Numbers are read in one way everywhere: in decimal (`031` is
-31), whole ones also as `1e+06`, and all of them as fractions (`-1/6`). And what was not typed is said too:
-help shows every default, and the header of a table records every parameter with the value that was used.
+31), whole ones also as `1e+06`, and all of them as fractions (`-1/6`). Help shows every default, and the header of a
+table records every parameter with the value that was used.
 
-A command declares its parameters as a well does, each with a name, the variable that takes the value, a
-meaning and what is allowed; what the variable holds before the line is read is the default.
+A command declares each parameter with a name, the variable that takes the value, a meaning and what is allowed; what the
+variable holds before the line is read is the default. A default that is no plain value stands at the end of the meaning.
 
     void parameters(Parameters& p) {
       p.add("velocity", velocity, "impact velocity", {1e-6, 100});
       p.add("sites", sites, "chain length (default: as long as needed)", {2, 1e6});
     } */
 
+#include <concepts>
 #include <cstddef>
 #include <deque>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <stdexcept>
@@ -35,12 +37,11 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/**
-A check is told what was typed and answers with a complaint, or with nothing. */
+/// A check is told what was typed and answers with a complaint, or with nothing.
 struct Check {
-  std::function<std::string(const std::string&)> complaint;  ///< empty if there is none
-  std::string allowed;                                       ///< as complaints show it
-  std::vector<std::string> names{};                          ///< if only some names are allowed
+  std::function<std::string(const std::string&)> complaint;
+  std::string allowed;               ///< as complaints show it
+  std::vector<std::string> names{};  ///< if only some names are allowed
 
   /// As help shows it: names as {one|other}.
   std::string shown() const;
@@ -52,8 +53,6 @@ struct Allowed {
   std::string unit = "", why = "";
 };
 
-/// A number of this range.
-Check in_range(const Allowed& range);
 /// A name that is not empty.
 Check not_empty();
 /// One of `names`.
@@ -64,15 +63,15 @@ Check writable_folder();
 /// The number that was typed, in decimal or as a fraction; nothing if it is none.
 std::optional<double> typed_number(std::string_view text);
 
-/**
-An option is what help, complaints and headers know of a parameter. A default that is no plain value, such as
-a length that follows from another parameter, is given at the end of the meaning, `(default: as long as needed)`, and
-is shown and recorded like all the others. */
-class Option {
- public:
+/// Makes `folder` and tries to write `file` in it under a temporary name; the system's reason where that fails, and
+/// nothing where it works. What exists and is no ordinary file (a device, a pipe) is taken as it is.
+std::string why_not_writable(const std::filesystem::path& folder, const std::string& file);
+
+/// What help, complaints and headers know of a parameter.
+struct Option {
   enum class Takes { flag, number, text };
 
-  std::string name, meaning, standard;  ///< `standard` is the default as help shows it
+  std::string name, meaning, standard;  ///< `standard` is the default as help and header show it
   Takes takes = Takes::text;
   Check check{};
   std::function<void(const std::string&)> take{};  ///< hands a checked value to the variable
@@ -81,42 +80,49 @@ class Option {
 
   /// Whether it was typed.
   bool given() const { return typed.has_value(); }
-  /// Whether `word` is its name or an earlier one.
-  bool called(const std::string& word) const;
-
-  /// What help and header show instead of the value of the variable.
-  Option& shows(const std::string& value);
-  /// An earlier name that is still accepted, and shown nowhere.
-  Option& formerly(const std::string& old_name);
-  /// Typing both is refused.
-  Option& excludes(const Option& other);
   /// The value that was used, as a header records it.
   std::string used() const;
+  /// An earlier name that is still accepted, and shown nowhere.
+  Option& formerly(const std::string& old_name) {
+    old_names.push_back(old_name);
+    return *this;
+  }
+  /// Typing both is refused.
+  Option& excludes(const Option& other) {
+    rivals.push_back(other.name);
+    return *this;
+  }
 };
 
-/**
-The variables must live as long as the parameters that point to them. */
+/// The options of a program or a command. The variables must live as long as the parameters that point to them.
 class Parameters {
  public:
   Parameters() = default;
   Parameters(const Parameters&) = delete;
   Parameters& operator=(const Parameters&) = delete;
 
-  /// A number, real or whole, with its range; the value of the variable is the default.
-  Option& add(const std::string& name, double& value, const std::string& meaning,
-              const Allowed& range);
-  Option& add(const std::string& name, std::size_t& value, const std::string& meaning,
-              const Allowed& range);
+  /// A number, real or whole, with its range.
+  template <class Number>
+  requires std::is_arithmetic_v<Number> Option& add(const std::string& name, Number& value,
+                                                    const std::string& meaning,
+                                                    const Allowed& range) {
+    return add_number(name, meaning, short_text(double(value)), range, std::integral<Number>,
+                      [&value](double x) { value = Number(x); });
+  }
   /// The same where no number is an answer too: that is the default.
-  Option& add(const std::string& name, std::optional<double>& value, const std::string& meaning,
-              const Allowed& range);
-  Option& add(const std::string& name, std::optional<std::size_t>& value,
-              const std::string& meaning, const Allowed& range);
-  /// One of some names, or a text that passes a check.
-  Option& add(const std::string& name, std::string& value, const std::string& meaning,
-              const std::vector<std::string>& names);
+  template <class Number>
+  Option& add(const std::string& name, std::optional<Number>& value, const std::string& meaning,
+              const Allowed& range) {
+    return add_number(name, meaning, "none", range, std::integral<Number>,
+                      [&value](double x) { value = Number(x); });
+  }
+  /// A text that passes a check, or one of some names.
   Option& add(const std::string& name, std::string& value, const std::string& meaning,
               const Check& check);
+  Option& add(const std::string& name, std::string& value, const std::string& meaning,
+              const std::vector<std::string>& names) {
+    return add(name, value, meaning, one_of(names));
+  }
   /// A flag: it takes no value and is off unless it is typed.
   Option& add(const std::string& name, bool& value, const std::string& meaning);
 
@@ -138,23 +144,26 @@ class Parameters {
     return keep({name, meaning, standard, Option::Takes::text, one_of(names), take});
   }
 
-  /// Calls `then` when the whole line has been read.
+  /// Calls `then` when the whole line has been read; it may throw UsageError.
   void when_read(std::function<void()> then) { then_.push_back(std::move(then)); }
+  /// Makes these calls.
+  void finish() const {
+    for (const auto& then : then_) then();
+  }
 
-  /**
-  The reader of the line (command_line.hpp) looks a name up and tells when the line is complete. */
   /// The option of this name, present or earlier; null if there is none.
   Option* find(const std::string& name);
-  /// Makes the calls of `when_read`. They may throw UsageError.
-  void finish() const;
   /// The options in the order in which they were added.
   const std::deque<Option>& all() const { return all_; }
   /// The names with their dashes, separated by commas.
   std::string names() const;
 
  private:
+  Option& add_number(const std::string& name, const std::string& meaning,
+                     const std::string& standard, const Allowed& range, bool whole,
+                     std::function<void(double)> take);
   Option& keep(Option parameter);
-  std::deque<Option> all_{};  ///< a chapter holds on to its parameters by address
+  std::deque<Option> all_{};  ///< options are known by their addresses
   std::vector<std::function<void()>> then_{};
 };
 

@@ -3,19 +3,20 @@
 
 #include "report/program.hpp"
 
+#include <fcntl.h>
 #include <gsl/gsl_errno.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <deque>
 #include <iostream>
-#include <limits>
 #include <optional>
 #include <sstream>
 
 #include "report/command_line.hpp"
-#include "report/files.hpp"
 #include "report/heartbeat.hpp"
 
 namespace lattice {
@@ -53,10 +54,6 @@ Columns quantity_columns() {
           label("kind", "estimate, or exact where nothing could be different (error 0)")};
 }
 
-Columns maker_column() {
-  return label("made_by", "function of the program's source that recorded it");
-}
-
 /**
 Where only one of two runs has a quantity its error is not known, and it is not printed either. Numbers that agree
 to the last bit have the error of a rounding, which at zero is the least number of the type. */
@@ -75,14 +72,13 @@ void Answers::add(const std::string& quantity, const Estimate& e, const std::str
 void Answers::add_small(const std::string& quantity, const Estimate& e, const std::string& unit,
                         const std::string& meaning, const std::string& reason) {
   if (meaning.empty()) throw std::invalid_argument(quantity + ": has no meaning");
-  const double nan = std::nan("");
   const bool none = std::isnan(e.value) || std::isnan(e.error);
   std::string why = none ? reason : "";
   if (none && why.empty()) {
     if (std::isnan(e.value)) throw std::logic_error(quantity + ": is nan without a reason");
     why = "only the finer of two runs has it";
   }
-  table.add({quantity, none ? Estimate{nan, nan} : e, unit, kind_of(e), meaning, why});
+  table.add({quantity, none ? undefined : e, unit, kind_of(e), meaning, why});
 }
 
 void Quantities::add(const std::string& quantity, const Estimate& e, const std::string& unit,
@@ -156,10 +152,11 @@ Provenance provenance(const Program& program, const std::string& command, const 
 /**
 ## What a run costs
 
-Whoever asks for help wants to know how long a full run takes. The measured time is in paper/costs.ecsv of the
-program's volume and nowhere else: it is read from there if the program is called where it was built. */
+How long a full run takes is measured and kept in paper/costs.ecsv of the program's volume. Help reads it from there if
+the program is called where it was built. */
 std::string full_run_takes(const std::string& program) try {
-  std::filesystem::path folder = executable().parent_path(), costs = "paper/costs.ecsv";
+  const std::filesystem::path costs = "paper/costs.ecsv";
+  auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   while (!std::filesystem::exists(folder / costs)) {
     if (folder == folder.parent_path()) return "";
     folder = folder.parent_path();
@@ -174,7 +171,7 @@ std::string full_run_takes(const std::string& program) try {
   const std::string time = rounded < 1    ? "less than a second"
                            : rounded == 1 ? "about a second"
                                           : "about " + short_text(rounded) + " seconds";
-  return "A full run takes " + time + " on two cores.";
+  return " A full run takes " + time + " on two cores.";
 } catch (const std::exception&) {
   return "";  // without the index nothing is known
 }
@@ -197,18 +194,16 @@ struct Invocation {
   std::string command, out{}, output{};
   std::size_t threads = 0;
   bool quick = false;
-  std::deque<Offer> offers{};
-  std::vector<std::function<Table()>> computations{};
+  std::deque<Offer> offers{};  ///< of the program and, after it, of its commands
 
   Invocation(const Program& of, int argc, char** argv);
-  int run(const std::vector<std::string>& words);
-  std::string footer(const Offer& of) const;
+  void run(const std::vector<std::string>& words);
   /// Where the tables go unless `--out` says so.
   std::string folder(bool coarse) const {
     return (coarse ? "build/quick/data/" : "build/data/") + program.name;
   }
-  int print(const Offer& of, const std::function<Table()>& compute);
-  int reproduce(const Offer& full);
+  void print(const Offer& of);
+  void reproduce(const Offer& full);
 };
 
 /**
@@ -221,48 +216,37 @@ Invocation::Invocation(const Program& of, int argc, char** argv)
   };
   Offer& full = offers.emplace_back();
   full.meaning = of.title;
-  full.parameters.add("out", out, "folder for the tables of a full run", not_empty())
-      .shows(folder(false) + ", with --quick " + folder(true));
+  full.parameters.add("out", out, "folder for the tables of a full run", not_empty()).standard =
+      folder(false) + ", with --quick " + folder(true);
   full.parameters.add("quick", quick, "coarse parameters: seconds, for trying out");
   add_threads(full.parameters);
   for (const Command& one : of.commands) {
     Offer& offer = offers.emplace_back();
-    offer.name = one.title.name;
-    offer.meaning = one.title.meaning;
-    offer.note = one.title.note;
+    offer.name = one.title.name, offer.meaning = one.title.meaning, offer.note = one.title.note;
     offer.parameters.add("output", output, "file to write (default: standard output)", not_empty());
     add_threads(offer.parameters);
-    computations.push_back(one.declare(offer.parameters));
+    offer.compute = one.declare(offer.parameters);
   }
-}
-
-/// The last paragraph of help: what else there is to know.
-std::string Invocation::footer(const Offer& of) const {
-  if (!of.name.empty()) return of.note;
-  const std::string cost = full_run_takes(program.name);
-  return std::string("Without a command everything that the section shows is computed.") +
-         (cost.empty() ? "" : " " + cost);
 }
 
 /// Prints a text, whole.
-int say(const std::string& text) {
+void say(const std::string& text) {
   if (!(std::cout << text << std::flush)) throw Failure("cannot write to standard output");
-  return 0;
 }
 
 /// Reads the line and does what was asked for.
-int Invocation::run(const std::vector<std::string>& words) {
+void Invocation::run(const std::vector<std::string>& words) {
   const Asked asked = read_line(offers, words);
   if (asked.what == Asked::What::help) {
-    return say(help_text(program.name, offers, *asked.of, footer(*asked.of)));
+    if (asked.of == &offers.front())
+      asked.of->note = "Without a command everything that the section shows is computed." +
+                       full_run_takes(program.name);
+    return say(help_text(program.name, offers, *asked.of));
   }
-  if (asked.what == Asked::What::version) {
+  if (asked.what == Asked::What::version)
     return say(program.name + " " LATTICE_VERSION " (" LATTICE_BUILD "; " LATTICE_LIBRARIES ")\n");
-  }
   set_threads(threads > 0 ? threads : granted_by_slurm());
-  for (std::size_t k = 0; k < computations.size(); ++k)
-    if (asked.of == &offers[k + 1]) return print(*asked.of, computations[k]);
-  return reproduce(*asked.of);
+  return asked.of->compute ? print(*asked.of) : reproduce(*asked.of);
 }
 
 /// Throws UsageError unless `file` can be written in `folder`.
@@ -276,7 +260,7 @@ void need_writable(const std::filesystem::path& folder, const std::string& file,
 
 /**
 A command prints its table or writes it to `--output`. */
-int Invocation::print(const Offer& of, const std::function<Table()>& compute) {
+void Invocation::print(const Offer& of) {
   if (!output.empty()) {
     const std::filesystem::path path(output), parent = path.parent_path();
     std::error_code ignored;
@@ -285,12 +269,11 @@ int Invocation::print(const Offer& of, const std::function<Table()>& compute) {
     need_writable(parent.empty() ? "." : parent, path.filename().string(), "--output");
   }
   std::optional<Heartbeat> alive(program.name + " " + of.name);
-  const Table table = compute();  // may say more of its parameters
+  const Table table = of.compute();  // may say more of its parameters
   alive.reset();
   const Table signed_table = provenance(program, command, of.parameters).sign(table);
   if (output.empty()) return say(to_text(signed_table));
   write(output, signed_table);
-  return 0;
 }
 
 /**
@@ -310,7 +293,7 @@ bool holds_full_run(const std::filesystem::path& folder) try {
 /**
 A full run removes the old `facts.ecsv` before it begins: as long as there is none, the folder is
 not complete. */
-int Invocation::reproduce(const Offer& full) {
+void Invocation::reproduce(const Offer& full) {
   if (out.empty()) out = folder(quick);
   if (quick && holds_full_run(out))
     throw UsageError(
@@ -327,29 +310,43 @@ int Invocation::reproduce(const Offer& full) {
     program.reproduce(report);
   }
   tables.finish(report.facts);
-  return 0;
 }
 
 }  // namespace
 
+/// Fills the places of channels that a shell has closed (`2>&-`), so that writing to them fails: the first file that is
+/// opened would take the place of one of them. A file that grows beyond the system's limit is a writing that fails.
+static void guard_channels() {
+  for (int channel = STDIN_FILENO; channel <= STDERR_FILENO; ++channel)
+    if (fcntl(channel, F_GETFD) == -1 && open("/dev/null", O_RDONLY) != channel) break;
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
 /**
 All that can go wrong arrives here as an exception, and this is the only place that knows exit
 codes: 2 for input that cannot be used, 1 for a computation that failed. */
-int run(const Program& program, int argc, char** argv) {
+int exit_code(const std::string& program, const std::function<void()>& work) {
   guard_channels();
   gsl_set_error_handler_off();  // its errors are ours to report, not a reason to abort
   const auto complain = [&](std::string message, int code) {
     std::replace(message.begin(), message.end(), '\n', ' ');
-    std::cerr << program.name << ": " << message << '\n';
+    std::cerr << program << ": " << message << '\n';
     return code;
   };
   try {
-    return Invocation(program, argc, argv).run({argv + 1, argv + argc});
+    work();
+    return 0;
   } catch (const UsageError& error) {
     return complain(error.what(), 2);
   } catch (const std::exception& error) {
     return complain(error.what(), 1);
   }
+}
+
+int run(const Program& program, int argc, char** argv) {
+  return exit_code(program.name, [&] {
+    Invocation(program, argc, argv).run({argv + 1, argv + argc});
+  });
 }
 
 }  // namespace lattice

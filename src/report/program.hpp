@@ -13,6 +13,7 @@ behind. */
 #include <deque>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <source_location>
 #include <stdexcept>
@@ -33,9 +34,8 @@ struct Failure : std::runtime_error {
 };
 
 /**
-Whoever meets a number wants to see the lines that made it. So a record knows from which function it comes:
-the compiler fills in the `Origin` where a number is recorded. It keeps no line: a program whose comments have
-changed is the same program, and is not run again. */
+A record knows from which function it comes: the compiler fills in the `Origin` where a number is recorded. It keeps no
+line: a program whose comments have changed is the same program, and is not run again. */
 struct Origin {
   const char* function;
   /// That of the caller.
@@ -49,18 +49,19 @@ struct Origin {
 std::string function_of(const Origin& origin);
 
 /**
-What a chapter computes beside its tables are facts, and what a command answers has the same form, rows
-`quantity,value,error,unit,kind`. A program claims nothing: which fact answers what the article prints is said in
-`paper/claims.ecsv` and judged there (verdict.hpp). A quantity that is not defined (the speed of a packet that never left)
-is `nan`. */
-/// These columns.
+What a chapter computes beside its tables are facts, and what a command answers has the same form. Which fact answers what
+the article prints is said in `paper/claims.ecsv` and judged there (verdict.hpp). */
+/// The columns quantity, value, error, unit, kind.
 Columns quantity_columns();
-/// The column `made_by`: the function that recorded a row.
-Columns maker_column();
+
+/// A quantity that is not defined, such as the speed of a packet that never left.
+inline constexpr Estimate undefined{std::numeric_limits<double>::quiet_NaN(),
+                                    std::numeric_limits<double>::quiet_NaN()};
 
 /// The facts of a chapter, written last as `facts.ecsv`.
 struct Quantities {
-  Table table{quantity_columns(), maker_column()};
+  Table table{quantity_columns(),
+              label("made_by", "function of the program's source that recorded it")};
 
   /// One row; the name of the function that adds it is noted. Throws std::logic_error for a second one of this name.
   void add(const std::string& quantity, const Estimate& e, const std::string& unit = "",
@@ -68,11 +69,9 @@ struct Quantities {
 };
 
 /**
-Whoever calls a command sees its names without the prose around them. So each row of an answer says what it means,
-and where its value is `nan` the reason: nobody should have to guess why a packet has no speed.
-
-A value smaller than its error is no answer, and the command fails. Only what may vanish is printed whatever its
-error is: drifts, residuals and shares that are left, differences of either sign, counts. */
+Each row of an answer says what it means and, where its value is `nan`, why. A value smaller than its error is no answer,
+and the command fails. Only what may vanish is printed whatever its error is: drifts, residuals and shares that are left,
+differences of either sign, counts. */
 struct Answers {
   std::string remedy = "other parameters";  ///< what to take where an error is too large
   Table table{quantity_columns(), label("meaning", "what the quantity is, in words"),
@@ -88,11 +87,10 @@ struct Answers {
 };
 
 /**
-The header of a table says who made it and from what. `parameters` are the options with the values
-used. A chapter that knows more (a tolerance, a seed, the chain length that was chosen) adds it to
-the table's own `meta`; where that has the name of a parameter or of an entry, it replaces it. */
+The header of a table says who made it and from what. A chapter that knows more (a tolerance, the chain length that was
+chosen) adds it to the table's own `meta`; where that has the name of a parameter or of an entry, it replaces it. */
 struct Provenance {
-  Meta entries, parameters;
+  Meta entries, parameters;  ///< the parameters are the options with the values used
 
   /// Adds an entry, or replaces the one of this key.
   void set(const std::string& key, const std::string& value);
@@ -105,11 +103,10 @@ A full run writes several tables that belong together. They are kept until the l
 so that a run that fails leaves no half of a set, and all carry the same header. */
 class Output {
  public:
-  /// Nothing is written to `folder` before `finish`.
   Output(std::filesystem::path folder, Provenance provenance)
       : folder_(std::move(folder)), provenance_(std::move(provenance)) {}
 
-  /// Something that the headers of all tables say: a tolerance, a seed.
+  /// Something that the headers of all tables say.
   void note(const std::string& key, const std::string& value) { provenance_.set(key, value); }
   /// Keeps `table` to be written as `name`.ecsv when the whole run has succeeded; returns it.
   Table& add(const std::string& name, Table table) {
@@ -117,11 +114,7 @@ class Output {
   }
   /// Where the tables go; work in progress may wait there under a name that begins with a dot.
   const std::filesystem::path& folder() const { return folder_; }
-
-  /**
-  A run is complete when its facts are there, so they are written last. Their header lists all tables of the run
-  with the checksums of their rows. */
-  /// Writes all tables, and then `facts`.
+  /// Writes all tables, and last `facts`, whose header lists all with the checksums of their rows.
   void finish(const Quantities& facts);
 
  private:
@@ -130,13 +123,11 @@ class Output {
   std::deque<std::pair<std::string, Table>> tables_{};
 };
 
-/**
-The parts of a chapter write the tables of their figures and note numbers among the `facts`, from which text and captions
-quote. */
+/// What the parts of a chapter write: the tables of their figures, and numbers that text and captions quote.
 struct Report {
   Output& output;
-  bool quick;          ///< whether the run has coarse parameters
-  Quantities facts{};  ///< every number that may be quoted or decides a claim
+  bool quick;  ///< whether the run has coarse parameters
+  Quantities facts{};
 
   /// A new table of the output, to be filled; without columns its first row has them.
   Table& table(const std::string& name, const Columns& columns = {}) {
@@ -158,7 +149,8 @@ from them:
       Table table() const;
     };
 
-`commands<OneRun, ...>()` is what a program offers of such structs. */
+`commands<OneRun, ...>()` is what a program offers of such structs. One that Python calls too has `find()`, and two tables
+of what it found: `quantities` and `profile`. */
 struct Title {
   const char *name, *meaning;
   /// The last line of its help: what is not obvious about its answers.
@@ -172,20 +164,14 @@ struct Command {
   std::function<std::function<Table()>(Parameters&)> declare;
 };
 
-/// The command that such a struct declares.
-template <class Declared>
-Command command() {
-  return {Declared::title, [](Parameters& p) -> std::function<Table()> {
-            const auto values = std::make_shared<Declared>();
-            values->parameters(p);
-            return [values] { return values->table(); };
-          }};
-}
-
 /// The list of commands for `main`.
 template <class... Declared>
 std::vector<Command> commands() {
-  return {command<Declared>()...};
+  return {Command{Declared::title, [](Parameters& p) -> std::function<Table()> {
+                    const auto values = std::make_shared<Declared>();
+                    values->parameters(p);
+                    return [values] { return values->table(); };
+                  }}...};
 }
 
 /// A program: its name, its section, its title, what computes the whole section, and commands.
@@ -197,5 +183,8 @@ struct Program {
 
 /// Reads the line, computes and writes; returns the exit code. Every `main` ends with it.
 int run(const Program& program, int argc, char** argv);
+
+/// Calls `work` and returns the exit code: what it throws is one line under the name of the `program`.
+int exit_code(const std::string& program, const std::function<void()>& work);
 
 }  // namespace lattice

@@ -19,8 +19,6 @@ here; what a table promises is said in table.hpp. */
 
 namespace lattice {
 
-/**
-Columns and rows are lists of what they were made from. */
 Column number(std::string name, std::string description, std::string unit) {
   return {std::move(name), std::move(unit), std::move(description), Kind::real};
 }
@@ -127,23 +125,13 @@ namespace ecsv {
 /**
 In YAML a single quote is doubled, in CSV a double one. A line break, which would end a row or a comment, is
 refused in both. */
-const char* datatype(Kind kind) {
-  return kind == Kind::real ? "float64" : kind == Kind::integer ? "int64" : "string";
-}
-
-const std::string& one_line(const std::string& text) {
-  if (text.find_first_of("\n\r") != std::string::npos)
-    throw std::invalid_argument("a table cannot hold the line break in '" +
-                                text.substr(0, text.find_first_of("\n\r")) + "...'");
-  return text;
-}
-
-/// A YAML single-quoted scalar.
-std::string quoted(const std::string& text) {
-  one_line(text);
-  std::string out = "'";
-  for (char c : text) out += c == '\'' ? "''" : std::string(1, c);
-  return out + "'";
+static std::string quoted(const std::string& text, char quote) {
+  if (const auto end = text.find_first_of("\n\r"); end != std::string::npos)
+    throw std::invalid_argument("a table cannot hold the line break in '" + text.substr(0, end) +
+                                "...'");
+  std::string out(1, quote);
+  for (char c : text) out.append(c == quote ? 2 : 1, c);
+  return out + quote;
 }
 
 /**
@@ -152,11 +140,9 @@ misread, so that plain words stay plain for gnuplot. */
 std::string cell_text(const Cell& cell) {
   if (const auto* x = std::get_if<double>(&cell)) return number_text(*x);
   if (const auto* k = std::get_if<std::int64_t>(&cell)) return std::to_string(*k);
-  const auto& text = one_line(std::get<std::string>(cell));
-  if (!text.empty() && text.find_first_of(",\"#") == std::string::npos) return text;
-  std::string out = "\"";
-  for (char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
-  return out + "\"";
+  const auto& text = std::get<std::string>(cell);
+  const bool plain = !text.empty() && text.find_first_of(",\"#\n\r") == std::string::npos;
+  return plain ? text : quoted(text, '"');
 }
 
 /**
@@ -184,23 +170,6 @@ std::vector<std::string> fields(const std::string& line) {
 }
 
 /**
-Of YAML we read only what we write: `yaml_value` is the value of `key` in a mapping on a single line, or an
-empty text if there is none. */
-std::string yaml_value(const std::string& line, const std::string& key) {
-  const auto at = line.find(key + ": ");
-  if (at == std::string::npos) return "";
-  std::size_t i = at + key.size() + 2;
-  std::string out;
-  if (line[i] != '\'') return line.substr(i, line.find_first_of(",}", i) - i);
-  for (++i; i < line.size(); ++i) {
-    if (line[i] == '\'' && (i + 1 >= line.size() || line[i + 1] != '\'')) break;
-    if (line[i] == '\'') ++i;
-    out += line[i];
-  }
-  return out;
-}
-
-/**
 A cell that is not what its column promises is an error, never a zero. */
 Cell parse(const std::string& text, Kind kind) {
   if (kind == Kind::text) return text;
@@ -209,11 +178,10 @@ Cell parse(const std::string& text, Kind kind) {
     if (!x) throw std::runtime_error("not a number: '" + text + "'");
     return *x;
   }
-  const char *begin = text.data(), *end = begin + text.size();
   std::int64_t k = 0;
-  const auto result = std::from_chars(begin, end, k);
-  if (result.ec != std::errc() || result.ptr != end)
-    throw std::runtime_error("not a count: '" + text + "'");
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, k);
+  if (error != std::errc() || stop != end) throw std::runtime_error("not a count: '" + text + "'");
   return k;
 }
 
@@ -222,20 +190,25 @@ Cell parse(const std::string& text, Kind kind) {
 /**
 Now the whole table, in the order of ECSV 1.0: first the columns, then who made it, then the names and the
 rows. */
+static const char* const datatypes[] = {"float64", "int64", "string"};  // in the order of Kind
+
+static std::string heading(const std::vector<Column>& columns) {
+  std::string names;
+  for (const Column& c : columns) names += (names.empty() ? "" : ",") + c.name;
+  return names;
+}
+
 std::string to_text(const Table& table) {
   std::ostringstream out;
+  const auto yaml = [](const std::string& text) { return ecsv::quoted(text, '\''); };
   out << "# %ECSV 1.0\n# ---\n# delimiter: ','\n# datatype:\n";
   for (const Column& c : table.columns)
-    out << "# - {name: " << ecsv::quoted(c.name) << ", unit: " << ecsv::quoted(c.unit)
-        << ", datatype: " << ecsv::datatype(c.kind)
-        << ", description: " << ecsv::quoted(c.description) << "}\n";
+    out << "# - {name: " << yaml(c.name) << ", unit: " << yaml(c.unit)
+        << ", datatype: " << datatypes[int(c.kind)] << ", description: " << yaml(c.description)
+        << "}\n";
   out << "# meta: !!omap\n";
-  for (const auto& [key, value] : table.meta)
-    out << "# - {" << key << ": " << ecsv::quoted(value) << "}\n";
-  out << "# schema: astropy-2.0\n";
-  for (std::size_t i = 0; i < table.columns.size(); ++i)
-    out << (i ? "," : "") << table.columns[i].name;
-  out << '\n';
+  for (const auto& [key, value] : table.meta) out << "# - {" << key << ": " << yaml(value) << "}\n";
+  out << "# schema: astropy-2.0\n" << heading(table.columns) << '\n';
   for (const auto& row : table.rows) {
     for (std::size_t i = 0; i < row.size(); ++i) out << (i ? "," : "") << ecsv::cell_text(row[i]);
     out << '\n';
@@ -285,11 +258,23 @@ void write(const std::filesystem::path& path, const Table& table) {
 }
 
 /**
-To read a table, its header is taken apart line by line: up to the line `meta:` a line describes a
-column, after it an entry of the provenance. */
-namespace ecsv {
+Of YAML we read only what we write: the value of `key` in a mapping on a single line, or an empty text if there is
+none. */
+static std::string yaml_value(const std::string& line, const std::string& key) {
+  const auto at = line.find(key + ": ");
+  if (at == std::string::npos) return "";
+  std::size_t i = at + key.size() + 2;
+  std::string out;
+  if (line[i] != '\'') return line.substr(i, line.find_first_of(",}", i) - i);
+  for (++i; i < line.size(); ++i) {
+    if (line[i] == '\'' && (i + 1 >= line.size() || line[i + 1] != '\'')) break;
+    if (line[i] == '\'') ++i;
+    out += line[i];
+  }
+  return out;
+}
 
-Column column_of(const std::string& line) {
+static Column column_of(const std::string& line) {
   const std::string type = yaml_value(line, "datatype");
   return {yaml_value(line, "name"), yaml_value(line, "unit"), yaml_value(line, "description"),
           type == "string"  ? Kind::text
@@ -297,48 +282,39 @@ Column column_of(const std::string& line) {
                             : Kind::real};
 }
 
-std::pair<std::string, std::string> entry_of(const std::string& line) {
-  const std::string body = line.substr(5), key = body.substr(0, body.find(": "));
-  return {key, yaml_value(line, key)};
-}
-
-std::vector<Cell> row_of(const std::string& line, const std::vector<Column>& columns) {
-  const auto cells = fields(line);
+static std::vector<Cell> row_of(const std::string& line, const std::vector<Column>& columns) {
+  const auto cells = ecsv::fields(line);
   if (cells.size() != columns.size()) throw std::runtime_error("ragged row: " + line);
   std::vector<Cell> row;
-  for (std::size_t i = 0; i < cells.size(); ++i) row.push_back(parse(cells[i], columns[i].kind));
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    row.push_back(ecsv::parse(cells[i], columns[i].kind));
   return row;
 }
 
-}  // namespace ecsv
-
 /**
-The first line without a comment repeats the names of the columns; the rows follow, and the last one ends like
-the others, or the file was cut off. */
-static void check_names(const std::string& line, const std::vector<Column>& columns) {
-  std::string names;
-  for (const Column& c : columns) names += (names.empty() ? "" : ",") + c.name;
-  if (columns.empty() || line != names)
-    throw std::runtime_error("the names above the rows are not those of the header: " + line);
-}
-
+Up to the line `meta:` a line of the header describes a column, after it an entry of the provenance. The first line without
+a comment repeats the names of the columns; the rows follow, and the last one ends like the others, or the file was cut
+off. */
 Table from_text(std::istream& in) {
   Table table;
   bool header_done = false, in_meta = false;
   for (std::string line; std::getline(in, line);) {
     if (in.eof()) throw std::runtime_error("the file is cut off in the line: " + line);
-    if (!line.empty() && line.front() == '#') {
+    if (line.empty()) continue;
+    if (line.front() == '#') {
       if (line.rfind("# meta:", 0) == 0) in_meta = true;
       if (line.rfind("# - {", 0) != 0) continue;
+      const std::string key = line.substr(5, line.find(": ", 5) - 5);
       if (in_meta)
-        table.meta.push_back(ecsv::entry_of(line));
+        table.meta.emplace_back(key, yaml_value(line, key));
       else
-        table.columns.push_back(ecsv::column_of(line));
-    } else if (!header_done && !line.empty()) {
-      check_names(line, table.columns);
+        table.columns.push_back(column_of(line));
+    } else if (header_done) {
+      table.rows.push_back(row_of(line, table.columns));
+    } else if (table.columns.empty() || line != heading(table.columns)) {
+      throw std::runtime_error("the names above the rows are not those of the header: " + line);
+    } else {
       header_done = true;
-    } else if (!line.empty()) {
-      table.rows.push_back(ecsv::row_of(line, table.columns));
     }
   }
   if (!header_done) throw std::runtime_error("no table: it ends in its header");

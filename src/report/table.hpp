@@ -7,12 +7,9 @@ written in YAML, that names each column, its unit and its meaning, and says whic
 gnuplot, pandas and astropy read it as it is, and the tests read the very files from which the figures
 are drawn.
 
-Numbers have 17 significant digits, enough to restore the same bits. A file is written under a temporary
-name and then renamed, so that an interrupted run leaves either the old file or the new one. It contains
-no time of day; hence equal inputs give equal bytes.
-
-A row is a line: text with a line break is refused when a table is written, and so is a file that has one
-when it is read. */
+Numbers have 17 significant digits, enough to restore the same bits, and a file contains no time of day; hence equal
+inputs give equal bytes. A row is a line: text with a line break is refused when a table is written, and so is a file that
+has one when it is read. */
 
 #include <concepts>
 #include <cstdint>
@@ -39,15 +36,11 @@ using Cell = std::variant<double, std::int64_t, std::string>;
 /// What a column holds: float64, int64 or string of the header.
 enum class Kind { real, integer, text };
 
-/// The heading of a column.
+/// The heading of a column; the unit is empty if the quantity is dimensionless.
 struct Column {
   std::string name, unit, description;
   Kind kind = Kind::real;
 };
-
-/**
-A table should explain itself, so no column can be made without a description. The unit is empty if the
-quantity is dimensionless. */
 /// A column of real numbers.
 Column number(std::string name, std::string description, std::string unit = "");
 /// A column of whole numbers.
@@ -61,22 +54,17 @@ struct Columns {
 
   Columns(Column column) : all{std::move(column)} {}
   Columns(std::vector<Column> columns) : all(std::move(columns)) {}
-  Columns(std::string name, std::string unit, std::string description, Kind kind)
-      : all{{std::move(name), std::move(unit), std::move(description), kind}} {}
   Columns(std::initializer_list<Columns> lists);
 };
 
-/**
-A number that is known to some digits brings the column of its error with it: `x_error` stands to the right
-of `x` and says in words `from` what the error was obtained. A test asks every error for one per cent of its
-number; where it is to be judged on another scale these words say so, such as *against the largest*
-(CONTRIBUTING.md). */
+/// A number with the column of its error, `x_error` to the right of `x`, which says in words `from` what the error was
+/// obtained. A test asks every error for one per cent of its number; where it is to be judged on another scale these words
+/// say so, such as *against the largest* (CONTRIBUTING.md).
 Columns estimate(const std::string& name, std::string description, std::string unit = "",
                  std::string from = "difference of two resolutions");
 
-/**
-A row is written as one would say it, `{s, speed, "fast"}`: whole numbers are counts, and an `Estimate` fills
-two cells, its number and its error. */
+/// A row is written as one would say it, `{s, speed, "fast"}`: whole numbers are counts, and an `Estimate` fills
+/// two cells, its number and its error.
 class Cells : public std::vector<Cell> {
  public:
   struct Entry {
@@ -118,9 +106,7 @@ struct Row {
 /// Ordered `key: value` pairs of the header's `meta` block.
 using Meta = std::vector<std::pair<std::string, std::string>>;
 
-/**
-A row that does not fit its columns would shift all that follows, and a misspelt column would go unnoticed
-until someone looked for it. Both are errors here, in writing as in reading. */
+/// A row that does not fit its columns and a column that is misspelt are errors, in writing as in reading.
 struct Table {
   std::vector<Column> columns{};
   std::vector<std::vector<Cell>> rows{};
@@ -134,9 +120,8 @@ struct Table {
   /// The same with headings; throws too where they are not those of the table.
   void add(const Row& row);
 
-  /**
-  Rows that know nothing of each other are computed on all cores, and come in the order of `items`. */
-  /// Appends the row `of(item)` for every item, and shows on a terminal how many are `done`.
+  /// Appends the row `of(item)` for every item, computed on all cores and in the order of `items`, and shows on a terminal
+  /// how many are `done`.
   template <class Items, class Of>
   void fill(Items&& items, Of of, const std::string& done = "rows") {
     std::vector<decltype(of(*std::begin(items)))> fresh(std::size(items));
@@ -147,10 +132,6 @@ struct Table {
 
   /// Position of the column `name`; throws std::out_of_range if there is none.
   std::size_t find(const std::string& name) const;
-
-  /**
-  Tests and programs read columns by name, as the scripts of the figures do. Counts are converted if
-  numbers are asked for. Both throw std::out_of_range if there is no such column. */
   /// The numbers or counts of column `name`; throws std::bad_variant_access if it holds texts.
   std::vector<double> numbers(const std::string& name) const;
   /// The texts of column `name`; throws std::bad_variant_access if it holds none.
@@ -158,44 +139,29 @@ struct Table {
 };
 
 /**
-Numbers become text and text becomes numbers here and nowhere else, whatever language the machine is set
-to: 17 significant digits restore every bit, and a missing value is `nan`. */
-/// The number with 17 significant digits.
+Numbers become text and text becomes numbers here and nowhere else, whatever language the machine is set to. */
+/// The number with 17 significant digits, which restore every bit; a missing value is `nan`.
 std::string number_text(double x);
-
 /// The fewest digits that restore `x`, for people to read.
 std::string short_text(double x);
-
 /// The decimal number, with or without a sign, that is the whole of `text`; nothing if it is none.
 std::optional<double> parse_number(std::string_view text);
 
-/**
-A table becomes a text and a text becomes a table: other ECSV files are read too if their columns are
-described on one line each. */
-
 /// The text of a table. Throws std::invalid_argument if a text in it has a line break.
 std::string to_text(const Table& table);
-
-/**
-A table that was edited by hand, cut short or mixed with another run looks like any other, and a figure drawn
-from it is wrong without a sign. So whoever reads a run compares checksums (`python3 -m lineage tables`). They leave
-out headers, which tell the command and the build, and so does SHA-256 in paper/hashes.ecsv. */
-/// CRC-32 of the lines of a table's text that do not begin with `#`, as eight hexadecimal digits.
-std::string rows_sum(const std::string& text);
-
-/// The table of a text. Throws std::runtime_error for a row or cell that does not fit.
+/// The table of a text; other ECSV files are read too if their columns are described on one line each. Throws
+/// std::runtime_error for a row or cell that does not fit.
 Table from_text(std::istream& in);
 
-/**
-A reader must never find half a file, so `text` is written under a temporary name and the file renamed. If
-`path` is not an ordinary file (a device, a pipe) it is written to directly. */
+/// CRC-32 of the lines of a table's text that do not begin with `#`, as eight hexadecimal digits. It leaves out headers,
+/// which tell the command and the build. `python3 -m lineage tables` compares these sums.
+std::string rows_sum(const std::string& text);
 
-/// Writes `text` to `path`. Throws std::runtime_error on failure and leaves nothing behind.
+/// Writes `text` under a temporary name and renames the file, so that a reader never finds half of it; what is no ordinary
+/// file (a device, a pipe) is written to directly. Throws std::runtime_error on failure and leaves nothing behind.
 void write_whole(const std::filesystem::path& path, const std::string& text);
-
 /// Writes a table; throws like `to_text` and `write_whole`.
 void write(const std::filesystem::path& path, const Table& table);
-
 /// Reads a table; what is thrown, a std::runtime_error, has the name of the file.
 Table read(const std::filesystem::path& path);
 

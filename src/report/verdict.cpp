@@ -14,35 +14,33 @@
 
 namespace lattice {
 
-namespace {
+static const std::string number_pattern = R"((-?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?))",
+                         name_pattern = R"(([a-z]\w*\.\w+))";
+static const double nan = std::nan("");
 
-const std::string number_pattern = R"((-?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?))",
-                  name_pattern = R"(([a-z]\w*\.\w+))";
-const double nan = std::nan("");
-
-bool is_name(const std::string& text) {
+static bool is_name(const std::string& text) {
   return !text.empty() && text.find('.') != std::string::npos && std::isalpha(text[0]);
 }
 
-Fact known(const Facts& facts, const std::string& name) {
+static Fact known(const Facts& facts, const std::string& name) {
   const auto at = facts.find(name);
   return at == facts.end() ? Fact{nan, nan} : at->second;
 }
 
-bool is_finite(const Fact& f) {
-  return std::isfinite(f.value) && std::isfinite(f.error);
+static bool is_finite(double value, double error) {
+  return std::isfinite(value) && std::isfinite(error);
 }
 
 /**
 ## What is printed
 
-A number, a range (`238 to 241`), a count of orders of magnitude (`3 to 4 orders`), a multiple of pi (`3 pi/2`), or words.
+It is a number, a range (`238 to 241`), a count of orders of magnitude (`3 to 4 orders`), a multiple of pi (`3 pi/2`), or words.
 A number without a tolerance agrees within half a unit of its last digit. */
 struct Print {
   double low, high, half_digit;
 };
 
-std::optional<Print> print_of(const std::string& text) {
+static std::optional<Print> print_of(const std::string& text) {
   static const std::regex form(number_pattern + "(?: pi/" + number_pattern + ")?(?: to " +
                                number_pattern + ")?( orders)?");
   std::smatch m;
@@ -57,14 +55,17 @@ std::optional<Print> print_of(const std::string& text) {
   return Print{std::min(a, b), std::max(a, b), 0.5 * std::pow(10, power - decimals)};
 }
 
-/// The printed number as an interval; throws std::invalid_argument for a tolerance that is none.
-Range agreeing(const Print& print, const std::string& tolerance) {
-  const double size = std::max(std::abs(print.low), std::abs(print.high));
-  if (tolerance == "at most") return {-HUGE_VAL, print.high};
-  if (tolerance == "order of magnitude") return {print.low / 10, 10 * print.high};
+// Throws std::invalid_argument for a tolerance that is none
+Range allowed(const Claim& claim) {
   static const std::regex form("(rel|abs) " + number_pattern);
+  const auto print = print_of(claim.printed);
+  if (!print) return {nan, nan};
+  const double size = std::max(std::abs(print->low), std::abs(print->high));
+  const std::string& tolerance = claim.tolerance;
+  if (tolerance == "at most") return {-HUGE_VAL, print->high};
+  if (tolerance == "order of magnitude") return {print->low / 10, 10 * print->high};
   std::smatch m;
-  double by = print.half_digit;
+  double by = print->half_digit;
   if (tolerance == "exact")
     by = 1e-12 * size;
   else if (std::regex_match(tolerance, m, form))
@@ -73,21 +74,18 @@ Range agreeing(const Print& print, const std::string& tolerance) {
     throw std::invalid_argument("the tolerance '" + tolerance +
                                 "' is none (allowed: rel 1e-3, abs 1e-3, at most, exact, order of "
                                 "magnitude, or nothing)");
-  return {print.low - by, print.high + by};
-}
-
-bool is_in_words(const Claim& claim) {
-  return claim.kind == "claim" || !print_of(claim.printed);
+  return {print->low - by, print->high + by};
 }
 
 /**
 ## The verdict on an answer
 
 Where the error bar straddles an edge there is none. */
-std::string on_answer(const Claim& claim, const Fact& ours) {
-  if (!is_finite(ours)) return "unresolved";
-  const bool bare = !claim.covered_by.empty() && !is_name(claim.covered_by);
-  if (bare || is_in_words(claim)) return "quantified";
+static std::string on_answer(const Claim& claim, const Fact& ours) {
+  if (!is_finite(ours.value, ours.error)) return "unresolved";
+  const bool in_words = claim.kind == "claim" || !print_of(claim.printed);
+  const bool unknown = !claim.covered_by.empty() && !is_name(claim.covered_by);
+  if (in_words || unknown) return "quantified";
   const auto [low, high] = allowed(claim);
   const double least = ours.value - ours.error, most = ours.value + ours.error;
   if (low <= least && most <= high)
@@ -100,7 +98,7 @@ A number that is missed is covered in two cases: if by a fact of ours the articl
 distance, or if the number is a power of another printed one (`moving.c_threshold^2`) that is missed too, and ours is what
 is printed with that number in the place of our own. A word in the place of the name (`method`, `memory`) says what is not
 known, so that no verdict is passed at all. */
-std::string on_missed(const Claim& claim, const Claims& all, const Facts& facts) {
+static std::string on_missed(const Claim& claim, const Claims& all, const Facts& facts) {
   const Fact ours = known(facts, claim.answer);
   const auto hat = claim.covered_by.find('^');
   const std::string name = claim.covered_by.substr(0, hat);
@@ -120,24 +118,15 @@ std::string on_missed(const Claim& claim, const Claims& all, const Facts& facts)
   return follows ? "follows" : "discrepant";
 }
 
-std::string on_criterion(const Claim& claim, const Facts& facts) {
+static std::string on_criterion(const Claim& claim, const Facts& facts) {
   bool holds = true, decided = true;
   for (const Condition& c : conditions(claim)) {
     const Estimate left = c.left(facts);
-    const bool kept = left.value > left.error;
-    if (!std::isfinite(left.value) || !std::isfinite(left.error)) return "unresolved";
-    holds = holds && kept;
-    decided = decided && (kept || left.value < -left.error);
+    if (!is_finite(left.value, left.error)) return "unresolved";
+    holds = holds && left.value > left.error;
+    decided = decided && std::abs(left.value) > left.error;
   }
   return holds ? "holds" : decided ? "discrepant" : "unresolved";
-}
-
-}  // namespace
-
-// What is printed, as an interval
-Range allowed(const Claim& claim) {
-  const auto print = print_of(claim.printed);
-  return print ? agreeing(*print, claim.tolerance) : Range{nan, nan};
 }
 
 Estimate Condition::left(const Facts& facts) const {
@@ -195,14 +184,11 @@ std::string program_of(const Claim& claim) {
 /**
 ## Reading
 
-A list has the columns of its own kind; those that it has not are empty. A row that could not be judged, or whose texts
-contradict its status, is refused. */
-namespace {
-
-const std::set<std::string> missed{"within its own accuracy", "follows", "discrepant"},
+A list has the columns of its own kind. */
+static const std::set<std::string> missed{"within its own accuracy", "follows", "discrepant"},
     met{"reproduced", "reproduced, assuming", "holds", "quantified"};
 
-std::string complaint(const Claim& c) try {
+static std::string complaint(const Claim& c) try {
   allowed(c);
   if (conditions(c).empty() == c.answer.empty()) return "an answer or a criterion, and not both";
   if (!c.answer.empty() && !is_name(c.answer)) return "'" + c.answer + "' is no fact";
@@ -215,37 +201,40 @@ std::string complaint(const Claim& c) try {
   return error.what();
 }
 
-}  // namespace
-
 Claims read_claims(const std::filesystem::path& path) {
-  const Table t = read(path);
-  Claims out(t.rows.size());
-  const auto take = [&](const std::string& column, std::string Claim::*to,
-                        const char* otherwise = "") {
-    const bool there = std::any_of(t.columns.begin(), t.columns.end(),
-                                   [&](const Column& c) { return c.name == column; });
-    const auto texts = there ? t.texts(column) : std::vector<std::string>(out.size(), otherwise);
-    for (std::size_t i = 0; i < out.size(); ++i) out[i].*to = texts[i];
-  };
-  take("id", &Claim::id), take("section", &Claim::section), take("where", &Claim::where);
-  take("quantity", &Claim::quantity), take("printed", &Claim::printed), take("unit", &Claim::unit);
-  take("class", &Claim::kind), take("tolerance", &Claim::tolerance), take("answer", &Claim::answer);
-  take("criterion", &Claim::criterion), take("assumption", &Claim::assumption);
-  take("covered_by", &Claim::covered_by), take("reason", &Claim::reason);
-  take("status", &Claim::status, "holds");
+  const std::map<std::string, std::string Claim::*> texts{{"id", &Claim::id},
+                                                          {"section", &Claim::section},
+                                                          {"where", &Claim::where},
+                                                          {"quantity", &Claim::quantity},
+                                                          {"printed", &Claim::printed},
+                                                          {"unit", &Claim::unit},
+                                                          {"class", &Claim::kind},
+                                                          {"tolerance", &Claim::tolerance},
+                                                          {"answer", &Claim::answer},
+                                                          {"criterion", &Claim::criterion},
+                                                          {"assumption", &Claim::assumption},
+                                                          {"covered_by", &Claim::covered_by},
+                                                          {"reason", &Claim::reason},
+                                                          {"status", &Claim::status}};
   // Every row by itself, and no id twice
+  const Table t = read(path);
+  Claims out;
   std::set<std::string> ids;
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    std::string wrong = complaint(out[i]);
-    if (!ids.insert(out[i].id).second) wrong = "there are two rows of this id";
+  for (const auto& row : t.rows) {
+    Claim& claim = out.emplace_back();
+    for (std::size_t c = 0; c < row.size(); ++c)
+      if (const auto text = texts.find(t.columns[c].name); text != texts.end())
+        claim.*text->second = std::get<std::string>(row[c]);
+    std::string wrong = complaint(claim);
+    if (!ids.insert(claim.id).second) wrong = "there are two rows of this id";
     if (!wrong.empty())
-      throw std::runtime_error(path.string() + ": row " + std::to_string(i + 1) + ": " + out[i].id +
-                               ": " + wrong);
+      throw std::runtime_error(path.string() + ": row " + std::to_string(out.size()) + ": " +
+                               claim.id + ": " + wrong);
   }
   return out;
 }
 
-// Locked values first; a program that has run replaces all of its own
+// Reference values first; a program that has run replaces all of its own
 Facts read_facts(const std::filesystem::path& data,
                  const std::vector<std::filesystem::path>& locks) {
   Facts out;

@@ -34,17 +34,17 @@ struct Fact {
 };
 using Facts = std::map<std::string, Fact>;
 
-/// A row of a list of claims, findings or numbers of others; `kind` is its class.
+/// A row of a list of claims, findings or numbers of others; `kind` is its class. Texts that a list has not are empty.
 struct Claim {
   std::string id, section, where, quantity, printed, unit, kind, tolerance, answer, criterion,
-      assumption, covered_by, reason, status;
+      assumption, covered_by, reason, status = "holds";
 };
 using Claims = std::vector<Claim>;
 
-/// The rows of a list. Throws std::runtime_error for a row that could not be judged.
+/// The rows of a list. Throws std::runtime_error for a row that could not be judged or contradicts its status.
 Claims read_claims(const std::filesystem::path& path);
 
-/// The facts of all runs in `data`, over those that the lists of locked values in `locks` have; in `data` alone where there are none.
+/// The facts of all runs in `data`, and of programs that have not run those of the reference values in `locks`.
 Facts read_facts(const std::filesystem::path& data,
                  const std::vector<std::filesystem::path>& locks = {});
 

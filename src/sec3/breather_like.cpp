@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "lattice/orbits/other_chains.hpp"
+#include "lattice/orbits/breather.hpp"
 
 namespace lattice {
 

@@ -4,7 +4,7 @@
 
 A reader names a chain by a few beads in the middle, and the breather decides how long it has to be. Contacts may have
 any exponent above one and be compressed, masses and stiffnesses differ. What the ansatz does not know is reached on a
-path at fixed frequency (other_chains.hpp) from the breather of equal beads between contacts that are not compressed. */
+path at fixed frequency (`continue_to`) from the breather of equal beads between contacts that are not compressed. */
 
 #include <cstddef>
 #include <stdexcept>

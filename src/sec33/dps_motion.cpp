@@ -12,7 +12,7 @@ PinnedBreather::PinnedBreather(const Stationary<double>& state)
     : centre(state.centre),
       mu(state.mu),
       u(state.u.begin(), state.u.end()),
-      pair(contact_spectrum(state, true)),
+      pair(contact_spectrum(state)),
       shift(0) {
   // The derivative of the centre along V, which also gives V its sign
   double sum = 0, moment = 0;

@@ -84,8 +84,9 @@ double threshold_from(double c1, double v1, double c2, double v2) {
 }
 
 RestingBreather resting_breather(Centre centre, Phase phase, double omega_b, std::size_t sites) {
-  const Fitted found = fit_chain(centre, omega_b, 0, centre == Centre::site ? sites | 1 : sites,
-                                 sites_of(centre, Length::spare), 1e-16, phase);
+  const Fitted found =
+      fit_chain(centre, omega_b, Quartic{0}, centre == Centre::site ? sites | 1 : sites,
+                sites_of(centre, Length::spare), 1e-16, phase);
   return {centre, Chain{found.problem.chain.sites}, found.orbit.start, found.problem.period(),
           found.orbit.energy};
 }

@@ -79,6 +79,7 @@ void Held<T>::differentiate(const Vector<T>& x, const EventTolerance<T>& rule, c
 template <class T>
 Vector<T> moved_to_centre(const Held<T>& held, Vector<T> x, const EventTolerance<T>& rule) {
   const Eigen::Index n = x.size() - 1;
+  // Newton's method for the centre alone: the last unknown is a shift along the discrete gradient
   for (int k = 0; k < 4; ++k) {
     const Evaluation<T> here = held.evaluate(x, rule);
     Matrix<T> matrix = here.jacobian;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-Place place(const Branch<double>& branch) {
+Place place(const Branch& branch) {
   const Shooting<double> problem = branch.problem();
   const Vector<double> x = branch.unknowns();
   return {problem.chain.well.as<Quartic>().s, x[x.size() - 1] / two_pi,
@@ -17,7 +17,7 @@ Place place(const Branch<double>& branch) {
 
 }  // namespace
 
-Branch<double> branch_in_s(const Orbit<double>& start, int direction, double longest) {
+Branch branch_in_s(const Orbit<double>& start, int direction, double longest) {
   const double time = shift_time(start);
   const auto problem = with_free_time(travelling_problem(time, 0, start.start.y.size() / 2 - 1));
   const Orbit<double> orbit = newton(problem, with_time(start.x, time));
@@ -26,7 +26,7 @@ Branch<double> branch_in_s(const Orbit<double>& start, int direction, double lon
 }
 
 std::vector<Place> follow_branch(const Orbit<double>& start, int direction, int steps) {
-  Branch<double> branch = branch_in_s(start, direction);
+  Branch branch = branch_in_s(start, direction);
   std::vector<Place> way{place(branch)};
   try {
     for (int i = 0; i < steps; ++i) {

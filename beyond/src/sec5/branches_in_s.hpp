@@ -20,7 +20,7 @@ struct Place {
 
 /// The branch of an orbit of type I at s = 0 into hard (direction 1) or soft (-1) wells, in steps up to `longest`.
 /// Throws NewtonFailed.
-Branch<double> branch_in_s(const Orbit<double>& start, int direction, double longest = 0.25);
+Branch branch_in_s(const Orbit<double>& start, int direction, double longest = 0.25);
 
 /// Its points, so many steps far.
 std::vector<Place> follow_branch(const Orbit<double>& start, int direction, int steps);

@@ -1,22 +1,77 @@
 #pragma once
 /**
-# One drive of the array
+# A driven array
 
-What is driven, how fast and how far, in the units of the array. A run tells what passes a detector bead; two runs, the
-finer with half the step, give each quantity with its error. The command `drive` and the live page ask for the
-same. */
+What a drive at its first bead sends into an array of beams, and the threshold that the limit of small amplitude gives
+it. The command `drive` and the live page ask for all of this, the chapter for a part. */
 
-#include <algorithm>
-#include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "lattice/model/cantilever.hpp"
 #include "lattice/numerics/estimate.hpp"
-#include "sec5/driven_end.hpp"
+#include "sec5/driven_chain.hpp"
 
 namespace lattice {
 
+/**
+## The asymptotic threshold
+
+In the DpS limit the motion of the period of the drive that decays into the chain is a static solution of Eq. (14),
+$-u_n = D_n - D_{n-1}$ for $n\ge1$. Read from right to left this is a map:
+$$D_{n-1} = D_n + u_n,\qquad u_{n-1} = u_n - D_{n-1}|D_{n-1}|^{-1/3}.$$
+With it James (Math. Models Methods Appl. Sci. 21, 2011, arXiv:1008.1153) found the static breathers, and James and
+Starosvetsky (Localized Excitations in Nonlinear Complex Systems, Springer 2014) proved that they exist. It starts in
+the tail, where $u_{n-1} = -u_n|u_n|^{-1/3}$, so that the solutions that decay are a curve with one parameter. */
+/// The first maximum of |u_0| for a piston, of |D_0| for a base, along this curve, from tails of two depths.
+Estimate dps_threshold(Drive::By by);
+/// The amplitude at which the solution that grows from rest ends, at the frequency omega > 1, as delta -> 0.
+Estimate law_estimate(Drive::By by, double omega);
+/// The same without its error.
+double threshold_law(Drive::By by, double omega);
+
+/**
+## Packets at a detector
+
+The energy density of a bead, as its maximum in each period of the drive, must rise fourfold from its last minimum and
+above 0.03 of `drive_size` squared to count as a packet, and fall to half before the next one can. */
+/// The displacement that a drive gives to the first bead, but for a factor: a for a piston, a / delta for a base.
+double drive_size(const Drive& drive);
+
+/// Sees the energy density of a bead at one time after the other.
+class PacketCounter {
+ public:
+  explicit PacketCounter(const Drive& drive);
+  /// Whether a packet is counted at the time `t`.
+  bool passes(double t, double energy);
+
+ private:
+  double period_, floor_, highest_ = 0, next_ = 0, least_ = 0, most_ = 0;
+  bool inside_ = false;
+};
+
+/// Times at which such a run is looked at. One is the middle; the maximum in a period needs some that lie close.
+TimeGrid two_halves(double duration, double step);
+
+/// What comes out of a run.
+struct Emission {
+  std::vector<double> passages{};  ///< times at which packets pass the detector
+  double power = 0;                ///< mean power of the drive in the second half of the run
+  double response = 0;             ///< largest displacement of the first bead in the second half
+  double far = 0;                  ///< and of the last one in the whole run
+  double loudest = 0;              ///< largest energy density at the detector over drive_size^2
+  double budget = 0;               ///< the largest imbalance, see driven_chain.hpp
+
+  /// Packets per unit of time in the second half of a run of this length.
+  double rate(double duration) const;
+};
+
+/// Runs the chain from rest for `duration`, with steps of length `step`; beads count from one.
+Emission drive_chain(const DrivenChain& driven, double duration, std::size_t detector, double step);
+
+/**
+## One drive of the array of section 3.6 */
 /// A quantity of such a drive.
 struct DrivenQuantity {
   std::string name;
@@ -24,79 +79,40 @@ struct DrivenQuantity {
   std::string unit, meaning;
 };
 
-/// The array of section 3.6 with losses.
-struct ArraySetup : Scales {
-  ArraySetup() : Scales(CantileverArray{}.scales()) {}
+/// The drive grows during the first sixth of its `duration`.
+struct DrivenArray : Scales {
+  DrivenArray() : Scales(CantileverArray{}.scales()) {}
 
-  /// Beads, and the one behind which a packet counts. The packets of strong drives reach the end of so short an array.
-  static constexpr std::size_t sites = 120, detector = 20;
-
-  double lifetime = 10;  ///< of the energy, in ms; 0 without losses
-
-  /// The chain, with a drive that grows from `from` to `amplitude` within `ramp`, in units of the chain.
-  DrivenChain driven(Drive::By by, double omega, double amplitude, double from, double ramp,
-                     std::size_t beads = sites) const {
-    return {Chain{beads}, {rate(lifetime), 0}, {by, omega, amplitude, from, ramp}};
-  }
-};
-
-/// One drive, which grows during the first sixth of its `duration`.
-struct DrivenArray : ArraySetup {
-  /// Beads, and those that a map shows. Of the chart, the strongest drives above 7.8 kHz send packets to the end.
-  static constexpr std::size_t sites = 300, drawn = 60;
+  /// Beads, the one behind which a packet counts, and those that a map shows.
+  static constexpr std::size_t sites = 300, detector = 20, drawn = 60;
   static constexpr double step = 0.02;  ///< of the finer run, in units of tau_c
 
   double frequency = 7000, amplitude = 5, duration = 60;  ///< Hz, micrometres, ms
+  double lifetime = 10;                                   ///< of the energy, in ms; 0: no losses
   Drive::By by = Drive::By::piston;
   std::size_t beads = sites;  ///< to begin with; `quantities` lengthens an array whose end moves
 
   /// The duration in units of tau_c.
   double horizon() const { return time(duration); }
   /// The same array in units of the chain.
-  DrivenChain driven() const {
-    return ArraySetup::driven(by, omega(frequency), amplitude / micrometres(1), 0, horizon() / 6,
-                              beads);
-  }
-  /// The law of the DpS limit at `omega`, in micrometres.
-  Estimate law(double omega) const {
-    const Estimate a = law_estimate(by, omega);
-    return {micrometres(a.value), micrometres(a.error)};
-  }
+  DrivenChain driven() const;
   /// One run with steps of length `h`.
-  Emission run(double h) const { return drive_chain(driven(), horizon(), detector, h); }
-
-  /// Three runs and what they say; the law of the DpS limit holds above the frequency of a beam.
-  std::vector<DrivenQuantity> quantities() const {
-    // What comes back from the far end is no answer to the drive, and such an array is too short
-    DrivenArray array = *this;
-    Emission coarse = array.run(2 * step);
-    for (; coarse.far > 1e-9 * amplitude / micrometres(1); coarse = array.run(2 * step))
-      array.beads *= 2;
-    const Emission fine = array.run(step), between = array.run(1.65 * step);
-    // What steps leave depends on where in a step a contact switches, and two runs may agree by chance
-    const auto of = [&](auto what) {
-      Estimate e = compare(double(what(coarse)), double(what(fine)));
-      e.error = std::max(e.error, std::abs(what(between) - e.value));
-      return e;
-    };
-    std::vector<DrivenQuantity> out{
-        {"outcome", of([](const Emission& e) { return int(!e.passages.empty()); }), "",
-         "1 if a packet passes bead 20, otherwise 0"},
-        {"emitted_per_second",
-         of([&](const Emission& e) { return e.rate(horizon()) * per_second(1); }), "1/s",
-         "packets that pass bead 20 in the second half of the run, per second"},
-        {"power", of([&](const Emission& e) { return watts(e.power); }), "W",
-         "mean power of the drive in the second half of the run"},
-        {"response", of([&](const Emission& e) { return micrometres(e.response); }), "um",
-         "largest displacement of the first bead in the second half of the run"},
-        {"budget", of([](const Emission& e) { return e.budget; }), "",
-         "energy and losses less work, over the most energy that was there or came in: zero but "
-         "for errors"}};
-    if (omega(frequency) > 1)
-      out.push_back({"threshold_law", law(omega(frequency)), "um",
-                     "amplitude of the fold of the quiet motion, by the law of small amplitudes"});
-    return out;
-  }
+  Emission run(double h) const;
+  /// Three runs and what they say; the asymptotic threshold exists above the frequency of a beam.
+  std::vector<DrivenQuantity> quantities() const;
 };
+
+/**
+## Thresholds */
+/// Halves an interval of amplitudes, of which the lower end is quiet and the upper one emits, until it is shorter than
+/// the share `accuracy`; the error is that interval's half. Throws std::runtime_error if both ends do the same.
+Estimate bisect_threshold(double quiet, double emits, double accuracy,
+                          const std::function<bool(double)>& does_emit);
+
+/// Where a stronger drive may be quiet and a weaker one emit: the middle of the lowest amplitude that emits and the
+/// highest that is quiet, among 2 * `side` + 1 about `centre` at the distance `apart`, and half the way between them.
+/// Throws std::runtime_error unless the lowest is quiet and the highest emits.
+Estimate threshold_among(double centre, double apart, int side,
+                         const std::function<bool(double)>& does_emit);
 
 }  // namespace lattice

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -170,6 +172,24 @@ Traveller member_like(const MemberGrid& grid, const Traveller& p, std::size_t le
   const double e = interpolated(p.phase, grid.phases, log_scaled, left_out);
   return {p.shift_time, p.phase, std::exp(e - 4 * std::log(p.shift_time)),
           interpolated(p.phase, grid.phases, width, left_out)};
+}
+
+double family_of(const Traveller& p) {
+  return (p.shift_time + p.phase) / (2 * std::numbers::pi);
+}
+
+double Families::over(const Traveller& p, double Traveller::*of, std::size_t left_out) const {
+  const double k = family_of(p);
+  const bool between =
+      k >= 2 && k <= 5 && p.phase >= grid.phases.front() && p.phase <= grid.phases.back();
+  return between ? p.*of / (member_like(grid, p, left_out).*of)
+                 : std::numeric_limits<double>::quiet_NaN();
+}
+
+Estimate Families::ratio(const Looks& looks, double Traveller::*of) const {
+  Estimate e = looks([&](const Traveller& p) { return over(p, of); });
+  e.error += std::abs(over(looks.fine, of, 1) - e.value);
+  return e;
 }
 
 }  // namespace lattice

@@ -7,15 +7,16 @@ $z_n = e^{it}(y_n+i\dot y_n)$, it repeats itself one site further on after the s
 $$z_n(t+T) = e^{-i\varphi}z_{n-1}(t).$$
 In the DpS limit (dps_travelling.hpp) $T$ and $\varphi$ may be chosen freely, and on the family that we know
 they fix energy and width. In the chain the breathers of the family that begins at $T = 2\pi k$
-(travelling.hpp) have $\varphi = 2\pi k-T$. This file measures $T$, $\varphi$, energy and width of a packet,
-whoever has made it, and tells what energy and width a breather between these families has with the same $T$
-and $\varphi$. */
+(travelling.hpp) have $\varphi = 2\pi k-T$. This file measures $T$, $\varphi$, energy and width of any packet, and tells
+what energy and width a breather between these families has with the same $T$ and $\varphi$. */
 
+#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <vector>
 
-#include "lattice/integrators/driven_chain.hpp"
+#include "lattice/numerics/estimate.hpp"
+#include "sec5/driven_chain.hpp"
 
 namespace lattice {
 
@@ -68,6 +69,22 @@ Traveller traveller_on(const DrivenChain& driven, State<double> start, double du
                        const WatchedBeads& stretch);
 
 /**
+The oscillation within a packet makes all means fluctuate, and a packet changes on its way. So it is looked at on the
+whole stretch, on another one with coarser steps, and on either half of the stretch. */
+struct Looks {
+  Traveller fine, coarse, before, after;
+
+  /// A function of the packet; its error is the change from the coarser look, or half of that from half to half.
+  template <class Of>
+  Estimate operator()(Of of) const {
+    Estimate e = compare(of(coarse), of(fine));
+    const double halves = std::abs(of(after) - of(before)) / 2;
+    if (std::isnan(halves) || halves > e.error) e.error = halves;
+    return e;
+  }
+};
+
+/**
 ## Breathers of the same shift time and phase
 
 The families have members at $T+\varphi = 2\pi k$ only, a packet has any $T$. But the scaled energy $ET^4$ and the
@@ -85,5 +102,18 @@ MemberGrid member_grid(std::size_t fastest, std::size_t slowest, const std::vect
 
 /// The breather with shift time and phase of `p`; the `left_out` farthest points of each polynomial are not used.
 Traveller member_like(const MemberGrid& grid, const Traveller& p, std::size_t left_out = 0);
+
+/// (T + phi) / 2 pi, whole for a breather that repeats itself one site further on.
+double family_of(const Traveller& p);
+
+/// Families 2 to 5 with six phases; between them no ratio is nan.
+struct Families {
+  MemberGrid grid = member_grid(2, 5, {-0.4, -0.2, 0, 0.25, 0.5, 0.75});
+
+  /// Energy or width of a packet over that of the breather with its shift time and phase.
+  double over(const Traveller& p, double Traveller::*of, std::size_t left_out = 0) const;
+  /// From four looks; the change that leaving out the farthest members makes is added to the error.
+  Estimate ratio(const Looks& looks, double Traveller::*of) const;
+};
 
 }  // namespace lattice

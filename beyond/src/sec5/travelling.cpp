@@ -5,6 +5,22 @@
 
 namespace lattice {
 
+// Reversible in time about a site at the start, about the next bond after half a period
+Symmetry travelling_reversible(std::size_t half_length, bool free_period) {
+  const std::size_t n0 = half_length, sites = 2 * half_length + 2;
+  Symmetry s{.name = "travelling", .sites = sites, .parts = 2, .free_period = free_period};
+  for (std::size_t n = 1; n <= half_length; ++n) s.unknowns.push_back({{n0 + n, 1}, {n0 - n, -1}});
+  s.unknowns.push_back({{sites + n0, 1}});
+  for (std::size_t n = 1; n <= half_length; ++n)
+    s.unknowns.push_back({{sites + n0 + n, 1}, {sites + n0 - n, 1}});
+  // Odd positions and even velocities about the bond; a given period leaves one too many
+  for (std::size_t n = 1; n <= half_length + 1; ++n) {
+    if (n > 1 || free_period) s.equations.push_back({{{n0 + n, 1}, {n0 + 1 - n, 1}}});
+    s.equations.push_back({{{sites + n0 + n, 1}, {sites + n0 + 1 - n, -1}}});
+  }
+  return s;
+}
+
 // About its centre a travelling breather is odd in position and even in velocity
 double asymmetry(const State<double>& z, std::size_t c, std::size_t width) {
   double off = 0, size = 0;

@@ -4,7 +4,7 @@
 
 An exact travelling breather repeats itself one site further on after the *shift time* $T$, $y_n(t+T) = y_{n-1}(t)$. In
 linear wells $(e^{-iT}-1)Z = 0$ for $Z = \sum_n(y_n+i\dot y_n)$ (sec5_travelling_breathers.cpp), so that it has
-$T = 2\pi k$ (type I) or $Z = 0$ (type II). The equations of `travelling_reversible` (symmetry.hpp) without the first one
+$T = 2\pi k$ (type I) or $Z = 0$ (type II). The equations of `travelling_reversible` without the first one
 had a solution for every $T$ that we tried; these solutions form a *family*. With $Z(0) = iV$, $V = \sum\dot y_n$, the
 equation that was left out reads $V\sin(T/2) = 0$ (sec5_travelling_families.cpp): along a family a single number, $V$,
 shows where it passes through an exact orbit. */
@@ -23,6 +23,17 @@ shows where it passes through an exact orbit. */
 #include "lattice/orbits/floquet.hpp"
 
 namespace lattice {
+
+/**
+An orbit that is also invariant under $y_n(t) \to -y_{-n}(-t)$ has odd positions and even velocities in $n$ at $t = 0$.
+Together with $y_n(t+T) = y_{n-1}(t)$ this relates the times $T/2 \pm t$ and the sites $n$ and $1-n$:
+$$y_n + y_{1-n} = 0,\qquad \dot y_n - \dot y_{1-n} = 0 \qquad\text{at } t = T/2,\ n = 1,\dots,L+1.$$
+With the unknowns $y_1,\dots,y_L$, $\dot y_0,\dots,\dot y_L$ and $T$ there are as many equations as unknowns. If $T$ is
+given there is one too many, and the first, that of the positions of 0 and 1, is left out. At $T = 2\pi k$ nothing is
+lost by this: $Z$ is imaginary at the start, only turns, and is imaginary again at $T/2$, so that the equations for
+positions add up to zero whatever the unknowns are. */
+/// That symmetry, with $L$ = `half_length`; the site $L+1$ begins at rest.
+Symmetry travelling_reversible(std::size_t half_length, bool free_period);
 
 /**
 The chain has the sites $-L \le n \le L+1$, with $L$ = `half_length`. Both tails of a breather fall

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "lattice/gsl/gsl_ode.hpp"
+#include "lattice/gsl/reference.hpp"
 
 namespace lattice {
 

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "lattice/algebra/dense.hpp"
-#include "lattice/model/contact.hpp"
 
 namespace lattice {
 
@@ -48,7 +47,7 @@ double integral(const Vector<double>& half, double h) {
 Vector<double> force_of(const Vector<double>& overlap, double alpha) {
   return overlap.unaryExpr([alpha](double x) {
     const double d = std::max(x, 0.0);
-    return alpha == 1.5 ? three_halves(d) : std::pow(d, alpha);
+    return alpha == 1.5 ? d * std::sqrt(d) : std::pow(d, alpha);
   });
 }
 

@@ -11,19 +11,6 @@
 namespace lattice {
 
 namespace {
-/// A stage that cannot be counted.
-template <class Matrix>
-Progress stage_of(const Matrix& matrix) {
-  return Progress("eigenvalues of a matrix of " + std::to_string(matrix.rows()) + " rows");
-}
-
-template <class Solver>
-const Solver& converged(const Solver& solver) {
-  if (solver.info() != Eigen::Success)
-    throw std::runtime_error("the eigenvalues of a matrix did not converge");
-  return solver;
-}
-
 // The two eigenvalues of a block that the real Schur form leaves where they are complex: p + q +- iz
 template <class T>
 std::complex<T> upper_of(const Eigen::Ref<const Matrix<T>>& block) {
@@ -38,7 +25,7 @@ std::complex<T> upper_of(const Eigen::Ref<const Matrix<T>>& block) {
 // Eigen's solver would also prepare vectors, which takes the compiler as long again
 template <class T>
 std::vector<std::complex<T>> eigenvalues_of(const Matrix<T>& matrix) {
-  const Progress stage = stage_of(matrix);
+  const Progress stage("eigenvalues of a matrix of " + std::to_string(matrix.rows()) + " rows");
   const Eigen::Index n = matrix.rows();
   const T size = n ? matrix.cwiseAbs().maxCoeff() : T(0);
   if (size < std::numeric_limits<T>::min()) return std::vector<std::complex<T>>(std::size_t(n));
@@ -46,7 +33,9 @@ std::vector<std::complex<T>> eigenvalues_of(const Matrix<T>& matrix) {
   const Matrix<T> reduced = hessenberg.matrixH();
   Eigen::RealSchur<Matrix<T>> schur(n);
   schur.computeFromHessenberg(reduced, reduced, false);
-  const Matrix<T> form = size * converged(schur).matrixT();
+  if (schur.info() != Eigen::Success)
+    throw std::runtime_error("the eigenvalues of a matrix did not converge");
+  const Matrix<T> form = size * schur.matrixT();
   std::vector<std::complex<T>> values;
   for (Eigen::Index i = 0; i < n; ++i) {
     if (i == n - 1 || form(i + 1, i) == T(0)) {

@@ -1,9 +1,5 @@
 #pragma once
-/**
-# Eigenvalues
-
-Stability is decided by eigenvalues. Where a matrix has no structure that we could use, all of them are
-computed, by Eigen, in the order in which it finds them. */
+/// Eigenvalues of matrices without a structure that we could use.
 
 #include <complex>
 #include <vector>

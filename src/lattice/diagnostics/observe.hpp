@@ -16,9 +16,7 @@ with $c$ the site of its largest density and $m = 5$, how fast it moves, and how
 
 namespace lattice {
 
-/**
-Whatever belongs to a packet is summed over a window of $2m+1$ sites around its peak; $m = 5$ is the
-article's choice, below Eq. (24). */
+/// Half of the window of 2m + 1 sites that belongs to a packet; m = 5 is the article's choice, below Eq. (24).
 inline constexpr std::size_t packet_half_width = 5;
 
 /// Sum of `e` over the sites within `m` of `peak`.
@@ -31,17 +29,15 @@ double energy_centre(const std::vector<double>& e, std::size_t peak,
 
 /**
 An impact may launch several packets and leave a vibration at the struck end, and any of these can carry
-more energy than the breather that travels ahead. The tracker therefore looks from the far end: the packet
-is at the first site, coming from there, that is the largest of its window and whose window holds at least
-`share` of the total energy. Without precompression nothing runs ahead of the first packet but its own
-super-exponentially small tail, so `share` matters only where a weak packet runs ahead of a strong one, as
-in hard wells. Returns the index of the site, or nothing if there is no such site. */
+more energy than the breather that travels ahead. So the tracker looks from the far end. Without precompression nothing
+runs ahead of the first packet but its own super-exponentially small tail, so `share` matters only where a weak packet
+runs ahead of a strong one, as in hard wells. */
+/// The first site, from the far end, that is the largest of its window and whose window holds at least `share` of the
+/// energy; nothing if there is none.
 std::optional<std::size_t> front_packet(const std::vector<double>& e, double share = 0.01,
                                         std::size_t m = packet_half_width);
 
-/**
-Localized or spread out? The participation number $(\sum e_n)^2/\sum e_n^2$ says how many sites share the
-energy: one if a single site has all of it, $N$ if all have the same. */
+/// How many sites share the energy, (sum e_n)^2 / sum e_n^2: one if a single site has all of it, N if all have the same.
 double participation(const std::vector<double>& e);
 
 }  // namespace lattice

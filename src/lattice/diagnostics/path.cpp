@@ -4,13 +4,8 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "lattice/numerics/parabola.hpp"
-
 namespace lattice {
 
-/**
-A speed needs at least three samples; an energy is interpolated between the two samples around the instant
-that is asked for. */
 std::optional<Line> Path::line(double from, double to) const {
   const auto [ts, xs] = between(from, to);
   if (ts.size() < 3) return std::nullopt;
@@ -24,18 +19,22 @@ Estimate Path::speed_during(double from, double to) const {
   return fit_line(ts, xs).estimate();
 }
 
+// The first sample beyond x, and the share of the interval before it after which the centre passes x
+static std::pair<std::size_t, double> passage(const Path& path, double x) {
+  const std::size_t i = path.until(x);
+  if (i == 0 || i == path.centre.size())
+    throw std::runtime_error("no packet passes the site asked for");
+  return {i, (x - path.centre[i - 1]) / (path.centre[i] - path.centre[i - 1])};
+}
+
 double Path::energy_at(double x) const {
-  const std::size_t i = until(x);
-  if (i == 0 || i == centre.size()) throw std::runtime_error("no packet passes the site asked for");
-  const double part = (x - centre[i - 1]) / (centre[i] - centre[i - 1]);
+  const auto [i, part] = passage(*this, x);
   return energy[i - 1] + part * (energy[i] - energy[i - 1]);
 }
 
 double Path::travelled(double site, double duration) const {
   // Both ends lie between two samples
-  const std::size_t i = until(site);
-  if (i == 0 || i == t.size()) throw std::runtime_error("no packet passes the site asked for");
-  const double part = (site - centre[i - 1]) / (centre[i] - centre[i - 1]);
+  const auto [i, part] = passage(*this, site);
   const double end = t[i - 1] + part * (t[i] - t[i - 1]) + duration;
   const auto k = std::size_t(std::lower_bound(t.begin(), t.end(), end) - t.begin());
   if (k == t.size()) throw std::runtime_error("the packet is not followed long enough");

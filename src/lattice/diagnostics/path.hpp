@@ -2,9 +2,7 @@
 /**
 # The path of a packet
 
-Where a packet is, and what it carries, from sample to sample. Every run that follows something along the chain
-keeps a `Path`: an impact its packet (impact.hpp), a kick its breather (kick.hpp), a ring its pulse. Speeds are slopes of
-it. */
+Where a packet is, and what it carries, from sample to sample. Speeds are slopes of it. */
 
 #include <algorithm>
 #include <cmath>
@@ -20,9 +18,8 @@ it. */
 
 namespace lattice {
 
-/**
-The speed is the slope of the centre $X(t)$. The article fits it only where the packet is far from the end where it was
-launched, and gives no number; so the stretch `from <= X <= to` is an argument here and is stated with every result. */
+/// The article fits the centre only where the packet is far from the end where it was launched, and gives no number; so
+/// the stretch `from <= X <= to` is an argument here and is stated with every result.
 struct Path {
   /// One entry per sample: time, centre X (sites, from one), energy of the window, largest density. A path of centres
   /// alone has the first two.
@@ -44,10 +41,7 @@ struct Path {
     centre.push_back(x);
   }
 
-  /**
-  What happens to a packet after it has left the stretch, a reflection for example, does not count. So
-  samples count up to the first one whose centre lies beyond `to`, even if a later one is back within. */
-  /// How many samples count.
+  /// How many samples count: those before the first centre beyond `to`, even if a later one is back within.
   std::size_t until(double to) const {
     return std::size_t(
         std::find_if(centre.begin(), centre.end(), [to](double x) { return x > to; }) -
@@ -81,17 +75,13 @@ struct Path {
   Estimate largest_peak(double from, double to) const;
 };
 
-/**
-Where does the stretch begin? Our choice is site 20, twice the packet's window away from the struck end.
-An impact follows its front-most packet, because a second and slower one can carry as much energy (as it does at
-$s = -1/6$). */
+/// Where the stretch begins, our choice: twice the packet's window away from the struck end.
 inline constexpr double fit_from = 20;
 /// Where no packet ever is: the end of a stretch that has none.
 inline constexpr double far_away = std::numeric_limits<double>::infinity();
 
-/**
-`packet_speed` is the speed of a packet between `fit_from` and `to`, in sites per unit of time, with the
-error of the fit. Throws std::runtime_error if no packet came so far. */
+/// The speed of a packet between `fit_from` and `to`, in sites per unit of time, with the error of the fit. Throws
+/// std::runtime_error if no packet came so far.
 Estimate packet_speed(const Path& path, double to = far_away);
 
 /// Change of the speed from the first to the second half of the stretch, relative to the speed: small if
@@ -99,23 +89,13 @@ Estimate packet_speed(const Path& path, double to = far_away);
 Estimate speed_change(const Path& path, double to = far_away);
 
 /**
-## Smoothed paths
-
-The centre trembles with the internal oscillation, so that its velocity vanishes twice per period. A turning point has
-a meaning only for a smoothed path: the mean over a stated width with the weight $1+\cos(2\pi t/\text{width})$.
-This weight and its slope fall to zero at the ends of the window, so that an oscillation with more than a
-few periods per window is strongly suppressed; a plain mean does so only if the window happens to hold
-whole periods. At the ends of a path, where no window fits, the smoothed path has no values: half a
-window would shift the centre of a moving packet. */
-
+The centre trembles with the internal oscillation, so that its velocity vanishes twice per period, and a turning point has
+a meaning only for a smoothed path: the mean with the weight $1+\cos(2\pi t/\text{width})$. This weight and its slope fall
+to zero at the ends of the window, so that an oscillation with more than a few periods per window is strongly suppressed. At
+the ends of a path, where no window fits, the smoothed path has no values. */
 /// The weighted mean of a path over windows of the given width in time, shorter by one width.
 /// Throws std::invalid_argument for fewer than three samples.
 Path smooth(const Path& path, double width);
-
-/**
-A turning point is an extremum of the smoothed path. The parabola through three samples places it between
-them, so that its time is not limited by the sampling. If the three do not enclose an extremum, the sample
-itself is taken. */
 
 /// A site and a time, `nan` where there are none.
 struct Moment {
@@ -125,7 +105,8 @@ struct Moment {
   bool found() const { return !std::isnan(time); }
 };
 
-/// The extremum of the parabola through sample `i` and its neighbours.
+/// The extremum of the parabola through sample `i` and its neighbours, so that its time is not limited by the sampling; the
+/// sample itself where the three do not enclose one.
 Moment vertex(const Path& path, std::size_t i);
 
 }  // namespace lattice

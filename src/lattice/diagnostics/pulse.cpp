@@ -1,6 +1,6 @@
 #include "lattice/diagnostics/pulse.hpp"
 
-#include "lattice/numerics/parabola.hpp"
+#include "lattice/numerics/line_fit.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,11 +2,9 @@
 /**
 # A packet passes
 
-Seen from a fixed contact, a travelling breather is a train of pushes: the contact closes once in each
-internal period, harder and harder and then less and less. From such a train, sampled a fraction of a
-period apart, this file reads what an experiment would report: the strongest push and its time, the
-period, and how long the train lasts. Maxima are those of parabolas through three samples, crossings
-those of straight lines through two. */
+Seen from a fixed contact, a travelling breather is a train of pushes: the contact closes once in each internal period,
+harder and harder and then less and less. From such a train, sampled a fraction of a period apart, this file reads what an
+experiment would report. Maxima are those of parabolas through three samples, crossings those of straight lines. */
 
 #include <optional>
 #include <vector>
@@ -23,9 +21,7 @@ struct Top {
 /// The local maxima of equidistant samples, each from the parabola through a sample and its neighbours.
 std::vector<Top> maxima(const std::vector<double>& t, const std::vector<double>& x);
 
-/**
-A velocity or deflection is largest in either direction: `largest_modulus` is the highest local maximum of
-the modulus of `x`, or zero if there is none. */
+/// The highest local maximum of the modulus of `x`, or zero if there is none.
 double largest_modulus(const std::vector<double>& t, std::vector<double> x);
 
 /// The strongest push of a train, and half the time between the one before and the one after it.
@@ -37,9 +33,7 @@ struct Push {
 /// packet has then not passed.
 std::optional<Push> strongest_push(const std::vector<double>& t, const std::vector<double>& force);
 
-/**
-Periods and durations follow from crossings. Here are the times at which `x` passes `level` upwards, linear
-between the samples. */
+/// The times at which `x` passes `level` upwards, linear between the samples.
 std::vector<double> upward_crossings(const std::vector<double>& t, const std::vector<double>& x,
                                      double level = 0);
 

@@ -32,10 +32,4 @@ Estimate packet_amplitude(const Path& path) {
   return {amplitude, top.error / (2 * amplitude)};
 }
 
-TwoRuns<DpsOutcome> follow_dps_twice(double tolerance, const Dps& dps, const Field& start,
-                                     double duration, std::size_t samples, const DpsLook& watch) {
-  return {follow_dps(dps, start, duration, samples, 100 * tolerance),
-          follow_dps(dps, start, duration, 2 * samples, tolerance, watch)};
-}
-
 }  // namespace lattice

@@ -26,19 +26,9 @@ struct DpsOutcome {
 DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::size_t samples,
                       const Tolerance& tolerance, const DpsLook& watch = {});
 
-/**
-The amplitude of a packet oscillates while it moves from site to site. So `packet_amplitude` is the largest maximum in
-time of $|A_n|$ while the centre moves over the last site of its path, or over the last two if none falls on the last.
-Its error is what the samples leave; both are nan where there is none at all. */
+/// The largest maximum in time of |A_n|, which oscillates from site to site, while the centre moves over the last site of
+/// its path, or over the last two if none falls on the last. Its error is what the samples leave; both are nan where
+/// there is none at all.
 Estimate packet_amplitude(const Path& path);
-
-/**
-For errors the same impact is followed twice: first with a hundred times the tolerance and `samples`
-samples, then with `tolerance` and twice as many samples, because amplitudes and speeds are read from
-them. */
-/// Both runs; `watch` sees the finer one.
-TwoRuns<DpsOutcome> follow_dps_twice(double tolerance, const Dps& dps, const Field& start,
-                                     double duration, std::size_t samples,
-                                     const DpsLook& watch = {});
 
 }  // namespace lattice

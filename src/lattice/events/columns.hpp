@@ -3,7 +3,7 @@
 # The loops over columns
 
 What the orbit and the columns of a tangent (tangent.hpp) have in common: the rows of the variational
-equation and the two loops that apply them. Only the `.cpp` files of this library include this file. */
+equation and the two loops that apply them, in which nearly all the time is spent. */
 
 #include <cstddef>
 
@@ -12,9 +12,8 @@ equation and the two loops that apply them. Only the `.cpp` files of this librar
 
 namespace lattice {
 
-/**
-Nearly all the time is spent in the two loops below. The end rows of an open chain have a zero coefficient
-for the neighbour that they lack, so the index may wrap around as on a ring. */
+/// The end rows of an open chain have a zero coefficient for the neighbour that they lack, so the index may wrap
+/// around.
 template <class T>
 LATTICE_WIDE void kick_block(const TangentRow<T>* row, const T* y, T* v, std::size_t rows,
                              std::size_t columns) {
@@ -29,12 +28,6 @@ LATTICE_WIDE void kick_block(const TangentRow<T>* row, const T* y, T* v, std::si
   }
 }
 
-/// The same for an entry.
-template <class T>
-void kick_row(const TangentRow<T>& row, T before, T here, T after, T& v) {
-  v += (row.left * before + row.right * after) + row.self * here;
-}
-
 /// `y += factor * v`, for a drift and for the sum of the levels.
 template <class T>
 LATTICE_WIDE void add_scaled(T* __restrict__ y, const T* __restrict__ v, T factor,
@@ -42,9 +35,8 @@ LATTICE_WIDE void add_scaled(T* __restrict__ y, const T* __restrict__ v, T facto
   for (std::size_t i = 0; i < count; ++i) y[i] += factor * v[i];
 }
 
-/**
-The core's rows of the matrix come multiplied by the duration of the kick. The contacts across the edges
-of the core are negligible or lead to a wall, and so they count in the diagonal alone. */
+/// A row of the matrix times the duration of the kick. The contacts across the edges of the core are negligible or lead
+/// to a wall, and count in the diagonal alone.
 template <class T>
 TangentRow<T> row_at(const Chain& chain, const Curvature<T>& node, Window core, std::size_t n) {
   const bool ring = chain.ends == Ends::periodic;

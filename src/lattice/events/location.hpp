@@ -2,18 +2,13 @@
 /**
 # The smooth segments between contact events
 
-Periodic orbits and their Floquet multipliers are wanted to the last digits, and contact events stand in
-the way. A contact of overlap $x$ pushes with $x_+^{3/2}$. Where it opens or closes, at $t^*$, its overlap
+A contact of overlap $x$ pushes with $x_+^{3/2}$. Where it opens or closes, at $t^*$, its overlap
 crosses zero at a finite speed, so along an orbit the force behaves like $(t-t^*)_+^{3/2}$ and the
 stiffness, its derivative, like $(t-t^*)_+^{1/2}$. A formula of any order that takes a step $h$ across
-$t^*$ integrates these as if they were polynomials, and errs by $h\cdot h^{3/2}$ in the state and by
-$h\cdot h^{1/2}$ in the tangent map (tangent.hpp). Ending a step at $t^*$ is not enough: the derivatives of
-the square root still blow up at the end of the step.
-
-A change of the independent variable repairs this. With $t = t^* + u^2$ the root $(t-t^*)^{1/2} = u$
-becomes a straight line, and the whole solution, which is a power series in $(t-t^*)^{1/2}$, becomes one
-in $u$. The formula then has its full accuracy again. This file integrates across a segment whose ends are
-contact events; event_driven.hpp finds the ends. */
+$t^*$ errs by $h^{5/2}$ in the state and by $h^{3/2}$ in the tangent map (tangent.hpp). Ending a step at $t^*$ is not
+enough: the derivatives of the square root still blow up there. With $t = t^* + u^2$ the whole solution, a power series
+in $(t-t^*)^{1/2}$, becomes one in $u$, and the formula has its full accuracy again. This file has the map and the
+leapfrog; event_driven.cpp extrapolates it across a segment and finds the ends. */
 
 #include <cstddef>
 #include <limits>
@@ -29,32 +24,24 @@ An interval $[a, a+L]$ between two events needs the square at both ends, and the
 that property is the cubic
 $$t = a + L\,\varphi(s), \qquad \varphi(s) = 3s^2 - 2s^3, \qquad 0 \le s \le 1,$$
 for which $t - a \simeq 3Ls^2$ and $a + L - t \simeq 3L(1-s)^2$. We use it on every interval; at an end
-without an event it does no harm. Unlike a cosine it needs no library function, so that its bits are
-the same everywhere.
+without an event it does no harm. Unlike a cosine it has the same bits everywhere.
 
 The tangent map passes a contact event without a jump. In general the derivative of a flow across a surface
 in phase space gains a term proportional to the jump of the vector field there. Here the contact force
 is continuous and the jump is zero; that the instant of the event depends on the initial state does not
-matter to first order.
-
-Only differences $\varphi(e)-\varphi(s)$ are needed, and they factorise, so that short ones lose no
-digits to cancellation. */
+matter to first order. */
+/// $\varphi(e)-\varphi(s)$, in factors, so that short intervals lose no digits to cancellation.
 template <class T>
 T span(T s, T e) {
   return (e - s) * (T(3) * (s + e) - T(2) * (s * s + s * e + e * e));
 }
 
-/**
-A single number governs the accuracy: `tolerance` bounds the error of a step, relative to the amplitude
-for the orbit and absolute for a tangent of order one. By default it is 128 units in the last place. The
-other members rarely need to be set. `floor` is explained at `EventThresholds` in event_driven.cpp; `search_step` is
-short against the period $2\pi$ of a well; and a number type with more digits needs more `levels` of the
-extrapolation below. */
+/// `tolerance` bounds the error of a step, relative to the amplitude for the orbit and absolute for a tangent of order
+/// one.
 template <class T>
 struct EventTolerance {
   T tolerance = T(128) * std::numeric_limits<T>::epsilon();  ///< sixteen units at least
-  T floor = T(-1);          ///< slower events are not located; < 0: from the tolerance
-  T search_step = T(0.05);  ///< time step in the search for contact events
+  T floor = T(-1);  ///< slower events are not located (`EventThresholds`); < 0: from the tolerance
   int levels = 2 + std::numeric_limits<T>::digits10 / 2;  ///< of the extrapolation, at most
 };
 
@@ -72,17 +59,11 @@ struct FlowReport {
 };
 
 /**
-The orbit takes one tangent vector along, an arbitrary one. It shows how accurate the columns of a tangent will be, and
-whether the step suits them, before we advance all of them: the orbit is smoother than its tangent by one
-derivative and would be content with too long a step. Positions `y`, velocities `v`, the area and, if
-there is a tangent vector, its two halves lie in one array.
-
-The area $\mathcal A = \int\sum\mu_n\dot y_n^2\,dt$ over a period, the action by which breathers
-are compared, travels along as one more position: while the chain drifts its velocities are
-constant, and so is the rate of the area. Its extrapolation is then as accurate as that of the orbit.
-
-The leapfrog drifts, kicks and drifts, so that it never evaluates a contact at the very instant of
-an event, where the square root would magnify rounding errors. */
+The orbit takes an arbitrary tangent vector along. It shows how accurate the columns of a tangent will be before we
+advance all of them: the orbit is smoother than its tangent by one derivative and would be content with too long a step.
+Positions, velocities, the area $\int\sum\mu_n\dot y_n^2\,dt$ as one more position and, if there is a tangent vector,
+its two halves lie in one array. The leapfrog drifts, kicks and drifts, so that it never evaluates a contact at the very
+instant of an event, where the square root would magnify rounding errors. */
 template <class T>
 class Leapfrog {
  public:
@@ -109,49 +90,6 @@ class Leapfrog {
   bool has_vector_;
   std::vector<T> push_, pull_;
   Curvatures<T> own_{};  ///< that of the latest kick, where no record is kept
-};
-
-/**
-What integrating across a segment gives: the state in which it ends, the sum of the errors of its steps,
-and the records that the columns will follow. */
-template <class T>
-struct SmoothSegment {
-  std::vector<T> z;  ///< positions, velocities and area, 2 * sites + 1 numbers
-  T error = T(0);
-  std::vector<StepRecord<T>>
-      records;  ///< of each step; without nodes if there is no tangent vector
-};
-
-/**
-A step adds one leapfrog level after another until the last two extrapolated values agree, so that a short
-interval costs two or three levels and a long one as many as the precision allows. If they do not suffice,
-the step is shortened. We compare the value of $j$ levels with that of $j-1$, which estimates the error
-of the latter. The usual comparison within level $j$ gives a number smaller by a factor $j^2$, and trusts
-the asymptotic series too early while a recent event is still near.
-
-Agreement is measured on the orbit and on the tangent vector. A runaway, a bead beyond the rim of a soft well,
-never agrees: a step of 1/16384 of the interval is accepted as it is, and if the error then exceeds one
-the integration gives up. */
-template <class T>
-class SegmentIntegrator {
- public:
-  /// `chain` must live as long; errors of the orbit are relative to `amplitude`.
-  SegmentIntegrator(const Chain& chain, const EventTolerance<T>& rule, T amplitude);
-  /// Integrates across a segment of the given length (in time) from the positions, velocities and area in `z`,
-  /// 2 * sites + 1 numbers; with a tangent vector it leaves records for the columns.
-  SmoothSegment<T> integrate(const std::vector<T>& z, T length, bool tangent_vector);
-  std::size_t evaluations = 0;  ///< of the force on the whole chain, in all segments
-
- private:
-  std::vector<T> append_tangent_vector(std::vector<T> z) const;
-  T step(Leapfrog<T>& leapfrog, std::vector<T>& z, T length, T s, T h, StepRecord<T>& record);
-  T difference(const std::vector<T>& a, const std::vector<T>& b) const;
-
-  const Chain& chain_;
-  EventTolerance<T> rule_;
-  T amplitude_;
-  std::vector<std::vector<T>> table_;
-  std::vector<T> previous_;  ///< its first entry before the latest level
 };
 
 }  // namespace lattice

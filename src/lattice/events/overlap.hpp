@@ -2,15 +2,12 @@
 /**
 # When an overlap passes through zero
 
-A contact switches where its overlap $x(t)$, positive while it is closed, changes its sign. Two questions
-have to be answered from little. Close to a zero we know value, speed and acceleration at one instant, and
-ask for the time $\tau$ to the zero: it is a root of
-$$x + \dot x\,\tau + \tfrac12\ddot x\,\tau^2 = 0.$$
-Between two instants $t$ and $t + \Delta t$ we know values and speeds at both, and ask whether and where the
-overlap changed its sign. There it is represented by the cubic with the same four values,
+Close to a zero of an overlap $x(t)$ we know its value, speed and acceleration at one instant, and ask for the time
+$\tau$ to the zero: a root of $x + \dot x\,\tau + \tfrac12\ddot x\,\tau^2 = 0$ (`Overlap`). Between two instants $t$ and
+$t + \Delta t$ we know values and speeds at both, and ask whether and where the overlap changed its sign, on the cubic
+with the same four values (`Arc`),
 $$x(t + s\,\Delta t) \simeq r^2\,[(1+2s)\,x_0 + s\,\Delta t\,\dot x_0]
- + s^2\,[(1+2r)\,x_1 - r\,\Delta t\,\dot x_1], \qquad r = 1 - s.$$
-event_driven.hpp asks both questions of all contacts of a chain. */
+ + s^2\,[(1+2r)\,x_1 - r\,\Delta t\,\dot x_1], \qquad r = 1 - s.$$ */
 
 #include <cmath>
 #include <limits>
@@ -30,9 +27,7 @@ T magnitude(T x) {
   return x < T(0) ? -x : x;
 }
 
-/**
-For the first question an overlap is its value `x`, speed `u` and acceleration `w`. The two roots of the
-parabola are computed in the form that loses no digits to cancellation. */
+/// Value `x`, speed `u` and acceleration `w`. The roots are computed in the form that loses no digits to cancellation.
 template <class T>
 struct Overlap {
   T x, u, w;
@@ -52,10 +47,8 @@ struct Overlap {
   T turns() const { return w != T(0) ? -u / w : std::numeric_limits<T>::infinity(); }
 };
 
-/**
-The second question arises between two steps `dt` of the detection, short enough for the cubic to represent
-the overlap well. A contact may close and open again within one step; both ends then have the same sign,
-and the cubic has an extremum of the opposite sign in between. */
+/// The cubic. If a contact closes and opens again within a step, both ends have the same sign, and the cubic has an
+/// extremum of the opposite sign in between.
 template <class T>
 struct Arc {
   T x0, u0, x1, u1, dt;  ///< values and speeds at the beginning and at the end

@@ -42,19 +42,11 @@ Window core_of(const Chain& chain, const StepRecord<T>& record,
 
 namespace detail {
 
-/**
-The work is done on a block of rows and columns of the tangent that is copied to a place of its
-own, positions `y` and velocities `v` row by row. */
+/// A copy of rows and columns of the tangent, positions `y` and velocities `v` row by row.
 template <class T>
 struct ColumnBlock {
-  std::size_t rows = 0, columns = 0;
-  std::vector<T> y, v;
-  void resize(std::size_t row_count, std::size_t column_count) {
-    rows = row_count;
-    columns = column_count;
-    y.assign(rows * columns, T(0));
-    v.assign(rows * columns, T(0));
-  }
+  std::size_t rows, columns;
+  std::vector<T> y = std::vector<T>(rows * columns, T(0)), v = y;
 };
 
 /**
@@ -77,9 +69,7 @@ struct AtRest {
   }
 };
 
-/**
-A whole step costs each of these sites one such rotation of its columns, however many levels it took in
-the core. */
+/// A whole step costs each of these sites one such rotation of its columns.
 template <class T>
 void rotate_outside(const Chain& chain, Window core, T duration, Tangent<T>& tangent) {
   for (std::size_t n = 0; n < chain.sites; ++n) {
@@ -94,34 +84,9 @@ void rotate_outside(const Chain& chain, Window core, T duration, Tangent<T>& tan
   }
 }
 
-/**
-A column that vanishes throughout the core, such as one that begins far out in the tail, remains zero
-there. Only the others are packed into the block. */
-template <class T>
-struct Packing {
-  Window core;
-  std::vector<std::size_t> columns;
-
-  Packing(const Tangent<T>& tangent, Window window) : core(window) {
-    for (std::size_t k = 0; k < tangent.columns; ++k)
-      for (std::size_t n = core.first; n < core.last; ++n)
-        if (tangent(n, k) != T(0) || tangent(n + tangent.sites, k) != T(0)) {
-          columns.push_back(k);
-          break;
-        }
-  }
-  template <class Move>
-  void each(std::size_t stride, Move move) const {
-    for (std::size_t n = core.first; n < core.last; ++n)
-      for (std::size_t k = 0; k < columns.size(); ++k)
-        move(n, columns[k], (n - core.first) * stride + k);
-  }
-};
-
-/**
-Now we advance the columns by one step. Every level starts from the same block. We sum the weighted
-increments rather than the weighted values, because the weights are large and alternate in sign, and
-their rounding would otherwise spoil the entries of order one. */
+/// Advances the columns by one step. Every level starts from the same block. The weighted increments are summed and not
+/// the weighted values: the weights are large and alternate in sign, and their rounding would spoil entries of order
+/// one.
 template <class T>
 void extrapolate_block(const Chain& chain, const StepRecord<T>& record, Window core,
                        ColumnBlock<T>& block) {
@@ -156,27 +121,34 @@ void extrapolate_block(const Chain& chain, const StepRecord<T>& record, Window c
 
 using namespace detail;
 
-// Sites in the tail feel nothing but their wells; those of the core feel their contacts too
 template <class T>
 void advance_tangent(const Chain& chain, const StepRecord<T>& record,
                      std::type_identity_t<T> negligible, Tangent<T>& tangent) {
   const Window core = core_of(chain, record, negligible);
-  const Packing<T> packing(tangent, core);
+  const std::size_t half = chain.sites;
+  // A column that vanishes throughout the core remains zero there
+  std::vector<std::size_t> columns;
+  for (std::size_t k = 0; k < tangent.columns; ++k) {
+    std::size_t n = core.first;
+    while (n < core.last && tangent(n, k) == T(0) && tangent(n + half, k) == T(0)) ++n;
+    if (n < core.last) columns.push_back(k);
+  }
   rotate_outside(chain, core, record.duration, tangent);
-  if (packing.columns.empty()) return;
-  // Columns that reach the core, their number rounded up to a multiple of eight
-  const std::size_t width = (packing.columns.size() + 7) / 8 * 8, half = chain.sites;
-  ColumnBlock<T> block;
-  block.resize(core.last - core.first, width);
-  packing.each(width, [&](std::size_t n, std::size_t k, std::size_t at) {
-    block.y[at] = tangent(n, k);
-    block.v[at] = tangent(n + half, k);
-  });
+  if (columns.empty()) return;
+  // The others are packed into a block, their number rounded up to a multiple of eight
+  const std::size_t width = (columns.size() + 7) / 8 * 8;
+  ColumnBlock<T> block{core.last - core.first, width};
+  const auto each = [&](auto move) {
+    for (std::size_t n = core.first; n < core.last; ++n)
+      for (std::size_t k = 0; k < columns.size(); ++k) {
+        const std::size_t at = (n - core.first) * width + k;
+        move(tangent(n, columns[k]), block.y[at]);
+        move(tangent(n + half, columns[k]), block.v[at]);
+      }
+  };
+  each([](const T& from, T& to) { to = from; });
   extrapolate_block(chain, record, core, block);
-  packing.each(width, [&](std::size_t n, std::size_t k, std::size_t at) {
-    tangent(n, k) = block.y[at];
-    tangent(n + half, k) = block.v[at];
-  });
+  each([](T& to, const T& from) { to = from; });
 }
 
 #define LATTICE_INSTANCES(T)                                         \

@@ -2,15 +2,13 @@
 /**
 # The tangent map
 
-Newton's method and Floquet theory need the derivative of the flow, the *tangent map*: by how much does
-the state at the end of a run change if that at its start is changed a little? A small change
-$\delta y$ of an orbit $y$ of the chain (chain.hpp) obeys the variational equation
+The *tangent map* is the derivative of the flow: by how much does the state at the end of a run change if that at its
+start is changed a little? A small change $\delta y$ of an orbit $y$ of the chain obeys the variational equation
 $$\mu_n\,\delta\ddot y_n = -\bigl(W''(y_n)+k_{n-1}+k_n\bigr)\,\delta y_n
   + k_{n-1}\,\delta y_{n-1} + k_n\,\delta y_{n+1},\qquad k_n = \eta_n V''(y_{n+1}-y_n),$$
-where $k_n$ is the stiffness of the contact between the beads $n$ and $n+1$. The system is linear and
-its matrix tridiagonal and the same for all changes. We carry many of them at once, each a column of a
-matrix, and keep the entries of a row next to each other in memory: the three coefficients of the row are
-then scalars, and the processor works on as many columns at a time as its vectors are wide. */
+where $k_n$ is the stiffness of the contact between the beads $n$ and $n+1$. We carry many changes at once, each a
+column of a matrix, and keep the entries of a row next to each other: the three coefficients of the row are then
+scalars, and the processor works on as many columns at a time as its vectors are wide. */
 
 #include <algorithm>
 #include <cstddef>
@@ -20,11 +18,8 @@ then scalars, and the processor works on as many columns at a time as its vector
 
 namespace lattice {
 
-/**
-A tangent holds its columns as an array of `2 * sites` rows: first those of the positions, then those of
-the velocities. It begins as the identity, or as its first `columns` columns. Carried along a periodic
-orbit for one period, the identity becomes the monodromy matrix, whose eigenvalues are the Floquet
-multipliers (floquet.hpp). Its first `sites` columns belong to changes of the initial positions. */
+/// Columns as an array of `2 * sites` rows: first those of the positions, then those of the velocities. Carried along a
+/// periodic orbit for one period, the identity becomes the monodromy matrix (floquet.hpp).
 template <class T>
 struct Tangent {
   std::size_t sites = 0, columns = 0;
@@ -44,19 +39,15 @@ struct Tangent {
   T* row(std::size_t i) { return entries.data() + i * columns; }
 };
 
-/**
-At one instant the matrix of the variational equation is known from the second derivatives of all wells and
-contacts, which we call curvatures. They are kept together with the duration of the kick and of the drift
-that they serve (schemes.hpp explains the two words). */
+/// The second derivatives of all wells and contacts at one instant, which make the matrix of the variational equation,
+/// with the duration of the kick and of the drift (schemes.hpp) that they serve.
 template <class T>
 struct Curvature {
   T kick, drift;         ///< durations
   const T *well, *link;  ///< link[i] belongs to the contact of i - 1 with i
 };
 
-/**
-A step meets hundreds of them, one after the other, and allocating each would cost as much as a loop over the
-sites. So they share one block of memory. */
+/// Hundreds of them in one block of memory: allocating each would cost as much as a loop over the sites.
 template <class T>
 class Curvatures {
  public:
@@ -80,11 +71,9 @@ class Curvatures {
   std::vector<T> durations_{}, numbers_{};
 };
 
-/**
-Orbit and columns need not be computed together. A step of the integrator of location.hpp combines several
-leapfrog runs over the same interval: that of level $j$ drifts by `lead[j - 1]` and then alternates $j$
-kicks and drifts. The orbit is computed first and leaves a record of the curvatures that it met; the
-columns follow it afterwards. */
+/// The curvatures that the orbit met in a step of location.hpp, which combines several leapfrog runs over the same
+/// interval: that of level $j$ drifts by `lead[j - 1]` and then alternates $j$ kicks and drifts. The columns follow
+/// later.
 template <class T>
 struct StepRecord {
   T duration = 0;         ///< of the step
@@ -101,29 +90,21 @@ struct TangentRow {
   T self, left, right;
 };
 
-/**
-How are the runs combined? Those of $1, 2, \dots, k$ kicks differ from the exact solution by a series in
-even powers of their step. The polynomial in $1/j^2$ through their results, taken at zero, is free of its
-first $k-1$ terms, and Lagrange's formula gives the weights (Richardson extrapolation):
-$$w_j = \prod_{i \ne j} \frac{j^2}{j^2 - i^2}, \qquad \sum_j w_j = 1.$$ */
-/// w_j for the levels 1 to `levels`.
+/// The weight $w_j = \prod_{i \ne j} j^2/(j^2 - i^2)$ of the run of $j$ kicks (Richardson extrapolation): the runs
+/// differ from the exact solution by a series in even powers of their step, and the sum is free of its first terms.
 template <class T>
 T extrapolation_weight(std::size_t j, std::size_t levels);
 
 /**
-Far from the centre of a breather (a vibration that is localized at a few sites) the contacts hardly push,
-and a tangent does not notice accelerations far below the precision asked for. There a change oscillates
-by itself in the well as it is at rest, and we know this motion exactly. The sites in between are the
-core: from the first to the last one with a contact whose stiffness over the mass exceeds `negligible`, or
-a well whose curvature differs from its value at rest by more than that. With precompression the contacts
-are stiff at rest, and the core is the whole chain. */
+Far from the centre of a breather the contacts hardly push, and a change oscillates by itself in the well as it is at
+rest, a motion that we know exactly. The sites in between are the core: from the first to the last one with a contact
+whose stiffness over the mass exceeds `negligible`, or a well whose curvature differs from its value at rest by more
+than that. With precompression the core is the whole chain. */
 template <class T>
 Window core_of(const Chain& chain, const StepRecord<T>& record, std::type_identity_t<T> negligible);
 
-/**
-All together: `advance_tangent` replaces the columns of `tangent` by their images after the step that `record` holds.
-Accelerations below `negligible` (per unit of displacement) count as none. The block is padded to whole
-vectors of eight columns. */
+/// Replaces the columns of `tangent` by their images after the step that `record` holds. Accelerations below
+/// `negligible` (per unit of displacement) count as none.
 template <class T>
 void advance_tangent(const Chain& chain, const StepRecord<T>& record,
                      std::type_identity_t<T> negligible, Tangent<T>& tangent);

@@ -2,9 +2,8 @@
 /**
 # Random numbers
 
-Some runs begin with a randomly perturbed state. The perturbations are drawn from GSL's Mersenne twister,
-whose seed is recorded with every result: the same seed gives the same numbers on every machine, which the
-distributions of the C++ library do not promise. */
+GSL's Mersenne twister, whose seed is recorded with every result: the same seed gives the same numbers on every machine,
+which the distributions of the C++ library do not promise. */
 
 #include <gsl/gsl_rng.h>
 
@@ -19,9 +18,11 @@ namespace lattice {
 class Random {
  public:
   /// Equal seeds give equal numbers.
-  explicit Random(unsigned long seed);
+  explicit Random(unsigned long seed) : source_(gsl_rng_alloc(gsl_rng_mt19937)) {
+    gsl_rng_set(source_.get(), seed);
+  }
   /// Uniformly distributed in [lo, hi).
-  double uniform(double lo, double hi);
+  double uniform(double lo, double hi) { return lo + (hi - lo) * gsl_rng_uniform(source_.get()); }
 
  private:
   struct Free {
@@ -31,6 +32,10 @@ class Random {
 };
 
 /// `x` with each entry changed by a random share of itself, at most `relative`.
-std::vector<double> shaken(std::vector<double> x, double relative, unsigned long seed);
+inline std::vector<double> shaken(std::vector<double> x, double relative, unsigned long seed) {
+  Random random(seed);
+  for (double& value : x) value *= 1 + random.uniform(-relative, relative);
+  return x;
+}
 
 }  // namespace lattice

@@ -4,9 +4,8 @@
 
 Several sections of the article strike the first bead of a resting chain, Eq. (26),
 $$y_n(0) = 0,\qquad \dot y_1(0) = v_0,\qquad \dot y_n(0) = 0 \text{ for } n \ge 2,$$
-and ask what travels away: with harmonic, hard or soft wells, with precompression, in an array with a
-defect, and in the limit of small amplitude. All of them use the loop in time of this file. It watches the
-energy and the front-most packet, and it sees to it that nothing comes back from the far end. */
+and ask what travels away. All of them use the loop in time of this file. It watches the energy and the packet, and it sees
+to it that nothing comes back from the far end. */
 
 #include <cstddef>
 #include <limits>
@@ -21,8 +20,6 @@ energy and the front-most packet, and it sees to it that nothing comes back from
 namespace lattice {
 
 /**
-## How long is the chain?
-
 A far end that the motion reaches sends it back, and what comes back is no property of the impact. In front
 of everything else run either linear waves or, if the contacts are not compressed, strongly nonlinear
 pulses. Beads with the stiffness $k$ of their wells and $K$ of their contacts have phonons between
@@ -33,11 +30,9 @@ $x^{\alpha+1}/(\alpha+1) = \frac25 v_0^2$, which is $v_0^{4/5}$ for spheres, and
 the speed of the sound for which $K = \frac45 v_0^2/x^2$, or $\frac45 v_0^{2/5}$. So we insert the larger of this and the
 stiffness at rest, and give the chain 15 per cent more than this way and a hundred sites.
 
-This is an estimate and not a bound. What counts is whether the
-far end has remained at rest. A run therefore records the largest velocity of its last bead, and refuses to
-give a result if that exceeds `far_end` times the impact's. Where the far end is part of the experiment
-`far_end` is `may_move`. */
-/// For `far_end`: the far end may move.
+This is an estimate and not a bound. What counts is whether the far end has remained at rest: a run refuses to give a
+result if the velocity of its last bead exceeds `far_end` times the impact's. */
+/// For `far_end`: the far end may move, as part of the experiment.
 inline constexpr double may_move = std::numeric_limits<double>::infinity();
 
 /// Thrown if the motion reaches the far end; the message says when and by how much.
@@ -69,11 +64,7 @@ Impact on_long_chain(Impact impact);
 /// The chain at rest but for its first bead, Eq. (26). Throws std::invalid_argument without sites.
 State<double> struck(std::size_t sites, double velocity);
 
-/**
-## One run
-
-What comes out is the state at the end, the packet from sample to sample, and what tells whether the run can be
-trusted. */
+/// What comes out of a run.
 struct ImpactRun {
   State<double> end{};
   Path path{};
@@ -90,27 +81,21 @@ bool is_quiet(const Impact& impact, const ImpactRun& run);
 using ImpactLook = Observer<State<double>, std::vector<double>>;
 
 /**
-`strike` is the impact of Eq. (26) followed by `evolve`. Samples become denser together with the steps of a refinement,
-so that the error of a maximum between two samples shows in the difference of two runs. Then a run may only stop at
-instants that the coarser one samples as well. */
-/// The whole run from the impact on. Throws FarEndReached if the far end moves.
+Samples become denser together with the steps of a refinement, so that the error of a maximum between two samples shows in
+the difference of two runs. Then a run may only stop at instants that the coarser one samples as well. */
+/// The whole run from the impact on, Eq. (26) followed by `evolve`. Throws FarEndReached if the far end moves.
 ImpactRun strike(const Method& method, const Impact& impact, const ImpactLook& watch = {});
 
 /// Carries a run on from where it is to `time`; in between the chain or the method may have been changed.
 void follow(const Method& method, const Impact& impact, ImpactRun& run, double time,
             const ImpactLook& watch = {});
 
-/**
-Shares of the energy refer to its total. */
 /// The sum of a density.
 double total(const std::vector<double>& e);
 
 /// Share of the first `sites` sites in a density: what an impact leaves at the boundary.
 double boundary_share(const std::vector<double>& e, std::size_t sites = 5);
 
-/**
-The foremost packet need not be the strongest. In hard wells a weak one runs ahead while most of the energy stays
-behind, in a packet that slows down and turns. */
 /// The site, from one, of the largest entry of a density behind the first `sites`; nothing where all are zero.
 std::optional<std::size_t> strongest_site(const std::vector<double>& e, std::size_t sites = 5);
 

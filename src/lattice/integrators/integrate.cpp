@@ -5,19 +5,17 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "lattice/model/typed.hpp"
+#include "lattice/model/kernel.hpp"
 #include "lattice/numerics/interrupt.hpp"
 #include "lattice/numerics/progress.hpp"
 
 namespace lattice {
 
 #ifndef LATTICE_QUADRUPLE
-// With the kicks between steps merged, only the very last kick of a run is a stage of its own
 std::size_t stage_count(const Scheme& scheme, std::size_t steps) {
   return steps > 0 ? steps * (scheme.kick.size() - 1) + 1 : 0;
 }
 
-// The coarsest division into equal samples and steps, safe from rounding at whole numbers
 TimeGrid time_grid(double duration, double sample, double step) {
   constexpr double most_steps = 1e12;
   const auto positive = [](double x) { return x > 0 && std::isfinite(x); };
@@ -52,18 +50,9 @@ Run joined(const Run& first, const Run& second) {
   return both;
 }
 
-// Has no bead gone too far?
 bool bounded(const State<double>& state) {
   return std::all_of(state.y.begin(), state.y.end(),
                      [](double y) { return std::abs(y) < escape_displacement; });
-}
-
-// Beyond the wells and beyond the flight of the lightest bead with all of the energy
-static double farthest(const Chain& chain, double energy, double duration) {
-  const double mass =
-      chain.mass.empty() ? 1 : *std::min_element(chain.mass.begin(), chain.mass.end());
-  const double flight = std::sqrt(2 * std::max(energy, 0.0) / mass) * duration;
-  return escape_displacement + (std::isfinite(flight) ? flight : 0);
 }
 
 namespace {
@@ -72,8 +61,13 @@ namespace {
 class Audit {
  public:
   /// Of a run that starts with the energy `start`.
-  Audit(const Chain& chain, double start, double duration)
-      : chain_(chain), start_(start), far_(farthest(chain, start, duration)) {}
+  Audit(const Chain& chain, double start, double duration) : chain_(chain), start_(start) {
+    // Beyond the wells and beyond the flight of the lightest bead with all of the energy
+    const double mass =
+        chain.mass.empty() ? 1 : *std::min_element(chain.mass.begin(), chain.mass.end());
+    const double flight = std::sqrt(2 * std::max(start, 0.0) / mass) * duration;
+    if (std::isfinite(flight)) far_ += flight;
+  }
 
   /// Enters a sample into the run; false if the solution has run away.
   bool holds(const State<double>& state, const Window& window, Run& run) {
@@ -98,7 +92,8 @@ class Audit {
 
  private:
   const Chain& chain_;
-  double start_, far_, scale_ = start_ != 0 ? std::abs(start_) : 1, largest_ = scale_;
+  double start_, far_ = escape_displacement, scale_ = start_ != 0 ? std::abs(start_) : 1,
+                 largest_ = scale_;
   double rim_ = chain_.well.rim();
 };
 

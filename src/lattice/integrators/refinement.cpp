@@ -41,7 +41,6 @@ bool hopeless(double error, double tolerance, int halvings) {
   return halvings >= 3 && std::isfinite(error) && std::ldexp(error, -6 * left) > tolerance;
 }
 
-// What can be done about it, to be appended to the history
 static constexpr const char* hopeless_advice =
     ", and smaller steps cannot mend it: the motion is too erratic for so long a run; ask for a "
     "shorter one or a larger tolerance";
@@ -57,7 +56,7 @@ static double allowed_defect(double tolerance) {
   return std::max(tolerance, rounded_defect);
 }
 
-// Of the energy defects, zero if that of `b` is below the tolerance
+// Zero if the defect of `b` is below the tolerance
 static double defect_difference(const Run& a, const Run& b, double tolerance) {
   if (b.energy_defect <= allowed_defect(tolerance)) return 0;
   return std::abs(a.energy_defect - b.energy_defect);
@@ -73,24 +72,15 @@ static void assert_conserved(const Run& run, double tolerance) {
   throw RefinementFailed(text.str());
 }
 
-// What is said of runs that end early
-static std::string escape_message(const Run& run) {
+[[noreturn]] static void refuse_escape(const Run& run) {
   std::ostringstream text;
   text.precision(4);
   text << "a bead runs away at t = " << (run.t_end + run.escape_time) / 2
        << ", having left its well at t = " << run.leave_time
        << ": take a shorter run or another start (a little more or less velocity may decide it)";
-  return text.str();
+  throw RanAway(text.str());
 }
 
-static std::string broken_message(const std::string& history) {
-  return "no step is short enough (" + history +
-         "): contacts may be too stiff, a force not finite there, or a well without a rim "
-         "lets go of a bead";
-}
-
-/**
-## The attempts */
 EventCorrected Attempts::method() const {
   EventCorrected next = method_for(tolerance_, largest_step, runs_);
   next.finer = held_ + 1;
@@ -98,7 +88,7 @@ EventCorrected Attempts::method() const {
 }
 
 // The history begins anew where a run ends early
-void Attempts::note(const Run& run) {
+void Attempts::enter(const Run& run) {
   const int k = runs_++;
   held_ = run.broken() ? -1 : held_ + 1;
   spent_ = is_last(k, run, held_);
@@ -115,26 +105,24 @@ void Attempts::note(const Run& run) {
   history += text.str();
 }
 
-void Attempts::begin(const Run& run) {
-  note(run);
-}
-
 bool Attempts::agree(const Run& coarse, const Run& fine, const std::function<double()>& differ) {
-  // Runs that end early are compared by when they do
   const bool early = coarse.escaped() || fine.escaped();
   error = early ? escape_difference(coarse, fine)
                 : std::max(differ(), defect_difference(coarse, fine, tolerance_));
   const bool good = error <= (early ? std::max(tolerance_, escape_tolerance) : tolerance_);
-  note(fine);
+  enter(fine);
   const bool vain = !good && !spent_ && !early && hopeless(error, tolerance_, held_);
   if (!good && !spent_ && !vain) return false;
   // The last two: is it a result?
-  if (fine.broken()) throw RefinementFailed(broken_message(history));
+  if (fine.broken())
+    throw RefinementFailed("no step is short enough (" + history +
+                           "): contacts may be too stiff, a force not finite there, or a well "
+                           "without a rim lets go of a bead");
   if (!good)
     throw RefinementFailed("the " + (fine.escaped() ? "times of escape" : named_) +
                            " of two resolutions differ by more than the tolerance (" + history +
                            ")" + (vain ? hopeless_advice : ""));
-  if (fine.escaped()) throw RanAway(escape_message(fine));
+  if (fine.escaped()) refuse_escape(fine);
   assert_conserved(fine, tolerance_);
   return true;
 }
@@ -155,21 +143,16 @@ void assert_usable(const State<double>& start, double tolerance) {
                "finite and smaller than a million");
 }
 
-// With a sample for every step only where the run ends early
-namespace {
-
-struct EndOfRun {
-  State<double> end;
-  Run run;
-};
-
-}  // namespace
-
 Run evolve(const Converged& stated, const Chain& chain, State<double>& state, double duration,
            Every every, const Look& look) {
   assert_usable(state, stated.tolerance);
+  struct EndOfRun {
+    State<double> end;
+    Run run;
+  };
   const auto runs = refined(stated.tolerance, [&](const EventCorrected& method) {
     EndOfRun out{state, {}};
+    // With a sample for every step only where the run ends early
     for (double apart : {every.time, std::min(every.time, method.step)}) {
       out.end = state;
       out.run = evolve(method, chain, out.end, duration, denser(apart));

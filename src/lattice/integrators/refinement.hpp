@@ -2,21 +2,15 @@
 /**
 # Refinement: a tolerance in the place of a step
 
-Nobody should have to guess a step. `refined` repeats a computation with half the step until two successive runs
-agree, and returns both: the finer one is the result, and the error of whatever is derived from it is its difference from
-the coarser one. Where the runs converge that difference overestimates the error of the finer one (by a factor $2^p - 1$
-at order $p$, about twenty at the order 4.5 of event_corrected.hpp), and it is what the tables quote:
+`refined` repeats a computation with half the step until two successive runs agree, and returns both: the finer one is
+the result, and the error of whatever is derived from it is its difference from the coarser one, which overestimates it
+(about twentyfold at the order 4.5 of event_corrected.hpp):
 
     const auto runs = refined(1e-6, [&](const EventCorrected& method) { return strike(method, impact); });
     const Estimate speed = runs.of([](const ImpactRun& run) { return packet_speed(run.path); });
 
-The caller says what must agree: by default the end states, otherwise the number that will be reported,
-such as a velocity, a threshold or a share. Two runs that turn out to be the same run prove nothing, and
-count as an error rather than an agreement.
-
-If the motion is chaotic, no step is small enough for a long run. The exception then carries the history
-of the attempts as its message, and comes as soon as it is clear that there is no hope. A run that breaks
-because its steps are too long is no run, and the step is halved until one holds. */
+The caller says what must agree: by default the end states, otherwise the number that will be reported. If the motion is
+chaotic, no step is small enough for a long run; the exception then carries the history of the attempts. */
 
 #include <cstddef>
 #include <functional>
@@ -36,44 +30,32 @@ struct RefinementFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/**
-In a well with a rim the solution itself may end: a bead leaves, and in a soft well it is infinitely far away within
-a finite time. We believe this if the bead was seen beyond the rim with the energy still conserved (`Run`), and
-if two runs agree to a thousandth on when it has gone; a sample more or less is a difference. */
-/// Thrown if a bead runs away; the message says when.
+/// Thrown if a bead runs away; the message says when. It was seen beyond the rim of its well with the energy still
+/// conserved (`Run`), and two runs agree to `escape_tolerance` on when it has gone; a sample more or less is a
+/// difference.
 struct RanAway : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 inline constexpr double escape_tolerance = 1e-3;
 
-/**
-Energy tells what end states do not. Where a step is too long its drift changes with the step, and so it has to agree as
-well. If it does, and is large, a force does not belong to its energy: then all steps agree on a wrong motion.
-
-How far apart are two runs? We take the largest difference between the two states, relative to the
-largest displacement or velocity of the second. It is infinite if they belong to different times. */
+/// The largest difference of two states, relative to the largest displacement or velocity of the second; infinite if
+/// they belong to different times.
 double distance(const State<double>& a, const State<double>& b);
 
-/**
-Which scheme is the cheapest depends on the tolerance: up to ten digits it is that of Dormand, El-Mikkawy
-and Prince, beyond that the splitting with fourteen force evaluations (schemes.hpp), whose errors are
-smaller. Both are used with the treatment of contacts of event_corrected.hpp. */
-/// The method for a relative tolerance, with steps of at most `step`, halved `halvings` times by the run.
+/// The method for a relative tolerance, with steps of at most `step`, halved `halvings` times by the run: the scheme of
+/// Dormand, El-Mikkawy and Prince up to ten digits, the splitting with fourteen force evaluations beyond.
 EventCorrected method_for(double tolerance, double step, int halvings = 0);
 
 /**
 A refinement begins with a step of 0.2, or one step per sample if samples are closer, and halves it at
-most seven times. The period of small oscillations in a well is $2\pi$, so that as a rule even the first step
-resolves the motion. Strong contacts and light beads are faster; where runs break, the seven halvings count from
+most seven times. Where runs break, under strong contacts or of light beads, the seven halvings count from
 the first that holds. A run that ends early costs little, so that more halvings are tried unless it has many steps;
 if it breaks after so many, it does for another reason. */
 inline constexpr double largest_step = 0.2;
 inline constexpr int usual_halvings = 7, most_halvings = 20;
 inline constexpr std::size_t many_steps = 16384;  ///< of a run that ends early
 
-/**
-What must agree is a function of two results, with a name for messages. */
-/// Of the end states.
+/// What must agree, a function of two results with a name for messages: by default the end states.
 struct SameEnd {
   std::string name = "end states";
 
@@ -91,18 +73,12 @@ struct Refined : TwoRuns<Result> {
   std::string history;    ///< steps and errors of all attempts
 };
 
-/**
-A halving costs as much as all runs before it, and at the order six of the schemes it divides an error by 64 at best.
-So after a look at the error one may know that the halvings which are left are in vain. The first two errors do not
-tell: with such large steps the next one may be smaller by more. An infinite error, of a run that escapes and one that
-does not, does not tell either. */
-/// Whether the `error` after `halvings` of the largest step at which a run holds cannot come down to the tolerance.
+/// Whether the `error` after `halvings` of the largest step at which a run holds cannot come down to the tolerance: at
+/// order six a halving divides it by 64 at best. The first two errors do not tell, nor does an infinite one.
 bool hopeless(double error, double tolerance, int halvings);
 
-/**
-The attempts decide which step comes next and when two runs agree. Of runs that end early the times must agree. A
-result that has not converged is of no use, nor is one of a run that ended early or whose energy drifts with each step
-alike: they end in an exception, with the history. */
+/// Decides which step comes next and when two runs agree; of runs that end early the times must. The energy drifts of
+/// two runs have to agree as well: a large one that does not change with the step belongs to a wrong force.
 class Attempts {
  public:
   Attempts(double tolerance, std::string named) : tolerance_(tolerance), named_(std::move(named)) {}
@@ -110,7 +86,7 @@ class Attempts {
   /// The method of the next run; fast contacts are resolved better with every run that held.
   EventCorrected method() const;
   /// Takes the first run that was made with it.
-  void begin(const Run& run);
+  void enter(const Run& run);
   /// Takes the next run, `fine`, and the one before; whether they agree. `differ` compares their results. Throws
   /// RefinementFailed if no step is short enough or left, or if the energy drifts; RanAway if a bead does.
   bool agree(const Run& coarse, const Run& fine, const std::function<double()>& differ);
@@ -119,8 +95,6 @@ class Attempts {
   std::string history{};  ///< the last step that was too long, the shorter ones and their errors
 
  private:
-  void note(const Run& run);
-
   double tolerance_;
   std::string named_;
   int runs_ = 0;
@@ -146,8 +120,6 @@ void refuse_same_run(const Result& a, const Result& b) {
                              " steps, which proves nothing");
 }
 
-/**
-Now the refinement itself: a function from a method to a result, wrapped from outside. */
 /// Two results of `compute(method)` that agree to `tolerance`, by default in their end states. Throws RefinementFailed,
 /// RanAway, and std::logic_error for one run made twice.
 template <class Compute, class Differ = SameEnd>
@@ -155,7 +127,7 @@ auto refined(double tolerance, Compute compute, Differ differ = {}) {
   using Result = std::decay_t<decltype(compute(EventCorrected{largest_step}))>;
   Attempts attempts(tolerance, differ.name);
   std::optional<Result> coarse(compute(attempts.method()));
-  attempts.begin(run_of(*coarse));
+  attempts.enter(run_of(*coarse));
   for (;;) {
     const EventCorrected method = attempts.method();
     Result fine = compute(method);
@@ -167,10 +139,9 @@ auto refined(double tolerance, Compute compute, Differ differ = {}) {
   }
 }
 
-/**
-A stated tolerance can also take the place of a method: the step is found in runs that nobody observes, `look` sees only
-the last one, and the `error` of the run is the distance between its end and that of the run with twice the step. Where a
-run ends early it is repeated with a sample for every step, to see when and whether a bead left its well. */
+/// A stated tolerance in the place of a method: the step is found in runs that nobody observes, `look` sees only the
+/// last one, and the `error` of the run is the distance between its end and that of the run with twice the step. Where
+/// a run ends early it is repeated with a sample for every step, to see when and whether a bead left its well.
 struct Converged {
   double tolerance;  ///< relative error of the end state
 };

@@ -2,7 +2,6 @@
 
 namespace lattice {
 
-// Half a kick, a drift, half a kick
 Scheme verlet() {
   return {"verlet", 2, {0.5, 0.5}, {1.0, 0.0}};
 }
@@ -48,16 +47,6 @@ Scheme blanes_moan_6_14() {
   for (std::size_t i = 7; i-- > 0;) drift.push_back(drift[i]);
   drift.push_back(0);
   return scheme;
-}
-
-// Five kicks, the last of which shares its force with the first of the next step
-Scheme calvo_sanz_serna_4() {
-  return {"calvo-sanz-serna-4",
-          4,
-          {0.0617588581356263250, 0.3389780265536433551, 0.6147913071755775662,
-           -0.1405480146593733802, 0.1250198227945261338},
-          {0.2051776615422863869, 0.4030212816042145870, -0.1209208763389140082,
-           0.5127219331924130343, 0}};
 }
 
 // The last row gives the new positions, where the next step begins

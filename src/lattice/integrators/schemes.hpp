@@ -2,12 +2,10 @@
 /**
 # The coefficients
 
-Two families of time steppers share this file. *Splittings* alternate kicks (a change of the velocities at
-fixed positions) and drifts (a change of the positions at fixed velocities); they are symplectic, which as
-a rule keeps the energy error of a long run bounded. *Runge-Kutta-Nystrom schemes* combine accelerations
-taken at several instants of a step of length $h$. Both are lists of numbers; integrate.hpp and
-event_corrected.hpp say what is done with them. The tests measure every order claimed here: a scheme has order
-$p$ if the error of a run of fixed duration falls like $h^p$. */
+*Splittings* alternate kicks (a change of the velocities at fixed positions) and drifts (a change of the positions at
+fixed velocities); they are symplectic. *Runge-Kutta-Nystrom schemes* combine accelerations taken at several instants of
+a step of length $h$. A scheme has order $p$ if the error of a run of fixed duration falls like $h^p$ on a smooth
+problem, without contacts that open or close; the tests measure every order claimed here. */
 
 #include <cstddef>
 #include <string>
@@ -17,11 +15,8 @@ $p$ if the error of a run of fixed duration falls like $h^p$. */
 
 namespace lattice {
 
-/**
-A splitting is a list of pairs: kick by `kick[i]` h, then drift by `drift[i]` h. All of ours but one are
-symmetric, so that a run is retraced if all velocities are reversed. A step ends with the kind of
-operation with which the next one begins, and a run of many steps merges the two. `order` is that
-on a smooth problem, without contacts that open or close. */
+/// Kick by `kick[i]` h, then drift by `drift[i]` h. A step ends with the kind of operation with which the next one
+/// begins, and a run of many steps merges the two. All of ours are symmetric in time.
 struct Scheme {
   std::string name;
   int order;
@@ -31,39 +26,23 @@ struct Scheme {
 /// Velocity Verlet: order 2, one force evaluation per step.
 Scheme verlet();
 
-/**
-With order two, many digits cost many steps. The kinetic energy of a chain is quadratic in the
-velocities, so that some of the errors of a splitting vanish by themselves. Blanes and Moan (J. Comput.
-Appl. Math. 142, 2002, table 3) use the freedom that this leaves to make the others small: their
-splittings need six force evaluations per step for order 4 and eleven for order 6. */
-
-/// Blanes and Moan: order 4, six force evaluations per step.
+/// Blanes and Moan (J. Comput. Appl. Math. 142, 2002, table 3): order 4, six force evaluations per step.
 Scheme blanes_moan_4();
 
 /// Blanes and Moan (ibid.): order 6, eleven force evaluations per step.
 Scheme blanes_moan_6();
 
-/**
-For the last digits the size of the error matters more than the cost of a step. The splitting with
-fourteen evaluations (ibid., SRKN 14a) also has order 6, but smaller errors, and is chosen when more
-than ten digits are asked for (refinement.hpp). It begins and ends with a drift; hence the first and last
-kicks are zero. Only half of the coefficients are given; the rest follows because the scheme is
-symmetric and its kicks, like its drifts, add up to one whole step. */
+/// Blanes and Moan (ibid., SRKN 14a): order 6, fourteen force evaluations per step and smaller errors, for more than
+/// ten digits. It begins and ends with a drift; hence the first and last kicks are zero.
 Scheme blanes_moan_6_14();
-
-/**
-The exception is the method of Calvo and Sanz-Serna (SIAM J. Sci. Comput. 14, 1993), which this field has often used.
-It is symplectic but not symmetric. */
-/// Calvo and Sanz-Serna: order 4, four force evaluations per step.
-Scheme calvo_sanz_serna_4();
 
 /**
 The second family solves $\ddot y = g(y)$ from accelerations at several stages $Y_i$ of a step; $y$ and
 $v$ are the positions and velocities at its start, $v'$ the velocities at its end:
 $$Y_i = y + c_i h v + h^2 \sum_{j<i} a_{ij}\, g(Y_j), \qquad
 v' = v + h \sum_i b_i\, g(Y_i).$$
-We require that the first stage be the old state ($c = 0$) and the last one the new positions ($c = 1$).
-A step then ends with the accelerations with which the next begins, and one evaluation is saved. */
+The first stage is the old state ($c = 0$) and the last one the new positions ($c = 1$), so that a step ends with
+the accelerations with which the next begins. */
 struct Nystrom {
   std::string name;
   int order;                           ///< on a smooth problem
@@ -78,10 +57,8 @@ struct Nystrom {
 /// last of which is shared by neighbouring steps): order 6, five force evaluations per step.
 Nystrom dormand_prince_6();
 
-/**
-A splitting can be written as such a scheme, so that the treatment of contacts in event_corrected.hpp serves
-both families. Kick $j$ changes the velocity by $h k_j g(Y_j)$ at time $c_j h$, and the drifts from there
-to stage $i$ turn this into a change of position: $a_{ij} = k_j (c_i - c_j)$ and $b_j = k_j$. */
+/// A splitting as such a scheme. Kick $j$ changes the velocity by $h k_j g(Y_j)$ at time $c_j h$, and the drifts from
+/// there to stage $i$ make a change of position: $a_{ij} = k_j (c_i - c_j)$ and $b_j = k_j$.
 Nystrom nystrom(const Scheme& scheme);
 
 }  // namespace lattice

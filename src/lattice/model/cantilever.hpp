@@ -20,10 +20,8 @@ into the dimensionless chain of Eq. (32). */
 namespace lattice {
 
 /**
-## The beam
-
 The article replaces each beam by a spring and a point mass, with the rounded factors 192 and 0.38.
-To see what that costs we solve the beam itself. A beam of length $\ell$, bending stiffness $EI$ and
+To see what that costs we solve the beam itself. One of length $\ell$, bending stiffness $EI$ and
 mass $\rho A$ per unit length that vibrates with frequency $\omega$ obeys $EI\,u'''' = \rho A\,\omega^2 u$.
 In units of $\ell$, with $x^4 = \rho A\,\omega^2\ell^4/(EI)$, this is $u'''' = x^4 u$. A force $F$ at the
 middle makes the shear force jump there, and by symmetry $F = -2\,u'''$ at the end of the left half. A
@@ -53,10 +51,8 @@ struct ClampedBeam {
     return at;
   }
 
-  /**
-  The clamped end leaves two conditions open, $u''$ and $u'''$. So we march two solutions from there and
-  combine them into the one that has no slope at the middle. */
-  /// Stiffness at the middle, in units of E I / l^3, at the dimensionless wavenumber x.
+  /// Stiffness at the middle, in units of E I / l^3, at the dimensionless wavenumber x. Of the solutions that the
+  /// clamped end leaves open, two are marched and combined into the one that has no slope at the middle.
   double stiffness(double x) const {
     const double x4 = x * x * x * x;
     const Section bent = march({0, 0, 1, 0}, x4), sheared = march({0, 0, 0, 1}, x4);
@@ -65,9 +61,8 @@ struct ClampedBeam {
     return -2 * shear / u - point_mass * x4;
   }
 
-  /// The wavenumber of the slowest symmetric vibration, by bisection. Without a point mass it is 4.73
-  /// and a mass lowers it, so that it lies between the two starting values; the next symmetric
-  /// vibration, at 11.0, does not. Sixty halvings leave less than the last digit.
+  /// The wavenumber of the slowest symmetric vibration, by bisection: 4.73 without a point mass, which lowers it. The
+  /// next one, 11.0, lies beyond the bracket.
   double wavenumber() const {
     double low = 0.1, high = 6;
     for (int k = 0; k < 60; ++k) {
@@ -78,15 +73,10 @@ struct ClampedBeam {
   }
 };
 
-/**
-The beam without a point mass has a textbook answer against which the march can be checked: its
-wavenumber is the first positive root of $\cos x\,\cosh x = 1$, about 4.73. Newton's method starts close
-by. */
+/// The wavenumber of the beam without a point mass, the first positive root of cos x cosh x = 1.
 double clamped_root();
 
 /**
-## From SI to the chain
-
 A chain in SI units becomes that of Eq. (9) once length and time are measured in suitable units. Two
 beads that collide at the speed $V$ touch for a time of order $\tau_h$ and are compressed by a length of
 order $\delta$. The well adds the period $2\pi\tau_c$, and the displacement $\xi$ at which its force
@@ -115,8 +105,6 @@ struct Scales {
   /// The energy that is one, J.
   double unit_energy() const { return k * xi() * xi(); }
 
-  /**
-  Experiments count in milliseconds, hertz and micrometres. */
   /// Milliseconds to units of tau_c.
   double time(double ms) const { return ms * 1e-3 / tau_c(); }
   /// Units of tau_c to milliseconds.
@@ -137,9 +125,8 @@ struct Scales {
   double rate(double lifetime) const { return lifetime > 0 ? 1 / time(lifetime) : 0; }
 };
 
-/**
-The array itself is given by its materials and dimensions. All cantilevers are equal but for one, whose
-beads may be larger; the defaults are the article's values for steel beams and teflon beads. */
+/// The array by its materials and dimensions: steel beams and teflon beads, all equal but for one cantilever, whose
+/// beads have `ratio` times the usual radius, the article's R_n in units of R.
 struct CantileverArray {
   std::size_t sites = 200;
   std::size_t defect = 100;  ///< site whose beads have another radius, counted from one
@@ -149,9 +136,6 @@ struct CantileverArray {
   double radius = 2.38e-3;                                        ///< of a bead, m
   double beam_share = 0.38;  ///< effective mass of a beam over its mass, as printed
 
-  /**
-  From these follow masses and stiffnesses, in kg and N/m. A `ratio` is that of a
-  bead's radius to the usual one, $\tilde R_n$ in the article. */
   /// Second moment of area of a beam's cross section, m^4.
   double area_moment() const { return width * thickness * thickness * thickness / 12; }
   double beam_mass() const { return beam_density * width * thickness * length; }
@@ -181,26 +165,17 @@ struct CantileverArray {
   static double eta(double ratio) { return std::sqrt(2 * ratio / (1 + ratio)); }
 };
 
-/**
-A reader who builds such an array wants every constant in one table, with name and unit. */
+/// A constant of the array with name and unit.
 struct NamedScale {
   const char *name, *unit;
   double value;
 };
 
-/**
-The first part of the table holds what we choose, materials and dimensions. */
+/// What an experimenter chooses, materials and dimensions.
 std::vector<NamedScale> given_scales(const CantileverArray& a);
 
-/**
-The second part holds what follows from it for an impact velocity `v` in m/s: the coefficients of
-Eq. (31), the scales, and the units in which the dimensionless chain is measured. */
-std::vector<NamedScale> derived_scales(const CantileverArray& a, double v);
-
-/**
-A larger bead, of radius $R_n$, makes its cantilever heavier and both its contacts stiffer,
-$\eta_n = [2R_nR_{n+1}/(R_n+R_{n+1})]^{1/2}$ with radii in units of $R$. What follows is the chain of
-Eq. (32) with one such site, where the radius is `ratio` times the usual one. */
+/// The chain of Eq. (32) with one larger bead: its cantilever is heavier and both its contacts are stiffer,
+/// eta_n = [2 R_n R_{n+1} / (R_n + R_{n+1})]^{1/2} with radii in units of R.
 Chain cantilever_chain(const CantileverArray& array, double ratio);
 
 }  // namespace lattice

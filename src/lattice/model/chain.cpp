@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "lattice/model/typed.hpp"
+#include "lattice/model/kernel.hpp"
 
 namespace lattice {
 
@@ -57,12 +57,21 @@ Window waking(const Chain& chain, const State<T>& state) {
   return {first, last};
 }
 
-// Forces, by a loop made for the chain's own pair of well and contact
+// Both moves, by a loop made for the chain's own pair of well and contact
 template <class T>
 detail::Accelerate<T> detail::accelerator(const Chain& chain) {
   return with_pair<T>(chain, []<class W, class C>(const W&, const C&) -> Accelerate<T> {
     return [](const Chain& c, const T* y, T* a, Window& window) {
-      accelerate(c, known<W>(c.well), known<C>(c.contact), y, a, window);
+      sweep_window<W, C>(c, y, a, window, Keep{});
+    };
+  });
+}
+
+template <class T>
+detail::KickDrift<T> detail::kick_drifter(const Chain& chain) {
+  return with_pair<T>(chain, []<class W, class C>(const W&, const C&) -> KickDrift<T> {
+    return [](const Chain& c, State<T>& state, Window& window, const T& kick, const T& drift) {
+      sweep_window<W, C>(c, state.y.data(), state.v.data(), window, KickAndDrift<T>{kick, drift});
     };
   });
 }
@@ -70,6 +79,12 @@ detail::Accelerate<T> detail::accelerator(const Chain& chain) {
 template <class T>
 void accelerate(const Chain& chain, const T* y, T* a, Window& window) {
   detail::accelerator<T>(chain)(chain, y, a, window);
+}
+
+template <class T>
+void kick_drift(const Chain& chain, State<T>& state, Window& window, std::type_identity_t<T> kick,
+                std::type_identity_t<T> drift) {
+  detail::kick_drifter<T>(chain)(chain, state, window, kick, drift);
 }
 
 template <class T>
@@ -91,58 +106,45 @@ static Window energetic(const Chain& chain, const State<T>& state) {
   return {awake.first > 0 ? awake.first - 1 : 0, awake.last};
 }
 
-/// Energies of beads of unit mass and their wells, and what equal contacts to their right add: two loops that
-/// the compiler vectorises.
-template <class W>
-LATTICE_WIDE static void sweep_wells(const W well, const double* __restrict__ y,
-                                     const double* __restrict__ v, double* __restrict__ e,
-                                     std::size_t count) {
-  for (std::size_t n = 0; n < count; ++n) e[n] = v[n] * v[n] / 2 + well.energy(y[n]);
+/// Energies of beads and their wells, and what the contacts to their right add: two loops that the compiler
+/// vectorises.
+template <class Along, class T, class W>
+LATTICE_WIDE static void sweep_wells(const W well, const T* __restrict__ y, const T* __restrict__ v,
+                                     T* __restrict__ e, const Along along, std::size_t count) {
+  for (std::size_t n = 0; n < count; ++n)
+    e[n] = along.momentum(n, v[n]) * v[n] / T(2) + well.energy(y[n]);
 }
-template <class C>
-LATTICE_WIDE static void sweep_contacts(const C contact, const double* __restrict__ y,
-                                        double* __restrict__ e, std::size_t count) {
-  for (std::size_t n = 0; n < count; ++n) e[n] += contact.energy(y[n + 1] - y[n]);
+template <class Along, class T, class C>
+LATTICE_WIDE static void sweep_contacts(const C contact, const T* __restrict__ y, T* __restrict__ e,
+                                        const Along along, std::size_t count) {
+  for (std::size_t n = 0; n < count; ++n)
+    e[n] += along.contact(n + 1, contact.energy(y[n + 1] - y[n]));
 }
 
-/**
-The densities of wells and of contacts are added in one pass each, because each pass knows one potential. The
-sums are still formed in one order: kinetic energy, well, contact to the right, and for the first site the
-contact to the left. */
+// One pass for the wells and one for the contacts, because each pass knows one potential. The sums are formed in one
+// order: kinetic energy, well, contact to the right, and for the first site the contact to the left
 template <class T>
 std::vector<T> energy_density(const Chain& chain, const State<T>& state) {
   for (const auto* row : {&state.y, &state.v}) assert_fits(chain, row->size());
   std::vector<T> e(chain.sites, T(0));
   if (chain.sites == 0) return e;
-  const Window moving = energetic(chain, state);
-  const bool loop = std::is_same_v<T, double> && chain.mass.empty();
+  const auto [first, last] = energetic(chain, state);
+  const std::size_t at = first, wells = last - first;
+  const std::size_t contacts = std::max(at, std::min(last, chain.sites - 1)) - at;
   const T *y = state.y.data(), *v = state.v.data();
-  const auto add_wells = [&](const auto& well) {
-    if constexpr (std::is_same_v<T, double>)
-      if (loop)
-        return sweep_wells(well, y + moving.first, v + moving.first, e.data() + moving.first,
-                           moving.last - moving.first);
-    for (std::size_t n = moving.first; n < moving.last; ++n)
-      e[n] = T(chain.mass_of(n)) * v[n] * v[n] / T(2) + well.energy(y[n]);
-  };
-  const auto add_contacts = [&](const auto& contact) {
-    // The last contact is the boundary's
-    const std::size_t inner = std::min(moving.last, chain.sites - 1);
-    std::size_t n = moving.first;
-    if constexpr (std::is_same_v<T, double>)
-      if (loop && n < inner) {
-        sweep_contacts(contact, y + n, e.data() + n, inner - n);
-        n = inner;
-      }
-    const auto of = [&](std::size_t i) {
-      if (!touches(chain, i)) return T(0);
-      return T(T(chain.eta_of(i)) * contact.energy(stretch(chain, y, i)));
+  detail::with_variation(chain, at, [&](const auto& along) {
+    const auto add_wells = [&](const auto& well) {
+      sweep_wells(well, y + at, v + at, e.data() + at, along, wells);
     };
-    for (; n < moving.last; ++n) e[n] = e[n] + of(n + 1);
-    e[0] += of(0);
-  };
-  std::visit(add_wells, chain.well);
-  std::visit(add_contacts, chain.contact);
+    const auto add_contacts = [&](const auto& contact) {
+      sweep_contacts(contact, y + at, e.data() + at, along, contacts);
+    };
+    std::visit(add_wells, chain.well);
+    std::visit(add_contacts, chain.contact);
+  });
+  // The last contact and the first are the boundary's
+  if (last == chain.sites) e[last - 1] += contact_energy(chain, y, last);
+  e[0] += contact_energy(chain, y, 0);
   return e;
 }
 
@@ -181,7 +183,7 @@ Hessian<T> linearise(const Chain& chain, const std::vector<T>& y) {
     const T k = T(chain.eta_of(i)) * chain.contact.stiffness(stretch(chain, y.data(), i));
     if (i > 0) h.diagonal[i - 1] += k;
     if (i < n || ring) h.diagonal[i % n] += k;
-    if (chain.boundary().inside(i) || ring) h.off[i - 1] = -k;
+    if (chain.inside(i) || ring) h.off[i - 1] = -k;
   }
   return h;
 }
@@ -189,7 +191,9 @@ Hessian<T> linearise(const Chain& chain, const std::vector<T>& y) {
 #define LATTICE_INSTANCES(T)                                                      \
   template detail::Accelerate<T> detail::accelerator<T>(const Chain&);            \
   template Window waking<T>(const Chain&, const State<T>&);                       \
+  template detail::KickDrift<T> detail::kick_drifter<T>(const Chain&);            \
   template void accelerate<T>(const Chain&, const T*, T*, Window&);               \
+  template void kick_drift<T>(const Chain&, State<T>&, Window&, T, T);            \
   template std::vector<T> accelerations<T>(const Chain&, const std::vector<T>&);  \
   template std::vector<T> energy_density<T>(const Chain&, const State<T>&);       \
   template T energy<T>(const Chain&, const State<T>&);                            \

@@ -11,13 +11,13 @@ This is Eq. (32) with wells and contacts of any kind. With $\mu_n = \eta_n = 1$ 
 Hamiltonian is that of Eq. (6):
 $$\mathcal H = \sum_n \tfrac12\,\dot y_n^2 + W(y_n) + V(y_{n+1}-y_n).$$
 Everything is dimensionless (cantilever.hpp has the units). Sites are counted from zero in the code and
-from one in tables, as in the article. */
+from one in tables, as in the article. All functions with a number type exist in `double`, `long double` and quadruple
+precision. */
 
 #include <cstddef>
 #include <type_traits>
 #include <vector>
 
-#include "lattice/model/boundary.hpp"
 #include "lattice/model/contact.hpp"
 #include "lattice/model/well.hpp"
 
@@ -40,11 +40,21 @@ struct Window {
 };
 
 /**
-A chain is defined by its length, its two potentials and its ends (boundary.hpp); by default it is that of
-Eq. (9), with harmonic wells, plain Hertzian contacts and free ends. It is a plain value, whatever its
-potentials are: a loop along the chain asks once which they are and is then as fast as one written for them.
-`vary`, below, sets masses and stiffnesses; without them the chain is homogeneous, and the inner loop is
-shorter. */
+Contact $i$ lies between the beads $i - 1$ and $i$, so a chain of $N$ beads has $N + 1$ places for one. What is found at
+the first and the last place is the boundary condition:
+
+        free       .   o---o---o   .        contacts 1 .. N-1
+        fixed      |---o---o---o---|        0 and N lead to a wall, a bead that never moves
+        periodic   (---o---o---o---)        0 and N are one contact, between last and first bead */
+enum class Ends { free, fixed, periodic };
+
+/// The names of the ends, in the order of `Ends`.
+inline constexpr const char* ends_names[] = {"free", "fixed", "periodic"};
+
+/**
+A chain is defined by its length, its two potentials and its ends; by default it is that of Eq. (9), with harmonic wells,
+plain Hertzian contacts and free ends. It is a plain value, whatever its potentials are. `vary`, below, sets masses and
+stiffnesses; without them the chain is homogeneous, and the inner loop (kernel.hpp) is shorter. */
 struct Chain {
   std::size_t sites = 0;
   Well well{};
@@ -54,33 +64,31 @@ struct Chain {
   std::vector<double> inverse_mass{};  ///< 1 / mu_n
   std::vector<double> eta{};           ///< sites + 1 entries; eta[i] is the contact of i-1 with i
 
-  /// Which contacts there are, at the ends too.
-  Boundary boundary() const { return {sites, ends, ends}; }
+  /// Whether contact `i` lies between two beads that are neighbours in the row.
+  bool inside(std::size_t i) const { return i > 0 && i < sites; }
+  /// Whether contact `i`, 0 <= i <= sites, exists and acts on the bead or beads next to it.
+  bool pushes(std::size_t i) const { return inside(i) || ends != Ends::free; }
   /// mu_n of bead `n`, from 0.
   double mass_of(std::size_t n) const { return mass.empty() ? 1 : mass[n]; }
-  /// eta of contact `i`, the one between i - 1 and i.
-  double eta_of(std::size_t i) const { return eta.empty() ? 1 : eta[boundary().own(i)]; }
+  /// eta of contact `i`; contact 0 of a ring is its contact `sites`.
+  double eta_of(std::size_t i) const {
+    return eta.empty() ? 1 : eta[i == 0 && ends == Ends::periodic ? sites : i];
+  }
 };
 
-/**
-A wrong mass would spoil a run without any sign of it, so every number is checked when it enters.
-`mass` has one entry per site and `eta` one more; either may be empty, which means one everywhere. Throws
-std::invalid_argument if the lengths do not fit, a mass is not positive, a stiffness is negative,
-or a ring has two different stiffnesses for the contact of its last bead with its first. */
+/// Gives the chain masses, one per site, and stiffnesses, one more; either may be empty, which means one everywhere.
+/// Throws std::invalid_argument if the lengths do not fit, a mass is not positive, a stiffness is negative, or a ring has
+/// two different stiffnesses for the contact of its last bead with its first.
 void vary(Chain& chain, const std::vector<double>& mass, const std::vector<double>& eta);
 
-/**
-A chain whose length is changed after `vary` no longer fits its masses. So whatever takes a chain and rows of numbers, an
-energy with which every run begins, the accelerations or a linearisation, first asks whether all of them fit. */
 /// Throws std::invalid_argument unless the chain has masses and stiffnesses as `vary` makes them, or none, and a row of
-/// `entries` numbers has one for each site.
+/// `entries` numbers has one for each site: the length of a chain may have been changed since.
 void assert_fits(const Chain& chain, std::size_t entries);
 
 /**
-Whatever is computed outside the inner loop (an energy, a linearisation, the instant at which a contact
-opens) asks the chain the questions that follow, so that masses, stiffnesses and ends are treated alike
-everywhere. The first one is how much a unit of force accelerates bead `n`: $1/\mu_n$, in the precision
-of the run. */
+Whatever is computed outside the inner loop asks the chain the questions that follow, so that masses, stiffnesses and ends
+are treated alike everywhere. */
+/// How much a unit of force accelerates bead `n`, 1 / mu_n in the precision of the run.
 template <class T>
 T inverse_mass(const Chain& chain, std::size_t n) {
   if (chain.mass.empty()) return T(1);
@@ -88,29 +96,29 @@ T inverse_mass(const Chain& chain, std::size_t n) {
   return T(1) / T(chain.mass[n]);
 }
 
-/// Stretch of contact `i` in the positions (or velocities, or accelerations) `q`.
+/// Stretch of contact `i`, q[i] - q[i - 1], in the positions (or velocities, or accelerations) `q`; a wall counts as a
+/// bead at rest.
 template <class T>
 T stretch(const Chain& chain, const T* q, std::size_t i) {
-  return chain.boundary().stretch(q, i);
+  if (chain.inside(i)) [[likely]]
+    return q[i] - q[i - 1];
+  if (chain.ends == Ends::periodic) return q[0] - q[chain.sites - 1];
+  return i == 0 ? q[0] : -q[chain.sites - 1];
 }
 
-/// Whether there is a contact `i`, each contact counted once.
+/// Whether there is a contact `i`, each contact counted once: that of last and first bead of a ring as `sites`.
 inline bool touches(const Chain& chain, std::size_t i) {
-  return chain.boundary().counts(i);
+  return chain.inside(i) || chain.ends == Ends::fixed || (chain.ends == Ends::periodic && i > 0);
 }
 
-/// Push of contact `i`, between sites i - 1 and i, on the bead to its right; zero where there is no
-/// contact.
+/// Push of contact `i` on the bead to its right; zero where there is no contact.
 template <class T>
 T contact_push(const Chain& chain, const T* y, std::size_t i) {
-  if (!chain.boundary().pushes(i)) return T(0);
+  if (!chain.pushes(i)) return T(0);
   return T(chain.eta_of(i)) * chain.contact.force(stretch(chain, y, i));
 }
 
-/**
-This is the equation of motion of the beginning, as code. The inner loops (kernel.hpp) do the same operations for whole
-rows of beads. */
-/// Acceleration of bead `n` at the positions `y`, Eqs. (9) and (32).
+/// Acceleration of bead `n` at the positions `y`, Eqs. (9) and (32): the equation of motion of the beginning, as code.
 template <class T>
 T acceleration(const Chain& chain, const T* y, std::size_t n) {
   const T force =
@@ -128,15 +136,13 @@ template <class T>
 Window waking(const Chain& chain, const State<T>& state);
 
 /**
-All integrators move the chain by one of two calls. Splitting methods (schemes.hpp) kick and drift: they
-change velocities by `kick` times the accelerations, then positions by `drift` times the velocities, at
-all moving sites. The other methods ask for the accelerations `a` at the positions `y`. Like all functions
-of this file that have a number type they exist in `double`, `long double` and quadruple precision. */
+All integrators move the chain by one of two calls, at the moving sites; both wake what is pushed. */
+/// Changes velocities by `kick` times the accelerations, then positions by `drift` times the velocities.
 template <class T>
 void kick_drift(const Chain& chain, State<T>& state, Window& window, std::type_identity_t<T> kick,
                 std::type_identity_t<T> drift);
 
-/// Writes the accelerations at the moving sites to `a`, one entry per site; wakes what is pushed.
+/// Writes the accelerations at the positions `y` to `a`, both with one entry per site.
 template <class T>
 void accelerate(const Chain& chain, const T* y, T* a, Window& window);
 
@@ -144,26 +150,24 @@ void accelerate(const Chain& chain, const T* y, T* a, Window& window);
 template <class T>
 std::vector<T> accelerations(const Chain& chain, const std::vector<T>& y);
 
-/**
-A packet is followed by where its energy is. The energy of a site is its kinetic energy, that of its well
-and that of the contact to its right, Eq. (23); without precompression and with $\eta_n = 1$
-$$e_n = \tfrac12\,\dot y_n^2 + W(y_n) + \tfrac25\,(y_n-y_{n+1})_+^{5/2}.$$
-(The factor $\gamma$ printed there is one in these units.) With fixed ends the first site also counts
-the contact with the left wall, so that the densities add up to the Hamiltonian, Eq. (6). */
+/// Energy of contact `i`, each contact counted once.
 template <class T>
 T contact_energy(const Chain& chain, const T* y, std::size_t i) {
   if (!touches(chain, i)) return T(0);
   return T(chain.eta_of(i)) * chain.contact.energy(stretch(chain, y, i));
 }
 
+/**
+A packet is followed by where its energy is. The energy of a site is its kinetic energy, that of its well
+and that of the contact to its right, Eq. (23); without precompression and with $\eta_n = 1$
+$$e_n = \tfrac12\,\dot y_n^2 + W(y_n) + \tfrac25\,(y_n-y_{n+1})_+^{5/2}.$$
+(The factor $\gamma$ printed there is one in these units.) With fixed ends the first site also counts
+the contact with the left wall, so that the densities add up to the Hamiltonian. */
 /// Energy density e_n, one entry per site.
 template <class T>
 std::vector<T> energy_density(const Chain& chain, const State<T>& state);
 
-/**
-The Hamiltonian of Eq. (6) is the sum of these densities. It is always summed from the first site to
-the last, because sums of rounded numbers depend on their order, and equal states are to report equal
-bits. */
+/// The Hamiltonian of Eq. (6), summed from the first site to the last: equal states have equal bits.
 template <class T>
 T energy(const Chain& chain, const State<T>& state);
 
@@ -172,16 +176,14 @@ T energy(const Chain& chain, const State<T>& state);
 template <class T>
 std::vector<T> contact_forces(const Chain& chain, const std::vector<T>& y);
 
-/**
-Small motions about a state at rest, its phonons and its stability, follow from one matrix: the second
-derivatives of the potential energy at `y`, symmetric and tridiagonal. `diagonal` and `off` have one
-entry per site; `off[n]` couples n and n + 1, and its last entry couples the two ends of a ring. */
+/// A symmetric, tridiagonal matrix with one entry of `diagonal` and `off` per site: off[n] couples n and n + 1, and its
+/// last entry the two ends of a ring.
 template <class T>
 struct Hessian {
   std::vector<T> diagonal, off;
 };
 
-/// The second derivatives of the potential energy at the positions `y`.
+/// The second derivatives of the potential energy at the positions `y`, of which phonons and stability follow.
 template <class T>
 Hessian<T> linearise(const Chain& chain, const std::vector<T>& y);
 

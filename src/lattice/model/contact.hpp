@@ -16,13 +16,6 @@ A new contact is a struct in this file and an entry in the list at its end. */
 
 namespace lattice {
 
-/// $|x|^{3/2}$ with the sign of `x`, by a square root, which every machine rounds alike.
-template <class T>
-T three_halves(T x) {
-  using std::abs, std::sqrt;
-  return x * sqrt(abs(x));
-}
-
 /// $|x|^{\alpha-1}$, the force $x|x|^{\alpha-1}$ of a contact over its strain `x`; for spheres by a square root.
 template <class T>
 T secant_stiffness(T x, double alpha) {
@@ -50,9 +43,6 @@ struct Hertz {
     const T x = -r;
     return x > T(floor) ? x : T(0);
   }
-
-  /**
-  Energy, force and stiffness all use this overlap, so that one below the floor counts in none of them. */
   template <class T>
   T energy(T r) const {
     using std::sqrt;
@@ -70,18 +60,14 @@ struct Hertz {
     using std::sqrt;
     return T(3) / T(2) * sqrt(overlap(r));
   }
-  /// Relative displacement at which the beads separate.
   double opening() const { return 0; }
-  /// Exponent of the force law.
   static constexpr double exponent = 1.5;
 };
 
 /**
-If neighbours are pressed together by $d$ at rest, small motions leave the contacts closed, and the chain carries
-linear waves (phonons.hpp). The potential is that of Eq. (33):
-$V(r) = \frac25 (d-r)_+^{5/2} + d^{3/2} r - \frac25 d^{5/2}$. The linear term subtracts the constant force of the
-precompression, which cancels on every bead inside the chain, so that $V(0) = V'(0) = 0$. The contact now opens at
-$r = d$ instead of $r = 0$. */
+If neighbours are pressed together by $d$ at rest, small motions leave the contacts closed, and the potential is that of
+Eq. (33): $V(r) = \frac25 (d-r)_+^{5/2} + d^{3/2} r - \frac25 d^{5/2}$. The linear term subtracts the constant force of
+the precompression, which cancels on every bead inside the chain, so that $V(0) = V'(0) = 0$. */
 struct CompressedHertz {
   double d = 0;  ///< compression at rest, not negative
   static constexpr const char* name = "hertz";
@@ -139,9 +125,6 @@ struct PowerContact {
         P{"precompression", "compression d of the contacts at rest", 0, 10, &PowerContact::d}};
   }
 
-  /**
-  The choice between the root and the general power depends on the exponent alone, so it is the same for
-  all contacts of a chain. */
   template <class T>
   T power(T x) const {
     using std::pow, std::sqrt;
@@ -153,8 +136,7 @@ struct PowerContact {
     return x > T(0) ? x : T(0);
   }
 
-  /**
-  The energy of a small $r$ is summed by its powers from $r^2$ on, since what is before them cancels. */
+  /// That of a small r is summed by its powers from r^2 on, since what is before them cancels.
   template <class T>
   T energy(T r) const {
     using std::abs;
@@ -173,9 +155,7 @@ struct PowerContact {
     return power(overlap(r)) - power(T(d));
   }
 
-  /**
-  An open contact has no stiffness. This needs saying for $\alpha = 1$, where the formula would give
-  $0^{\alpha-1} = 1$. */
+  /// An open contact has none, which needs saying for alpha = 1: the formula would give 0^0.
   template <class T>
   T stiffness(T r) const {
     using std::pow, std::sqrt;
@@ -186,8 +166,7 @@ struct PowerContact {
   double opening() const { return d; }
 };
 
-/// A contact law that the list does not know (potential.hpp), with its opening and its exponent, which
-/// the law's struct names like those above. Throws std::invalid_argument where `require_contact` does.
+/// A contact law that the list does not know, with its opening and its exponent, named like those of the list. Throws std::invalid_argument where `require_contact` does.
 struct OwnContact : OwnPotential {
   double exponent = 1.5;
   OwnContact() = default;
@@ -202,9 +181,8 @@ struct OwnContact : OwnPotential {
   double opening_ = 0;
 };
 
-/**
-Like a well, a contact is one of a list or of the caller's own. A program lets its reader choose one by name
-(potential.hpp). Two types share the name `hertz`: the plain law, and the one with a precompression. */
+/// Like a well, a contact is one of a list or of the caller's own. Two types share the name `hertz`: the plain law, and
+/// the one with a precompression.
 struct Contact : OneOf<OwnContact, Hertz, CompressedHertz, PowerContact> {
   using OneOf::OneOf;
 
@@ -220,6 +198,14 @@ struct Contact : OneOf<OwnContact, Hertz, CompressedHertz, PowerContact> {
 
 /// The same law by its simplest type: without precompression the 3/2 law is plain `Hertz`, with the
 /// same bits, and `PowerContact` with exponent 3/2 is one of the two laws of Hertz.
-Contact simplest(const Contact& contact);
+inline Contact simplest(const Contact& contact) {
+  const auto hertz = [](double d) {
+    return d == 0 ? Contact{Hertz{}} : Contact{CompressedHertz{d}};
+  };
+  if (const auto* c = std::get_if<CompressedHertz>(&contact)) return hertz(c->d);
+  if (const auto* c = std::get_if<PowerContact>(&contact); c && c->exponent == 1.5)
+    return hertz(c->d);
+  return contact;
+}
 
 }  // namespace lattice

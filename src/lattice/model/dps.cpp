@@ -8,6 +8,7 @@ namespace lattice {
 // The two scales: of time, and of the amplitude at a given breather frequency
 double tau_0(double alpha) {
   const double root = std::sqrt(std::numbers::pi);
+  constexpr double gamma_quarter = 3.6256099082219083119;  // Gamma(1/4)
   if (alpha == 1.5) return 5 * gamma_quarter * gamma_quarter / (24 * root);
   return root * std::tgamma((alpha + 3) / 2) /
          (std::pow(2, alpha - 1) * std::tgamma(alpha / 2 + 1));

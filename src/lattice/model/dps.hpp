@@ -21,9 +21,6 @@ $\frac1{\alpha+1}\sum|A_{n+1}-A_n|^{\alpha+1}$, and does not contain $\epsilon$.
 
 namespace lattice {
 
-/// Gamma(1/4).
-inline constexpr double gamma_quarter = 3.6256099082219083119;
-
 /**
 A contact pushes during one half of the period only, and of its push the part at the frequency of the wells has
 a lasting effect. Its mean gives the time constant,
@@ -40,11 +37,9 @@ double breather_eps(double omega_b, double alpha = 1.5);
 /// The complex amplitudes A_n, one entry per site.
 using Field = std::vector<std::complex<double>>;
 
-/**
-An integrator wants the right-hand side as a function. The boundary condition decides what stands in for
-the missing neighbour at the first site: a free end has no contact there, a fixed one has $A_0 = 0$, and a
-periodic one is in contact with the last site. Otherwise the far end is free. Differences below $10^{-60}$
-count as zero, for the reason given at `Hertz` in contact.hpp. */
+/// The right-hand side as a function. What stands in for the missing neighbour at the first site is no contact (free),
+/// A_0 = 0 (fixed) or the last site (periodic); otherwise the far end is free. Differences below 1e-60 count as zero, for
+/// the reason given at `Hertz` in contact.hpp.
 struct Dps {
   std::size_t sites;
   Ends near_end = Ends::free;               ///< at the first site
@@ -56,9 +51,6 @@ struct Dps {
   void operator()(double tau, const double* a, double* da) const;
 };
 
-/**
-The method of integration knows nothing of the two conserved quantities, so their drift is an independent
-check of every run. The norm is the sum of the density $|A_n|^2$. */
 /// Norm sum |A_n|^2, conserved.
 double norm(const Field& field);
 
@@ -69,15 +61,11 @@ double energy(const Field& field, bool ring = false, double alpha = 1.5);
 /// |A_n|^2, one entry per site.
 std::vector<double> density(const Field& field);
 
-/**
-A DpS field describes the chain by way of Eq. (13). An impact on the first bead becomes a field with a
-single nonzero entry, and `dps_state` leads back to displacements and velocities, which can be compared
-with those of the chain itself. */
 /// Impact on the first of `sites`: A_1(0) = -i, all others zero (Eq. (25)).
 Field dps_impact(std::size_t sites);
 
 /// The approximation of the chain that a DpS field stands for, Eq. (13), at time `t`. Velocities
-/// keep the leading order only, as the approximation does.
+/// keep the leading order only.
 State<double> dps_state(const Field& field, double eps, double t);
 
 }  // namespace lattice

@@ -29,19 +29,32 @@ constexpr double places[] = {0.83541, 0.31273, 0.071639, 6.1343e-4};
 constexpr std::size_t energy_places = 2;
 constexpr std::size_t samples = 1 + 2 * std::size(steps);
 
-/// What the three functions return at the points `x`: rest, then the samples of one place after the other.
-struct Rows {
-  std::vector<double> x, energy, force, stiffness;
+/// The index of the middle of place `k`, the four on the left of the centre first.
+constexpr std::size_t middle(std::size_t k) {
+  return 1 + k * samples;
+}
 
-  Rows(const OwnPotential& p, std::vector<double> at)
-      : x(std::move(at)), energy(x.size()), force(x.size()), stiffness(x.size()) {
-    p.energies(x.data(), energy.data(), x.size());
-    p.forces(x.data(), force.data(), x.size());
-    p.stiffnesses(x.data(), stiffness.data(), x.size());
+/// What one of the three functions returns at the points `x`.
+struct Row {
+  const char* name;
+  std::vector<double> at;
+};
+
+/// All three at rest, then at the samples of one place after the other: its middle and two neighbours for each step.
+struct Rows {
+  std::string what;  ///< well or contact
+  std::vector<double> x;
+  Row energy{"energy", x}, force{"force", x}, stiffness{"stiffness", x};
+
+  Rows(const std::string& kind, const OwnPotential& p, std::vector<double> points)
+      : what(kind), x(std::move(points)) {
+    p.row(Member::energy, x.data(), energy.at.data(), x.size());
+    p.row(Member::force, x.data(), force.at.data(), x.size());
+    p.row(Member::stiffness, x.data(), stiffness.at.data(), x.size());
   }
 };
 
-/// A complaint about `what`, a well or a contact, in one line.
+/// A complaint in one line.
 template <class... Word>
 std::invalid_argument complaint(const std::string& what, const Word&... word) {
   std::ostringstream text;
@@ -51,20 +64,16 @@ std::invalid_argument complaint(const std::string& what, const Word&... word) {
 }
 
 /// Throws for the first value that is no finite number.
-void require_finite(const std::string& what, const Rows& rows) {
-  const auto look = [&](const char* name, const std::vector<double>& values) {
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (!std::isfinite(values[i]))
-        throw complaint(what, name, "(", rows.x[i], ") is ", values[i], ", not a finite number");
-  };
-  look("energy", rows.energy);
-  look("force", rows.force);
-  look("stiffness", rows.stiffness);
+void require_finite(const Rows& rows) {
+  for (const Row* row : {&rows.energy, &rows.force, &rows.stiffness})
+    for (std::size_t i = 0; i < rows.x.size(); ++i)
+      if (!std::isfinite(row->at[i]))
+        throw complaint(rows.what, row->name, "(", rows.x[i], ") is ", row->at[i],
+                        ", not a finite number");
 }
 
-/**
-A well may end in a wall or grow beyond all numbers: then the places come closer to the centre. */
-/// The values on both sides of `centre`, at places in units of `length` or less. Throws if there are none.
+/// The values on both sides of `centre`, at places in units of `length`. A well may end in a wall or grow beyond all
+/// numbers: then the places come closer to the centre. Throws if there are none.
 Rows rows_about(const std::string& what, const OwnPotential& p, double centre, double length) {
   for (double unit = length;; unit /= 10) {
     std::vector<double> x{0};
@@ -75,9 +84,9 @@ Rows rows_about(const std::string& what, const OwnPotential& p, double centre, d
         for (const double step : steps)
           for (const double way : {-1.0, 1.0}) x.push_back(centre + distance * (1 + way * step));
       }
-    Rows rows(p, std::move(x));
+    Rows rows(what, p, std::move(x));
     try {
-      require_finite(what, rows);
+      require_finite(rows);
       return rows;
     } catch (const std::invalid_argument&) {
       if (unit < 1e-12 * length) throw;
@@ -85,10 +94,8 @@ Rows rows_about(const std::string& what, const OwnPotential& p, double centre, d
   }
 }
 
-/**
-The samples of a place are its middle and a pair of neighbours for each step. Rounding is part of a difference,
-and it may reach the size of a few units in the last place of what is subtracted. */
-/// What the slope in the middle is instead of `stated`, if it is another one.
+/// What the slope in the middle is instead of `stated`, if it is another one. Rounding is part of a difference, and it may
+/// reach the size of a few units in the last place of what is subtracted.
 std::optional<double> other_slope(const double* x, const double* f, double stated) {
   std::vector<double> off;
   double slope = 0;
@@ -106,34 +113,28 @@ std::optional<double> other_slope(const double* x, const double* f, double state
 }
 
 /// Throws unless the functions belong together at every place of the rows.
-void require_slopes(const std::string& what, const Rows& rows) {
-  const auto look = [&](const char* slope, const char* of, const std::vector<double>& stated,
-                        const std::vector<double>& f, std::size_t at) {
-    if (const auto found = other_slope(&rows.x[at], &f[at], stated[at]))
-      throw complaint(what, slope, "(", rows.x[at], ") is ", stated[at],
-                      ", and minus the slope of its ", of, " is ", *found, " there");
+void require_slopes(const Rows& rows) {
+  const auto look = [&](const Row& slope, const Row& of, std::size_t at) {
+    if (const auto found = other_slope(&rows.x[at], &of.at[at], slope.at[at]))
+      throw complaint(rows.what, slope.name, "(", rows.x[at], ") is ", slope.at[at],
+                      ", and minus the slope of its ", of.name, " is ", *found, " there");
   };
   for (std::size_t k = 0; k < 2 * std::size(places); ++k) {
-    const std::size_t at = 1 + k * samples;
-    if (k % std::size(places) < energy_places) look("force", "energy", rows.force, rows.energy, at);
-    look("stiffness", "force", rows.stiffness, rows.force, at);
+    if (k % std::size(places) < energy_places) look(rows.force, rows.energy, middle(k));
+    look(rows.stiffness, rows.force, middle(k));
   }
 }
 
-double largest_of(const std::vector<double>& values) {
-  double most = 0;
-  for (const double x : values) most = std::max(most, std::abs(x));
-  return most;
-}
-
 /// Throws unless energy and force vanish at rest, up to the rounding of larger terms.
-void require_rest(const std::string& what, const Rows& rows) {
-  const auto look = [&](const char* name, const std::vector<double>& values, const char* cure) {
-    if (std::abs(values[0]) > 1e-6 * largest_of(values))
-      throw complaint(what, name, "(0) is ", values[0], " and must be 0: ", cure);
+void require_rest(const Rows& rows) {
+  const auto look = [&](const Row& row, const char* cure) {
+    double most = 0;
+    for (const double value : row.at) most = std::max(most, std::abs(value));
+    if (std::abs(row.at[0]) > 1e-6 * most)
+      throw complaint(rows.what, row.name, "(0) is ", row.at[0], " and must be 0: ", cure);
   };
-  look("energy", rows.energy, "subtract it");
-  look("force", rows.force, "count displacements from the place of rest");
+  look(rows.energy, "subtract it");
+  look(rows.force, "count displacements from the place of rest");
 }
 
 }  // namespace
@@ -141,12 +142,11 @@ void require_rest(const std::string& what, const Rows& rows) {
 void require_well(const OwnPotential& well, double rim) {
   if (!(rim > 0)) throw complaint("well", "rim is ", rim, " and must be > 0 (infinite: none)");
   const Rows rows = rows_about("well", well, 0, std::min(rim, 1.0));
-  require_rest("well", rows);
-  require_slopes("well", rows);
+  require_rest(rows);
+  require_slopes(rows);
 }
 
-/**
-A contact has a corner at its opening, and beads that are pressed may rest elsewhere: then both are looked at. */
+// A contact has a corner at its opening, and beads that are pressed may rest elsewhere: then both are looked at
 void require_contact(const OwnPotential& contact, double opening, double exponent) {
   const std::string what = "contact";
   if (!std::isfinite(opening))
@@ -154,31 +154,27 @@ void require_contact(const OwnPotential& contact, double opening, double exponen
   if (!(exponent >= 1 && std::isfinite(exponent)))
     throw complaint(what, "exponent is ", exponent, " and must be a finite number >= 1");
   const Rows rows = rows_about(what, contact, opening, 1);
-  require_rest(what, rows);
-  require_slopes(what, rows);
+  require_rest(rows);
+  require_slopes(rows);
   if (opening != 0)
-    require_slopes(what, rows_about(what, contact, 0, std::min(std::abs(opening) / 2, 1.0)));
-  // Just beyond the opening and just before it, the last of the places on either side
-  const double open = rows.force[1 + (2 * std::size(places) - 1) * samples];
-  const double pressed = rows.force[1 + (std::size(places) - 1) * samples];
+    require_slopes(rows_about(what, contact, 0, std::min(std::abs(opening) / 2, 1.0)));
+  // Just before the opening and just beyond it, the last of the places on either side
+  const std::size_t before = middle(std::size(places) - 1),
+                    beyond = middle(2 * std::size(places) - 1);
+  const double pressed = rows.force.at[before], open = rows.force.at[beyond];
   if (pressed < open - 1e-9 * std::abs(open))
-    throw complaint(what, "force(", rows.x[1 + (std::size(places) - 1) * samples], ") is ", pressed,
-                    " and must be at least ", open, ", that of an open contact: it pulls");
+    throw complaint(what, "force(", rows.x[before], ") is ", pressed, " and must be at least ",
+                    open, ", that of an open contact: it pulls");
 }
 
 /**
-## Digits near rest
-
 Close to zero a force is a power of the displacement, and so its values at $y$, $2y$ and $4y$ have a common
 ratio. That of a force which subtracts numbers of size one has none, or vanishes. */
 bool loses_digits(const OwnPotential& potential) {
   for (const double y : {0.83541e-20, -0.83541e-20}) {
-    const double x[] = {y, 2 * y, 4 * y};
-    double force[3], stiffness[3];
-    potential.forces(x, force, 3);
-    potential.stiffnesses(x, stiffness, 3);
-    if (std::abs(stiffness[0]) < 1e-200) continue;
-    const double ratio = force[1] / force[0], next = force[2] / force[1];
+    if (std::abs(potential.stiffness(y)) < 1e-200) continue;
+    const double force = potential.force(2 * y), ratio = force / potential.force(y);
+    const double next = potential.force(4 * y) / force;
     if (!(std::abs(next - ratio) < 1e-6 * std::abs(ratio))) return true;
   }
   return false;

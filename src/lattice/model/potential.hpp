@@ -28,10 +28,7 @@ in a well one, the unit of length does the same for the coefficient of the conta
 
 namespace lattice {
 
-/**
-Each potential says what it is called and which parameters it has, by which a reader picks it
-(potential_names.hpp). A parameter has a name, a meaning, an allowed range and a place where it is stored. Its
-default is the value that it has in a freshly made potential. */
+/// A parameter by which a reader picks a potential (potential_names.hpp). Its default is the value in a freshly made one.
 template <class Potential>
 struct Parameter {
   const char* name;          ///< as an option has it, without dashes
@@ -40,58 +37,78 @@ struct Parameter {
   double Potential::*value;  ///< where it is stored
 };
 
-/**
-Not every potential is in a list. Any struct with the three functions can stand in a chain: it is kept behind
-the six functions below, three in double and three in extended precision, each of which treats a row of
-numbers at once. So a potential of one's own costs little more than the others. It has no name for the
-command line. One that is evaluated elsewhere, as by the interpreter of another language, may prefer rows to
-single numbers; it then has the three functions of rows instead. */
+/// Which of the three functions.
+enum class Member { energy, force, stiffness };
+
+/// A potential that is evaluated elsewhere, as by the interpreter of another language, and prefers rows of numbers.
 template <class P>
 concept TakesRows = requires(const P& p, const double* x, double* out, std::size_t n) {
-  p.energies(x, out, n);
-  p.forces(x, out, n);
-  p.stiffnesses(x, out, n);
+  p.row(Member::force, x, out, n);
 };
 
-/// Holds any potential that takes rows; copies share it.
+/// A struct with the three functions, of numbers or of rows.
+template <class P>
+concept IsPotential = TakesRows<P> || requires(const P& p, double x) {
+  p.energy(x);
+  p.force(x);
+  p.stiffness(x);
+};
+
+/// Writes the function `which` at a row of `n` numbers; `out` may be `x`.
+template <class P, class T>
+void row_of(const P& potential, Member which, const T* x, T* out, std::size_t n) {
+  if constexpr (TakesRows<P>) {
+    potential.row(which, x, out, n);
+  } else {
+    const auto fill = [&](auto function) {
+      for (std::size_t i = 0; i < n; ++i) out[i] = function(x[i]);
+    };
+    if (which == Member::energy) fill([&](const T& at) { return potential.energy(at); });
+    if (which == Member::force) fill([&](const T& at) { return potential.force(at); });
+    if (which == Member::stiffness) fill([&](const T& at) { return potential.stiffness(at); });
+  }
+}
+/// Forces at a row of `n` numbers, and stiffnesses.
+template <class P, class T>
+void forces_of(const P& potential, const T* x, T* out, std::size_t n) {
+  row_of(potential, Member::force, x, out, n);
+}
+template <class P, class T>
+void stiffnesses_of(const P& potential, const T* x, T* out, std::size_t n) {
+  row_of(potential, Member::stiffness, x, out, n);
+}
+
+/**
+Not every potential is in a list. Any struct with the three functions can stand in a chain: it is kept behind virtual
+functions, each of which treats a row of numbers at once, so that a potential of one's own costs little more
+than the others. It has no name for the command line. */
+/// Holds any potential; copies share it. In other types than double and long double its functions throw std::logic_error.
 class OwnPotential {
  public:
+  static constexpr const char* name = "own";
+
   OwnPotential() = default;
   template <class P>
   explicit OwnPotential(P potential) : kept_(std::make_shared<const Of<P>>(std::move(potential))) {}
 
-  static constexpr const char* name = "own";
-
-  /// The same three functions as those of other potentials, for one number. They throw std::logic_error in other
-  /// types than double and long double.
+  template <class T>
+  void row(Member which, const T* x, T* out, std::size_t n) const {
+    if constexpr (std::is_same_v<T, double> || std::is_same_v<T, long double>)
+      return kept_->row(which, x, out, n);
+    throw std::logic_error(
+        "a potential of one's own is known in double and extended precision only");
+  }
   template <class T>
   T energy(T x) const {
-    return energies(&x, &x, 1), x;
+    return row(Member::energy, &x, &x, 1), x;
   }
   template <class T>
   T force(T x) const {
-    return forces(&x, &x, 1), x;
+    return row(Member::force, &x, &x, 1), x;
   }
   template <class T>
   T stiffness(T x) const {
-    return stiffnesses(&x, &x, 1), x;
-  }
-
-  /// The same three for a row of `n` numbers; `out` may be `x`.
-  template <class T>
-  void energies(const T* x, T* out, std::size_t n) const {
-    if constexpr (known<T>) return kept_->energies(x, out, n);
-    throw std::logic_error(narrow);
-  }
-  template <class T>
-  void forces(const T* x, T* out, std::size_t n) const {
-    if constexpr (known<T>) return kept_->forces(x, out, n);
-    throw std::logic_error(narrow);
-  }
-  template <class T>
-  void stiffnesses(const T* x, T* out, std::size_t n) const {
-    if constexpr (known<T>) return kept_->stiffnesses(x, out, n);
-    throw std::logic_error(narrow);
+    return row(Member::stiffness, &x, &x, 1), x;
   }
 
   /// The struct itself. Throws std::bad_variant_access if it is another one.
@@ -103,79 +120,32 @@ class OwnPotential {
 
   // Virtual functions have no templates, so the two precisions are listed one by one
  private:
-  template <class T>
-  static constexpr bool known = std::is_same_v<T, double> || std::is_same_v<T, long double>;
-  static constexpr const char* narrow =
-      "a potential of one's own is known in double and extended precision only";
-
-  struct Functions {
-    virtual ~Functions() = default;
+  struct Rows {
+    virtual ~Rows() = default;
     virtual const void* type() const = 0;
-    virtual void energies(const double*, double*, std::size_t) const = 0;
-    virtual void forces(const double*, double*, std::size_t) const = 0;
-    virtual void stiffnesses(const double*, double*, std::size_t) const = 0;
-    virtual void energies(const long double*, long double*, std::size_t) const = 0;
-    virtual void forces(const long double*, long double*, std::size_t) const = 0;
-    virtual void stiffnesses(const long double*, long double*, std::size_t) const = 0;
+    virtual void row(Member, const double*, double*, std::size_t) const = 0;
+    virtual void row(Member, const long double*, long double*, std::size_t) const = 0;
   };
-
-  // One virtual call for a whole row: the loop inside it knows the struct and can be inlined
   template <class P>
-  struct Of final : Functions {
+  struct Of final : Rows {
     P potential;
     static constexpr char tag = 0;
     explicit Of(P p) : potential(std::move(p)) {}
-    template <class T>
-    void energy_row(const T* x, T* out, std::size_t n) const {
-      if constexpr (TakesRows<P>)
-        potential.energies(x, out, n);
-      else
-        for (std::size_t i = 0; i < n; ++i) out[i] = potential.energy(x[i]);
-    }
-    template <class T>
-    void force_row(const T* x, T* out, std::size_t n) const {
-      if constexpr (TakesRows<P>)
-        potential.forces(x, out, n);
-      else
-        for (std::size_t i = 0; i < n; ++i) out[i] = potential.force(x[i]);
-    }
-    template <class T>
-    void stiffness_row(const T* x, T* out, std::size_t n) const {
-      if constexpr (TakesRows<P>)
-        potential.stiffnesses(x, out, n);
-      else
-        for (std::size_t i = 0; i < n; ++i) out[i] = potential.stiffness(x[i]);
-    }
-
-    // The same without templates
     const void* type() const override { return &tag; }
-    void energies(const double* x, double* out, std::size_t n) const override {
-      energy_row(x, out, n);
+    void row(Member which, const double* x, double* out, std::size_t n) const override {
+      row_of(potential, which, x, out, n);
     }
-    void forces(const double* x, double* out, std::size_t n) const override {
-      force_row(x, out, n);
-    }
-    void stiffnesses(const double* x, double* out, std::size_t n) const override {
-      stiffness_row(x, out, n);
-    }
-    void energies(const long double* x, long double* out, std::size_t n) const override {
-      energy_row(x, out, n);
-    }
-    void forces(const long double* x, long double* out, std::size_t n) const override {
-      force_row(x, out, n);
-    }
-    void stiffnesses(const long double* x, long double* out, std::size_t n) const override {
-      stiffness_row(x, out, n);
+    void row(Member which, const long double* x, long double* out, std::size_t n) const override {
+      row_of(potential, which, x, out, n);
     }
   };
 
-  std::shared_ptr<const Functions> kept_{};
+  std::shared_ptr<const Rows> kept_{};
 };
 
 /**
 Nobody else has checked a potential of one's own, and where its three functions do not belong together no run
-fails: a wrong stiffness makes wrong multipliers, a wrong energy a drift. So each is asked once, when it is made,
-whether force and stiffness are the slopes that they claim to be (potential.cpp says how). */
+fails: a wrong stiffness makes wrong multipliers, a wrong energy a drift. So each is asked once, when it is made. */
 /// Throws std::invalid_argument, in one line, unless force and stiffness of `well` are minus the slopes of energy
 /// and force on both sides, energy and force vanish at rest, and `rim` > 0.
 void require_well(const OwnPotential& well, double rim);
@@ -187,24 +157,8 @@ void require_contact(const OwnPotential& contact, double opening, double exponen
 /// Whether small displacements have forces of few digits, as in $1 - e^{-y}$ when written like this.
 bool loses_digits(const OwnPotential& potential);
 
-/// A struct with the three functions of a potential, of numbers or of rows.
-template <class P>
-concept IsPotential = TakesRows<P> || requires(const P& p, double x) {
-  p.energy(x);
-  p.force(x);
-  p.stiffness(x);
-};
-
-/// Whether a list holds potentials of type `P`.
-template <class P, class... Potential>
-constexpr bool lists(const std::variant<Potential...>*) {
-  return (std::is_same_v<P, Potential> || ...);
-}
-
-/**
-A chain holds a potential of a list or one of the caller's own, and has the same type whichever it is: that is
-what `Well` and `Contact` have in common. Either is made from one of its structs, and `as` gives the struct
-back. The functions choose anew in every call; the loops along a chain choose once (chain.hpp). */
+/// What `Well` and `Contact` have in common: a potential of the list `Known` or one of the caller's own, made from its
+/// struct. The functions choose anew in every call; the loops along a chain choose once (kernel.hpp).
 template <class Own, class... Known>
 struct OneOf : std::variant<Known..., Own> {
   using List = std::variant<Known..., Own>;
@@ -214,26 +168,23 @@ struct OneOf : std::variant<Known..., Own> {
   requires(!std::is_base_of_v<List, P> && IsPotential<P>) OneOf(P potential)
       : List(kept(std::move(potential))) {}
 
-  /// The potential as what it is. Throws std::bad_variant_access if it is another one.
+  /// The struct that it was made from. Throws std::bad_variant_access if it is another one.
   template <class P>
   const P& as() const {
-    if constexpr (lists<P>(static_cast<const List*>(nullptr)))
+    if constexpr (std::is_constructible_v<List, P>)
       return std::get<P>(*this);
     else
       return std::get<Own>(*this).template as<P>();
   }
 
-  /// The energy at `x`, in the potential's own units, as the two derivatives are.
   template <class T>
   T energy(T x) const {
     return std::visit([&](const auto& p) -> T { return p.energy(x); }, *this);
   }
-  /// The force, with the sign that the structs of the list give it.
   template <class T>
   T force(T x) const {
     return std::visit([&](const auto& p) -> T { return p.force(x); }, *this);
   }
-  /// The second derivative of the energy.
   template <class T>
   T stiffness(T x) const {
     return std::visit([&](const auto& p) -> T { return p.stiffness(x); }, *this);
@@ -248,22 +199,5 @@ struct OneOf : std::variant<Known..., Own> {
       return Own(std::move(potential));
   }
 };
-
-/// Forces at a row of `n` numbers; `out` may be `x`.
-template <class P, class T>
-void forces_of(const P& potential, const T* x, T* out, std::size_t n) {
-  if constexpr (std::is_base_of_v<OwnPotential, P>)
-    potential.forces(x, out, n);
-  else
-    for (std::size_t i = 0; i < n; ++i) out[i] = potential.force(x[i]);
-}
-/// Stiffnesses at a row of `n` numbers.
-template <class P, class T>
-void stiffnesses_of(const P& potential, const T* x, T* out, std::size_t n) {
-  if constexpr (std::is_base_of_v<OwnPotential, P>)
-    potential.stiffnesses(x, out, n);
-  else
-    for (std::size_t i = 0; i < n; ++i) out[i] = potential.stiffness(x[i]);
-}
 
 }  // namespace lattice

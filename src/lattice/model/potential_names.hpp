@@ -3,7 +3,8 @@
 # Potentials by their names
 
 The reader of a program picks potentials by name. From what each one says of itself (potential.hpp) the command line, its
-help and its error messages follow. */
+help and its error messages follow. The lists of wells and of contacts are variants over types; to find a name we walk
+through them. */
 
 #include <algorithm>
 #include <cstddef>
@@ -31,10 +32,7 @@ using Settings = std::map<std::string, double>;
 /// Ranges that a program allows instead of those of the potentials, by the names of the parameters.
 using Ranges = std::map<std::string, std::pair<double, double>>;
 
-/**
-The lists of wells and of contacts are variants over types (`Well`, `Contact`); to find a name we must walk
-through them. Two functions do that: the first calls `use` with every parameter of a potential (most
-have none), the second with a default value of every type in a list. */
+/// Calls `use` with every parameter of a potential; most have none.
 template <class Potential, class Use>
 void for_each_parameter(const Potential&, Use use) {
   if constexpr (requires { Potential::parameters(); })
@@ -44,13 +42,12 @@ void for_each_parameter(const Potential&, Use use) {
 /// Calls `use` with a default value of every type in the list `Any` that has a name of its own.
 template <class Any, class Use>
 void for_each_potential(Use use) {
-  const auto walk = [&]<class... Potential>(const std::variant<Potential...>*) {
-    const auto one = [&]<class P>(const P*) {
-      if constexpr (!std::is_base_of_v<OwnPotential, P>) use(P{});
-    };
-    (one(static_cast<const Potential*>(nullptr)), ...);
+  const auto one = [&]<class P>(const P*) {
+    if constexpr (!std::is_base_of_v<OwnPotential, P>) use(P{});
   };
-  walk(static_cast<const Any*>(nullptr));
+  [&]<class... Potential>(const std::variant<Potential...>*) {
+    (one(static_cast<const Potential*>(nullptr)), ...);
+  }(static_cast<const Any*>(nullptr));
 }
 
 /// The names in a list of potentials, each once.
@@ -63,10 +60,8 @@ std::vector<std::string> names_of() {
   return names;
 }
 
-/**
-The help shows one line for each parameter, though several potentials may share it. This function collects
-the parameters of the potentials called `name`, or of the whole list if the name is empty, each once and
-with the widest range. */
+/// The parameters of the potentials called `name`, or of the whole list if the name is empty, each once and with the
+/// widest range.
 template <class Any>
 std::vector<ParameterInfo> parameters_of(const std::string& name = "") {
   std::vector<ParameterInfo> all;
@@ -93,12 +88,10 @@ inline std::string comma_list(const std::vector<std::string>& words) {
   return text;
 }
 
-/**
-Now the other direction, from what was typed to a potential. `apply` sets those of the given parameters
-that the potential has, and returns whether it has them all. Throws std::invalid_argument if a value is
-out of range, be it the potential's or one of `own`. */
+/// Sets those of the given parameters that the potential has; whether it has them all. Throws std::invalid_argument
+/// if a value is out of range, be it the potential's or one of `own`.
 template <class Potential>
-bool apply(Potential& potential, const Settings& given, const Ranges& own = {}) {
+bool apply(Potential& potential, const Settings& given, const Ranges& own) {
   std::size_t used = 0;
   for_each_parameter(potential, [&](const Parameter<Potential>& p) {
     const auto found = given.find(p.name);
@@ -117,9 +110,7 @@ bool apply(Potential& potential, const Settings& given, const Ranges& own = {}) 
   return used == given.size();
 }
 
-/**
-If no potential fits, the reader should be told why in one line: the name is unknown, a parameter is not
-one of its own, or two parameters exclude each other. */
+/// Why no potential fits, in one line: the name is unknown, a parameter is not one of its own, or two exclude each other.
 template <class Any>
 std::string why_not_named(const std::string& name, const Settings& given) {
   const auto names = names_of<Any>();
@@ -134,10 +125,8 @@ std::string why_not_named(const std::string& name, const Settings& given) {
   return "'" + name + "' does not have all these parameters at once";
 }
 
-/**
-Several types may share a name, the plainest first. `named` returns the first in the list that is called
-`name` and has all the given parameters. Throws std::invalid_argument if there is none, or if a value is
-out of range. */
+/// The first potential in the list that is called `name` and has all the given parameters: several types may share a
+/// name, the plainest first. Throws std::invalid_argument if there is none, or if a value is out of range.
 template <class Any>
 Any named(const std::string& name, const Settings& given = {}, const Ranges& own = {}) {
   bool found = false;

@@ -20,9 +20,8 @@ enum class Centre { site, bond };
 /// Both, in the order in which pairs of breathers keep them (breather_pairs.hpp).
 inline constexpr Centre both_centres[] = {Centre::site, Centre::bond};
 
-/**
-Breathers are computed on chains of three default lengths: that of the article's figures; the shortest that
-holds a tail down to rounding up to $\omega_b = 2$; and one with a little to spare, for breathers that are kicked. */
+/// Default lengths of a chain: that of the article's figures; the shortest that holds a tail down to rounding up to
+/// omega_b = 2; and one with a little to spare, for breathers that are kicked.
 enum class Length { article, shortest, spare };
 
 /// The default length of a chain with this centre.

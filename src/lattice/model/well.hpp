@@ -108,9 +108,7 @@ struct Pendulum {
   }
 };
 
-/**
-Programs that follow a bead ask whether it has left its well, whatever the well. `rim_of` returns the
-displacement at which it leaves, infinity if the well has no rim. */
+/// The displacement at which a bead leaves this well; infinity if the well has no rim.
 template <class Onsite>
 double rim_of(const Onsite& onsite) {
   if constexpr (requires { onsite.rim(); })
@@ -119,7 +117,7 @@ double rim_of(const Onsite& onsite) {
     return std::numeric_limits<double>::infinity();
 }
 
-/// A well that the list does not know (potential.hpp), with its rim. Throws std::invalid_argument where
+/// A well that the list does not know, with its rim. Throws std::invalid_argument where
 /// `require_well` does.
 struct OwnWell : OwnPotential {
   OwnWell() = default;
@@ -152,11 +150,7 @@ inline Well simplest(const Well& well) {
   return quartic && quartic->s == 0 ? Well{} : well;
 }
 
-/**
-The tail of a breather falls to $10^{-100}$ and below, and its positions are wanted with relative accuracy. A
-well may be right and yet lose all digits there: $1 - e^{-y}$ is zero for $y < 10^{-16}$. The wells above do not,
-and one of the caller's own can be asked. */
-/// Whether the force of an own well loses its digits near zero.
+/// Whether the force of an own well loses its digits near zero, where the tail of a breather is.
 inline bool loses_digits(const Well& well) {
   const auto* own = std::get_if<OwnWell>(&well);
   return own && loses_digits(static_cast<const OwnPotential&>(*own));

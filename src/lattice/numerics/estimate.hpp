@@ -23,10 +23,8 @@ inline Estimate exact(double value) {
   return {value, 0, true};
 }
 
-/**
-The usual error is that of two resolutions: `compare` returns the finer result with its difference from
-the coarser one. Two results that agree to the last digit are known to that digit and no better. If either
-is not a number, so is the error. */
+/// The finer result with its difference from the coarser one. Results that agree to the last digit are known to that digit
+/// and no better; if either is not a number, so is the error.
 Estimate compare(double coarse, double fine);
 
 /// The same for results that have errors of their own: that of the finer one is added.
@@ -52,8 +50,6 @@ struct TwoRuns {
   }
 };
 
-/**
-Estimates are compared with each other and with what is expected; errors are carried along. */
 /// a / b with the errors of both.
 Estimate quotient(const Estimate& a, const Estimate& b);
 

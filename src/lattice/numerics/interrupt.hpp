@@ -2,9 +2,8 @@
 /**
 # Stopping a long computation
 
-A program that is interrupted ends. A library that computes inside another program cannot do that: it has to
-give up its work and return. So whoever wants to be able to stop a computation lends it a flag, and the long
-loops of the library (samples of a run, contact events, parts of a sweep) look at it. No result depends on it. */
+A library that computes inside another program gives up its work when that is interrupted: the caller lends it a flag, at
+which the long loops of the library look. No result depends on it. */
 
 #include <atomic>
 

@@ -1,10 +1,10 @@
 #pragma once
 /**
-# Straight lines
+# Lines and parabolas through samples
 
-Speeds and orders of convergence are slopes of lines $x = a + b\,t$ through measured points. The standard
-error of a slope says how well it is known if the points follow a line; whether they do is another
-question, which `bend` answers. */
+Speeds and orders of convergence are slopes of lines $x = a + b\,t$ through measured points. The parabola through a sample
+and its two neighbours finds what lies between samples: an instant to second order in their distance, a largest value to
+third. */
 
 #include <vector>
 
@@ -24,15 +24,28 @@ struct Line {
 /// as many `x` as `t`.
 Line fit_line(const std::vector<double>& t, const std::vector<double>& x);
 
-/**
-Do the points lie on a line? If they do, the slopes of their first and second half agree. */
-/// By how much the slope of the second half exceeds that of the first, relative to the slope of all
-/// points, with the sum of both standard errors. Throws std::invalid_argument if there are fewer than
+/// By how much the slope of the second half exceeds that of the first, relative to the slope of all points, with the sum
+/// of both standard errors: whether the points follow a line at all. Throws std::invalid_argument if there are fewer than
 /// six points.
 Estimate bend(const std::vector<double>& t, const std::vector<double>& x);
 
 /// The order of a power law, from its values `a` and `b` at two sizes: the slope on logarithmic axes, with the relative
 /// errors of both added.
 Estimate order_between(double large, const Estimate& a, double small, const Estimate& b);
+
+/// The parabola through three values at -1, 0 and 1, in units of the distance between samples.
+struct Parabola {
+  double middle;  ///< value at 0
+  double slope;   ///< derivative at 0
+  double bend;    ///< second derivative
+
+  Parabola(double before, double here, double after)
+      : middle(here), slope((after - before) / 2), bend(after - 2 * here + before) {}
+
+  /// Where the vertex lies; there is none where `bend` is zero.
+  double vertex() const { return -slope / bend; }
+  /// The value at the vertex.
+  double extremum() const { return middle + slope * vertex() / 2; }
+};
 
 }  // namespace lattice

@@ -2,8 +2,8 @@
 /**
 # Looking at a run
 
-A run shows what it has at every sample to an observer, which may be any function. One that returns false ends the run;
-one that returns nothing never does. */
+A run shows what it has at every sample to any function. One that returns false ends the run; one that returns nothing
+never does. */
 
 #include <functional>
 #include <type_traits>

@@ -2,11 +2,8 @@
 /**
 # Independent runs on all cores
 
-A parameter sweep is many runs that know nothing of each other, so they can share the cores. Each worker
-takes the next index that nobody has taken, and each run writes only to its own slot, so that the results
-depend neither on the number of cores nor on which worker was faster. The number of workers is set once for
-a program; by default it is the number of cores that the process may use, which a scheduler or `taskset`
-can make smaller than that of the machine. */
+Each worker takes the next index that nobody has taken, and each run writes only to its own slot, so that the results depend
+neither on the number of cores nor on which worker was faster. */
 
 #include <cstddef>
 #include <functional>
@@ -16,7 +13,7 @@ can make smaller than that of the machine. */
 
 namespace lattice {
 
-/// Cores that this process may use.
+/// Cores that this process may use, of which a scheduler or `taskset` can leave less than the machine has.
 std::size_t granted_cores();
 
 /// Sets the number of workers of `parallel_for` from now on; zero stands for all
@@ -26,9 +23,8 @@ void set_threads(std::size_t count);
 /// How many workers there are.
 std::size_t threads();
 
-/**
-`body(i)` is called for every `i` below `count`, in any order and on all workers. If one call throws, no
-further ones are begun, and the first exception is thrown again here. */
+/// Calls `body(i)` for every `i` below `count`, in any order and on all workers. If one call throws, no further ones are
+/// begun, and the first exception is thrown again here.
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body);
 
 /// The same for long sweeps, which show how many parts are done (progress.hpp).

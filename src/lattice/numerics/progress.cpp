@@ -12,9 +12,7 @@ std::string number_label(const std::string& what, double value) {
   return what + text;
 }
 
-/**
-The list is short and changes seldom, so one lock serves all of it; counting needs none. In the browser there are no
-threads, and so no mutex. */
+// One lock serves all of the short list. In the browser there are no threads, and so no mutex
 namespace {
 
 std::atomic_flag busy;  // clear at first
@@ -57,9 +55,8 @@ Watch::~Watch() {
   clock_of_watch = nullptr;
 }
 
-/**
-A stage that is younger than a second is not shown behind an older one, lest the line flicker. What is left, at the pace
-so far, is worth saying if the stage takes twenty seconds or more, and three have to pass before it means something. */
+// A stage that is younger than a second is not shown behind an older one, lest the line flicker. What is left is said if
+// the stage takes twenty seconds or more, after the first three
 std::vector<ShownStage> Watch::stages() const {
   const ListLock lock;
   std::vector<ShownStage> all;

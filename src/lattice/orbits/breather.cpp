@@ -2,20 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <numbers>
 
 #include "lattice/model/dps.hpp"
 #include "lattice/model/quasi_continuum.hpp"
 #include "lattice/numerics/progress.hpp"
-#include "lattice/orbits/other_chains.hpp"
 
 namespace lattice {
 
 /**
-A contact pushes with $k\,(-r)_+^\alpha$. If beads move like $\cos\omega_b t$ the first harmonic of that is
-$k\,b$ times the same power of their amplitudes, $b = \Gamma(\frac\alpha2+1)/[\sqrt\pi\,\Gamma(\frac\alpha2+\frac32)]$.
-So the profile at $\mu = 1$ is multiplied by the power $1/(\alpha-1)$ of $2(\omega_b-1)/(k\,b)$, as in Eq. (20). */
+A contact pushes with $k\,(-r)_+^\alpha$. The first harmonic of that is $k\,b$ times the same power of the amplitudes,
+$b = \Gamma(\frac\alpha2+1)/[\sqrt\pi\,\Gamma(\frac\alpha2+\frac32)]$, so the profile at $\mu = 1$ is multiplied by the
+power $1/(\alpha-1)$ of $2(\omega_b-1)/(k\,b)$, as in Eq. (20). */
 static double size_of(const Contact& contact, double omega) {
   if (std::holds_alternative<Hertz>(contact)) return 2 * breather_eps(omega);
   const double alpha = contact.exponent(), small = 1e-4;
@@ -41,10 +41,8 @@ State<double> ansatz(Centre centre, double omega, std::size_t sites, Phase phase
   return state;
 }
 
-/**
-The guess knows the contacts and not the well. Between spheres that is enough: the push grows with the power 3/2 of a
-small amplitude, what the well adds with its cube. If the exponent comes near three both count alike, and the breather is
-that of harmonic wells, followed to the anharmonicity that is wanted. */
+/// The guess knows the contacts and not the well. If the exponent comes near three both count alike, and the breather
+/// is that of harmonic wells, followed to the anharmonicity that is wanted.
 static Orbit<double> from_ansatz(const Shooting<double>& problem, const Vector<double>& from,
                                  const NewtonRule<double>& rule) {
   const auto* quartic = std::get_if<Quartic>(&problem.chain.well);
@@ -102,7 +100,6 @@ State<double> resized(const State<double>& state, std::size_t sites) {
   return out;
 }
 
-// A long chain tells how many sites the breather's tail needs
 Fitted fit_chain(Centre centre, double omega, const Well& well, std::size_t sites,
                  std::size_t usual, double precision, Phase phase) {
   const std::size_t ample = 2 * usual - usual % 2;
@@ -116,7 +113,70 @@ Fitted fit_chain(Centre centre, double omega, const Well& well, std::size_t site
   return {problem, newton(problem, problem.reduce(resized(orbit.start, n)))};
 }
 
-// The pinning mode against the discrete gradient of the profile
+Contact bare(const Contact& contact) {
+  const Contact simple = simplest(contact);
+  return std::holds_alternative<Hertz>(simple) ? Contact{Hertz{.floor = 0}} : simple;
+}
+
+Chain between(const Chain& a, const Chain& b, double part) {
+  const auto mixed = [&](double from, double to) { return (1 - part) * from + part * to; };
+  for (const Chain* chain : {&a, &b}) assert_fits(*chain, b.sites);
+  Chain out = b;
+  if (part == 1) return out;
+  // What differs from bead to bead
+  std::vector<double> mass(b.sites), eta(b.sites + 1);
+  for (std::size_t i = 0; i < b.sites; ++i) mass[i] = mixed(a.mass_of(i), b.mass_of(i));
+  for (std::size_t i = 0; i <= b.sites; ++i) eta[i] = mixed(a.eta_of(i), b.eta_of(i));
+  if (!(a.mass.empty() && b.mass.empty())) vary(out, mass, eta);
+  // What all wells and contacts have
+  if (const auto* from = std::get_if<Quartic>(&a.well), *to = std::get_if<Quartic>(&b.well);
+      from && to && from->s != to->s)
+    out.well = Quartic{mixed(from->s, to->s)};
+  if (std::holds_alternative<OwnContact>(b.contact)) return out;
+  const double root = mixed(std::sqrt(a.contact.opening()), std::sqrt(b.contact.opening()));
+  out.contact = bare(PowerContact{mixed(a.contact.exponent(), b.contact.exponent()), root * root});
+  return out;
+}
+
+// Along the path the guess lies on the line through the last two orbits
+Orbit<double> continue_to(Shooting<double> problem, const Orbit<double>& from,
+                          const Chain& target) {
+  if (target.sites != problem.chain.sites)
+    throw std::invalid_argument("a path leads between two chains of one length");
+  NewtonRule<double> rule;
+  rule.damped = true, rule.most_steps = 12, rule.reuse_below = 1e-9;
+  const Chain start = problem.chain;
+  Orbit<double> here = from;
+  Vector<double> slope = Vector<double>::Zero(from.x.size());
+  for (double part = 0, step = 1.0 / 8; part < 1;) {
+    const double next = std::min(1.0, part + step);
+    problem.chain = between(start, target, next);
+    const Vector<double> guess = here.x + (next - part) * slope;
+    History history;
+    try {
+      const Orbit<double> there = newton(problem, guess, rule);
+      history = there.history;
+      if (sup<double>(there.x - guess) < 0.1 * here.amplitude) {
+        slope = (there.x - here.x) / (next - part);
+        here = there, part = next, step *= 2;
+        continue;
+      }
+    } catch (const NewtonFailed& error) {
+      history = error.history;
+    }
+    // It failed or went too far
+    step /= 2;
+    if (step > 1.0 / 4096) continue;
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  ": the path to this chain ends after %.3g of it, with contacts of exponent %.4g "
+                  "compressed by %.4g",
+                  part, problem.chain.contact.exponent(), problem.chain.contact.opening());
+    throw NewtonFailed(problem.name() + text, history);
+  }
+  return here;
+}
+
 Vector<double> gradient(const std::vector<double>& y) {
   Vector<double> g = Vector<double>::Zero(Eigen::Index(y.size()));
   for (std::size_t i = 1; i + 1 < y.size(); ++i) g[Eigen::Index(i)] = y[i + 1] - y[i - 1];
@@ -160,13 +220,12 @@ Shooting<T> breather_problem(Centre centre, const T& omega, const Well& well, st
 }
 
 // Shorten the chain while the push of its last bead on the missing one would not be felt
-template <class T>
-std::size_t sites_needed(const Orbit<T>& orbit, double precision, const Contact& contact) {
+std::size_t sites_needed(const Orbit<double>& orbit, double precision, const Contact& contact) {
   const auto& y = orbit.start.y;
-  const double omega = double(orbit.omega), amplitude = double(orbit.amplitude);
+  const double omega = orbit.omega, amplitude = orbit.amplitude;
   const double bound = precision * (omega * omega - 1) * amplitude, k = contact.stiffness(0.0);
   const auto weak = [&](std::size_t i) {
-    const double edge = std::abs(double(y[i]));
+    const double edge = std::abs(y[i]);
     return (k > 0 ? k * edge * (edge / amplitude) : contact.force(-edge)) < bound;
   };
   std::size_t cut = 0;
@@ -202,7 +261,6 @@ Barrier<T> barrier(const Shooting<T>& site_problem, const Orbit<T>& site, const 
 
 #define LATTICE_INSTANCES(T)                                                            \
   template Shooting<T> breather_problem<T>(Centre, const T&, const Well&, std::size_t); \
-  template std::size_t sites_needed<T>(const Orbit<T>&, double, const Contact&);        \
   template Barrier<T> barrier<T>(const Shooting<T>&, const Orbit<T>&, const Orbit<T>&,  \
                                  const NewtonRule<T>&);
 #include "lattice/model/instances.hpp"

@@ -2,9 +2,8 @@
 /**
 # Static breathers of the chain
 
-A static breather is a vibration with one frequency $\omega_b$ that is localized at a few sites. The
-article's are periodic orbits of a chain with free ends. At small amplitude their profile $u_n$ is known
-approximately, in the quasi-continuum limit of the DpS equation (quasi_continuum.hpp), Eqs. (18) to (20):
+A static breather is a vibration with one frequency $\omega_b$ that is localized at a few sites. At small amplitude its
+profile $u_n$ is known approximately (quasi_continuum.hpp), Eqs. (18) to (20):
 $$y_n(0) = 2\epsilon\,u_n,\qquad \epsilon = \bigl(2\tau_0(\omega_b-1)\bigr)^2.$$
 Close to $\omega_b = 1$ Newton's method converges from there. To reach higher frequencies we follow the
 branch (continuation.hpp), so that we know to which family a breather belongs. */
@@ -23,24 +22,18 @@ namespace lattice {
 /// as it is half a period later.
 enum class Phase { compressed, stretched };
 
-/**
-In the limit of small amplitude only the frequency of a well at rest counts, and the unit of time makes it
-one. So the families begin in the same way in wells of any shape, and what follows asks for nothing else. */
 /// The problem of a breather of frequency `omega` in wells of a kind. The contacts have no floor, because
 /// the tail is part of the breather. Throws std::invalid_argument if the number of sites does not fit the
 /// centre, or if the well has not the frequency one at rest, is not even or loses digits (`loses_digits`).
 template <class T>
 Shooting<T> breather_problem(Centre centre, const T& omega, const Well& well, std::size_t sites);
 
-/**
-The article's wells are named by their anharmonicity $s$, Eq. (10). */
+/// The same in the article's wells, of anharmonicity $s$, Eq. (10).
 template <class T>
 Shooting<T> breather_problem(Centre centre, const T& omega, double s, std::size_t sites) {
   return breather_problem(centre, omega, Well(Quartic{s}), sites);
 }
 
-/**
-Newton's method needs a guess, and close to $\omega_b = 1$ the quasi-continuum profile is a good one. */
 /// The approximate breather of Eq. (20), at rest, and the same for contacts that are none of spheres. Throws
 /// std::invalid_argument unless the exponent of the contact is above one.
 State<double> ansatz(Centre centre, double omega, std::size_t sites,
@@ -54,8 +47,6 @@ constexpr double direct_up_to = 1.1;
 Orbit<double> find_breather(const Shooting<double>& problem, Phase phase = Phase::compressed,
                             const NewtonRule<double>& rule = {});
 
-/**
-Double precision finds an orbit, and extended precision confirms its digits (shooting.hpp). */
 /// The same problem in another precision.
 template <class T>
 Shooting<T> in_precision(const Shooting<double>& problem) {
@@ -63,23 +54,16 @@ Shooting<T> in_precision(const Shooting<double>& problem) {
 }
 
 /**
-How long must a chain be? The last bead would push on the next one, which is missing, with the force
-$|y|^{3/2}$. We compare this with the force $(\omega_b^2-1)|y|$ at the centre, which distinguishes the
-breather from a free oscillation. If the ratio is below the precision, longer chains give the same
-breather. The shortest such chain is read off a long one.
-
-Between compressed beads of stiffness $k$ the push is linear, $k\,|y|$, and the tail falls no faster than an
-exponential. What the missing push changes decays on its way back to the centre as the tail did on its way out, so that
-there we compare $k\,y^2/\max|y|$. The last few positions are then those of the finite chain. */
-/// The shortest chain with this `contact` that has the breather to a relative `precision`.
-template <class T>
-std::size_t sites_needed(const Orbit<T>& orbit, double precision, const Contact& contact = {});
+The last bead would push on the next one, which is missing, with the force $|y|^{3/2}$. If its ratio to the force
+$(\omega_b^2-1)|y|$ at the centre is below the precision, longer chains give the same breather. Between compressed beads
+of stiffness $k$ the push is $k\,|y|$, and what it changes decays on its way back to the centre as the tail did on its
+way out, so that we compare $k\,y^2/\max|y|$. */
+/// The shortest chain with this `contact` that has the breather to a relative `precision`, read off a long one.
+std::size_t sites_needed(const Orbit<double>& orbit, double precision, const Contact& contact = {});
 
 /// The positions of the middle `sites` beads, and rest where there are none. The parity stays.
 State<double> resized(const State<double>& state, std::size_t sites);
 
-/**
-A reader who asks for a chain of some length gets that chain, or is told why it will not do. */
 /// A breather on a chain that can hold it.
 struct Fitted {
   Shooting<double> problem;
@@ -89,29 +73,35 @@ struct Fitted {
 /// Thrown if the chain cannot hold the breather's tail; it needs `needed` sites.
 struct ShortChain : std::invalid_argument {
   std::size_t needed;
-  /// `sites` are needed.
   explicit ShortChain(std::size_t sites)
       : std::invalid_argument("the breather needs " + std::to_string(sites) + " sites"),
         needed(sites) {}
 };
 
-/**
-So the breather is first found on a chain that is certainly long enough. Far up a branch it is also the
-best guess for the shorter one. */
 /// The breather on `sites` sites, which must hold its tail down to `precision`. With `sites` = 0
 /// the chain is as long as necessary but not shorter than `usual`. Throws ShortChain, NewtonFailed.
 Fitted fit_chain(Centre centre, double omega, const Well& well, std::size_t sites,
                  std::size_t usual, double precision, Phase phase);
-/// The same in wells with anharmonicity `s`.
-inline Fitted fit_chain(Centre centre, double omega, double s, std::size_t sites, std::size_t usual,
-                        double precision, Phase phase) {
-  return fit_chain(centre, omega, Quartic{s}, sites, usual, precision, phase);
-}
 
 /**
-A breather can be shifted along the chain at almost no cost in energy. The article finds that the direction
-in which this happens, the pinning mode, is nearly the discrete gradient of its profile. */
-/// Discrete gradient of a profile, y_(n+1) - y_(n-1), not normalised, and zero at both ends.
+## Other chains
+
+The quasi-continuum profile knows exponents of contacts but neither compression nor masses: such breathers are reached
+on a path from a chain whose breather is known, at one frequency. */
+/// The same law by its simplest type and without a floor, lest it cut off the tail.
+Contact bare(const Contact& contact);
+
+/// The chain at `part` of the way from `a` to `b`, from 0 to 1, of the same length. Masses, stiffnesses, the
+/// anharmonicity of quartic wells, the exponent and the root of the compression change linearly; ends, other wells and
+/// a contact of the caller's own are those of `b`.
+Chain between(const Chain& a, const Chain& b, double part);
+
+/// The orbit of `problem` followed to the chain `target` at fixed frequency. A step is halved if it fails or goes
+/// farther than a tenth of the amplitude, which may lead to another family, and doubled otherwise. Throws NewtonFailed
+/// where the branch folds back, with how far the path went; std::invalid_argument if the lengths differ.
+Orbit<double> continue_to(Shooting<double> problem, const Orbit<double>& from, const Chain& target);
+
+/// Discrete gradient of a profile, y_(n+1) - y_(n-1), not normalised, and zero at both ends: nearly the pinning mode.
 Vector<double> gradient(const std::vector<double>& y);
 
 /// Cosine of the angle between two directions, without sign.
@@ -120,13 +110,11 @@ double alignment(const Vector<double>& a, const Vector<double>& b);
 /**
 ## The barrier
 
-To move along the chain a breather passes from bond to site to bond, and if the energies of the two kinds differ
-there is a barrier (named after Peierls and Nabarro). The article, section 3.2, takes the difference at the same
-frequency. The effective Hamiltonian that it refers to compares breathers of the same area
+The Peierls-Nabarro barrier is the difference of the energies of site- and bond-centred breathers. The article, section
+3.2, takes it at the same frequency. The effective Hamiltonian that it refers to compares breathers of the same area
 $\mathcal A = \oint\sum\dot y_n^2\,dt$ instead. We keep the frequency of the bond-centred breather and correct that
-of the site-centred one until the areas agree. Along a branch $dE = d\mathcal A/T_b$; this turns the remaining
-difference of the areas into energy, and what is neglected is of second order in it: less than rounding, after one
-correction or a few. */
+of the site-centred one until the areas agree. Along a branch $dE = d\mathcal A/T_b$, which turns the remaining
+difference of the areas into energy; what is neglected is of second order in it, less than rounding. */
 template <class T>
 struct Barrier {
   T equal_frequency{};  ///< E_site - E_bond at the same frequency

@@ -9,9 +9,10 @@
 
 namespace lattice {
 
-// Both breathers of a pair and the barrier between them, at one tolerance
+/// Both breathers of a pair and the barrier between them, at one tolerance. The coarser one starts off the orbit, by
+/// one part in a million, so that it has to find its own way back.
 template <class T>
-Measured<T> measured(const BreatherPair& pair, int coarser) {
+static Measured<T> measured(const BreatherPair& pair, int coarser) {
   const NewtonRule<T> how = rule<T>(coarser);
   Measured<T> out;
   for (int k : {0, 1}) {
@@ -52,25 +53,19 @@ void assess(BreatherPair& pair, const Measured<T>& coarse, const Measured<T>& fi
   pair.wide = sizeof(T) > sizeof(double);
 }
 
-// Two tolerances for a value with its error, a single one for a step of a search
 template <class T>
 void measure_in(BreatherPair& pair) {
   assess<T>(pair, measured<T>(pair, 1), measured<T>(pair, 0));
 }
 
+/// Measures at one tolerance, for a step of a search; the errors are those of rounding alone. Throws NewtonFailed.
 template <class T>
-void measure_once(BreatherPair& pair, int coarser) {
+static void measure_once(BreatherPair& pair, int coarser = 0) {
   const auto only = measured<T>(pair, coarser);
   assess<T>(pair, only, only);
 }
 
-// Only where the barrier drowns in rounding do we pay for extended precision
-void measure(BreatherPair& pair) {
-  measure_in<double>(pair);
-  if (!settled(pair.equal_frequency) || !settled(pair.equal_area)) measure_in<Wide>(pair);
-}
-
-/// Double precision on the way to a pair, whose digits `measure` confirms: the last evaluations need no derivative of their own.
+/// Double precision on the way to a pair: the last evaluations need no derivative of their own.
 static NewtonRule<double> on_the_way() {
   NewtonRule<double> how;
   how.reuse_below = 1e-9;
@@ -90,7 +85,6 @@ std::vector<Orbit<double>> breathers_at(Centre centre, double s,
   return orbits;
 }
 
-// From close to the linear limit upwards, in shorter steps before a soft well's branch folds
 std::vector<double> pair_frequencies(double s, int count) {
   std::vector<double> out{1.005};
   for (int k = 1; k <= count; ++k) out.push_back(1 + double(k) / count);
@@ -171,10 +165,8 @@ Estimate frequency_of_zero(const BreatherPair& left, const BreatherPair& right,
 }
 
 #define LATTICE_INSTANCES(T)                                                      \
-  template Measured<T> measured<T>(const BreatherPair&, int);                     \
   template void assess<T>(BreatherPair&, const Measured<T>&, const Measured<T>&); \
-  template void measure_in<T>(BreatherPair&);                                     \
-  template void measure_once<T>(BreatherPair&, int);
+  template void measure_in<T>(BreatherPair&);
 #include "lattice/model/instances.hpp"
 
 }  // namespace lattice

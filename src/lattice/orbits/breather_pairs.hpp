@@ -2,10 +2,8 @@
 /**
 # Two families side by side
 
-The energies of site-centred and bond-centred breathers of one frequency agree to six digits or more, and
-the article wants their difference, the barrier (breather.hpp), from $\omega_b = 1$ to 2. So we follow both
-families side by side. A pair holds the two breathers of one frequency and what their comparison
-gives at two resolutions. */
+Site-centred and bond-centred breathers of one frequency, and the small difference of their energies, the barrier
+(breather.hpp), at two resolutions. */
 
 #include <array>
 #include <cmath>
@@ -19,9 +17,6 @@ gives at two resolutions. */
 
 namespace lattice {
 
-/**
-All pairs use chains of the same length and two tolerances, and double precision is checked against extended
-precision. */
 /// What double precision is checked against: a 64-bit mantissa where the processor has one.
 using Wide = long double;
 
@@ -48,8 +43,7 @@ NewtonRule<T> scaled_rule() {
   return out;
 }
 
-/**
-A pair is made of two breathers of one frequency, site-centred first, and of what was measured on them. */
+/// Two breathers of one frequency, site-centred first, and what was measured on them.
 struct BreatherPair {
   double s = 0, omega = 0;               ///< anharmonicity of the wells, frequency of both
   std::array<Orbit<double>, 2> orbit{};  ///< site, bond
@@ -65,23 +59,17 @@ struct BreatherPair {
   }
 };
 
-/**
-Each resolution measures everything on a pair for itself. The coarser one starts slightly off the orbit, by
-one part in a million, so that it has to find its own way back. */
+/// What one resolution measures on a pair.
 template <class T>
 struct Measured {
   std::array<Orbit<T>, 2> orbit;
   Barrier<T> gap;
 };
-/// Throws NewtonFailed.
-template <class T>
-Measured<T> measured(const BreatherPair& pair, int coarser);
-
 /**
-The difference of the two is the error, but it may be small by chance. Comparison with quadruple precision
-shows errors of the energy of up to ten tolerances, so we never take the error to be below sixteen: 2048
-roundings of `size`, which is the energy or, where it is more, what 1/64 of the frequency changes of it. At equal area a quarter of the energy serves as size: an orbit makes
-$E - \mathcal A/T_b$ stationary, and this barrier suffers less from an error of the orbit. */
+The difference of the two is the error, but it may be small by chance. Comparison with quadruple precision shows errors
+of the energy of up to ten tolerances, so the error is never below sixteen: 2048 roundings of `size`, which is the
+energy or, where it is more, what 1/64 of the frequency changes of it. At equal area a quarter of the energy serves as
+size: an orbit makes $E - \mathcal A/T_b$ stationary, and this barrier suffers less from an error of the orbit. */
 /// `fine` with that error.
 template <class T>
 Estimate agree(const T& coarse, const T& fine, const T& size) {
@@ -89,37 +77,20 @@ Estimate agree(const T& coarse, const T& fine, const T& size) {
   return {double(fine), double(magnitude<T>(fine - coarse) + floor)};
 }
 
-/**
-Both barriers have derivatives that cost nothing. At equal frequency it is the difference of those of the
-energies; at equal area $d\mathcal H = \omega\,d\mathcal A/2\pi$ along both families leaves
-$(\omega_{site}/\omega_b-1)\,\mathcal H'_{bond}$, where $\omega_{site}$ is the frequency of the site-centred
-breather of that area. */
-/// Fills the pair with what the two resolutions say.
+/// Fills the pair with what the two resolutions say. The derivative of the barrier at equal area is
+/// $(\omega_{site}/\omega_b-1)\,\mathcal H'_{bond}$, from $d\mathcal H = \omega\,d\mathcal A/2\pi$ along both families.
 template <class T>
 void assess(BreatherPair& pair, const Measured<T>& coarse, const Measured<T>& fine);
 
-/**
-A pair is measured at both tolerances; a search, which asks again and again, takes one at a time. */
 /// Measures at both tolerances in type T. Throws NewtonFailed.
 template <class T>
 void measure_in(BreatherPair& pair);
-/// Measures at one tolerance; the errors are those of rounding alone. Throws NewtonFailed.
-template <class T>
-void measure_once(BreatherPair& pair, int coarser = 0);
 
-/**
-A barrier is a small difference of two large numbers. We want it to three parts in a thousand, and if
-double precision does not give that, extended precision measures again. */
 /// Whether a value is known to three parts in a thousand.
 inline bool settled(const Estimate& e) {
   return e.error <= 3e-3 * std::abs(e.value);
 }
-/// Measures in double precision and, if that does not settle both barriers, in extended precision.
-void measure(BreatherPair& pair);
 
-/**
-The pairs are found along the two branches (continuation.hpp), so that we know to which family a breather
-belongs. Where a branch turns back in frequency the pairs end. */
 /// One family at increasing frequencies, as far as it reaches.
 std::vector<Orbit<double>> breathers_at(Centre centre, double s, const std::vector<double>& omegas);
 
@@ -130,25 +101,16 @@ using BreatherPairs = std::vector<BreatherPair>;
 /// branches fold, only up to 1.9, and from 1.8 on in steps a fifth as long.
 std::vector<double> pair_frequencies(double s, int count);
 
-/**
-The two families know nothing of each other until their pairs are measured, nor do the pairs; so first the
-families and then the pairs are computed in parallel. */
 /// Both families at these frequencies, as far as they reach, each pair measured by `measure_pair`.
 BreatherPairs breather_pairs_at(double s, const std::vector<double>& omegas,
                                 const std::function<void(BreatherPair&)>& measure_pair);
 
-/**
-A zero of the barrier lies between two pairs, and to find it we need another pair there. In the coordinates
-of continuation.hpp the branches are almost straight, so Newton's method starts from the point in
-between. */
 /// The pair of frequency `omega`, not yet measured. Throws NewtonFailed.
 BreatherPair pair_between(const BreatherPair& left, const BreatherPair& right, double omega);
 
-/**
-Between two pairs of opposite sign a barrier vanishes. Its derivative is known with it, so that Newton's
-method, kept between the pairs, finds the frequency in double precision in a few steps. Two more steps, one at each
-tolerance, give its error; if that is above $10^{-8}$, they are made with extended precision. */
-/// The frequency at which `gap` vanishes. Throws std::runtime_error if it is not known to a thousandth of the bracket.
+/// The frequency between two pairs of opposite sign at which `gap` vanishes: Newton's method in double precision, then
+/// two steps, one at each tolerance, that give its error; in extended precision if that is above $10^{-8}$. Throws
+/// std::runtime_error if it is not known to a thousandth of the bracket.
 Estimate frequency_of_zero(const BreatherPair& left, const BreatherPair& right,
                            Estimate BreatherPair::*gap);
 

@@ -23,10 +23,8 @@ static Vector<T> shift_of(const Chain& chain, const State<T>& state) {
   return out;
 }
 
-/**
-A shift in time goes on along the orbit: the map takes that of the start to that of the end, whatever the orbit is.
-If it does not, the tangent map was computed with other stiffnesses than those of the forces. */
-/// By how much it does not, relative to the shift.
+/// The map takes a shift in time of the start to that of the end, whatever the orbit is. By how much it does not,
+/// relative to the shift: then the tangent map was computed with other stiffnesses than those of the forces.
 template <class T>
 static T phase_defect(const Chain& chain, const State<T>& start, const State<T>& end,
                       const Matrix<T>& map) {
@@ -55,9 +53,9 @@ Matrix<T> monodromy(const Chain& chain, const State<T>& start,
   return map;
 }
 
-// From velocities to momenta, at the end (rows) and at the start (columns)
+/// The derivative in positions and momenta: velocities are multiplied by the masses.
 template <class T>
-Matrix<T> in_momenta(const Chain& chain, Matrix<T> f) {
+static Matrix<T> in_momenta(const Chain& chain, Matrix<T> f) {
   const auto n = Eigen::Index(chain.sites);
   for (Eigen::Index i = 0; i < n && !chain.mass.empty(); ++i) {
     f.row(n + i) *= T(chain.mass_of(std::size_t(i)));
@@ -66,7 +64,6 @@ Matrix<T> in_momenta(const Chain& chain, Matrix<T> f) {
   return f;
 }
 
-// F^T Omega F should be Omega: what is left is the error of the flow
 template <class T>
 T symplectic_defect(const Matrix<T>& f) {
   const Eigen::Index n = f.rows() / 2;
@@ -78,7 +75,6 @@ T symplectic_defect(const Matrix<T>& f) {
   return sup<T>(defect.reshaped());
 }
 
-// K = B^T C, and what it says about a pair of multipliers
 template <class T>
 Matrix<T> pair_matrix(const Matrix<T>& half) {
   const Eigen::Index n = half.rows() / 2;
@@ -192,22 +188,9 @@ T pinning_by_symmetry(const Matrix<T>& half, Centre centre) {
   return centre == Centre::bond ? value : value * (value - T(2));
 }
 
-// The sum over the four multipliers nearest to +1, to which the phase adds nothing
-double quadruplet_kappa(const Matrix<double>& map) {
-  std::vector<std::complex<double>> all = eigenvalues_of(map);
-  std::sort(all.begin(), all.end(), [](auto a, auto b) {
-    return std::pair(std::abs(a - 1.0), a.imag()) < std::pair(std::abs(b - 1.0), b.imag());
-  });
-  std::complex<double> sum = 0;
-  for (std::size_t i = 0; i < std::min<std::size_t>(4, all.size()); ++i)
-    sum += (all[i] - 1.0) * (all[i] - 1.0) / all[i];
-  return sum.real() / 8;
-}
-
 #define LATTICE_INSTANCES(T)                                                        \
   template Matrix<T> monodromy<T>(const Chain&, const State<T>&, const T&,          \
                                   const EventTolerance<T>&);                        \
-  template Matrix<T> in_momenta<T>(const Chain&, Matrix<T>);                        \
   template T symplectic_defect<T>(const Matrix<T>&);                                \
   template Matrix<T> pair_matrix<T>(const Matrix<T>&);                              \
   template Matrix<T> perpendicular_to<T>(const Vector<T>&);                         \

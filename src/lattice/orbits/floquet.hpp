@@ -24,23 +24,14 @@ far apart or that of the phase is absent. */
 
 namespace lattice {
 
-/**
-The derivative of the flow comes from the variational equations, with the exact time of every contact event
-(tangent.hpp, event_driven.hpp). A flow that is too inaccurate for an orbit is refused here too. */
 /// Derivative of the flow from `start` over `duration`: 2N x 2N, positions before velocities.
 /// Throws NewtonFailed if the flow is not accurate.
 template <class T>
 Matrix<T> monodromy(const Chain& chain, const State<T>& start,
                     const std::type_identity_t<T>& duration, const EventTolerance<T>& rule = {});
 
-/**
-In positions and momenta the derivative of a Hamiltonian flow is symplectic, $F^T\Omega F = \Omega$ with
-$\Omega = \bigl(\begin{smallmatrix} 0 & 1\\ -1 & 0\end{smallmatrix}\bigr)$. We use this below, so the first
-thing to know about a computed map is by how much it fails to be. */
-/// The derivative in positions and momenta: velocities are multiplied by the masses.
-template <class T>
-Matrix<T> in_momenta(const Chain& chain, Matrix<T> f);
-
+/// In positions and momenta the derivative of a Hamiltonian flow is symplectic, $F^T\Omega F = \Omega$ with
+/// $\Omega = \bigl(\begin{smallmatrix} 0 & 1\\ -1 & 0\end{smallmatrix}\bigr)$.
 /// Largest entry of F^T Omega F - Omega, zero for the derivative of an exact flow in momenta.
 template <class T>
 T symplectic_defect(const Matrix<T>& f);
@@ -57,10 +48,10 @@ M + M^{-1} = \begin{pmatrix} 2+4K & 0\\ 0& 2+4K^T\end{pmatrix}.$$
 Each eigenvalue $\kappa$ of the $N\times N$ matrix $K$ is therefore one pair,
 $$\lambda + \frac1\lambda - 2 = 4\kappa,\qquad \lambda = 1 + 2\kappa \pm 2\sqrt{\kappa(1+\kappa)},$$
 and its eigenvector holds the positions of the mode. A real $\kappa$ in $[-1,0]$ means a pair on the unit circle, at the
-angles $\pm 2\arcsin\sqrt{-\kappa}$; $\kappa > 0$ means an unstable one, $\ln\lambda = \pm 2\,\mathrm{arsinh}\sqrt\kappa$.
-Unstable are also $\kappa < -1$ and every complex $\kappa$, which comes with its conjugate, as a *quadruplet* of
-multipliers. One pair alone can therefore show that an orbit is unstable, but not that it is stable.
-Near $+1$ the difference $\lambda+1/\lambda-2$ would lose all digits; here it is never formed. */
+angles $\pm 2\arcsin\sqrt{-\kappa}$; $\kappa > 0$ means an unstable one, $\ln\lambda = \pm
+2\,\mathrm{arsinh}\sqrt\kappa$. Unstable are also $\kappa < -1$ and every complex $\kappa$, which comes with its
+conjugate, as a *quadruplet* of multipliers. One pair alone can therefore show that an orbit is unstable, but not that
+it is stable. Near $+1$ the difference $\lambda+1/\lambda-2$ would lose all digits; here it is never formed. */
 /// The matrix K of a half-period map in momenta.
 template <class T>
 Matrix<T> pair_matrix(const Matrix<T>& half);
@@ -79,8 +70,7 @@ pair is a simple one, so that an error $\delta$ of the flow costs $\delta$ and n
 template <class T>
 Matrix<T> perpendicular_to(const Vector<T>& f);
 
-/**
-The result is a list of pairs. With it we keep how well $f^TK$ vanishes and $F$ is symplectic. */
+/// The pairs of an orbit, with how well $f^TK$ vanishes and $F$ is symplectic.
 template <class T>
 struct Pairs {
   std::vector<std::complex<T>> kappa;  ///< all but that of the phase
@@ -91,16 +81,11 @@ struct Pairs {
   T pinning() const { return kappa.front().real(); }
 };
 
-/**
-The pairs are sorted by the modulus of $\kappa$, that is by their distance from $+1$; the first one is the
-pinning pair. Throws std::runtime_error if Eigen finds no eigenvalues. */
-/// Eigenvalues and the first mode of `k` restricted to the vectors perpendicular to `f`.
+/// Eigenvalues and the first mode of `k` restricted to the vectors perpendicular to `f`, sorted by the modulus of
+/// $\kappa$, that is by their distance from $+1$. Throws std::runtime_error if Eigen finds no eigenvalues.
 template <class T>
 Pairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f);
 
-/**
-All together this costs half a period of the tangent, one product, and one eigenvalue problem of half the
-usual size. */
 /// The pairs of an orbit that begins at rest at `start`, even in time, with period `period`. Throws
 /// std::invalid_argument if it does not begin at rest, NewtonFailed if the flow is inaccurate.
 template <class T>
@@ -110,9 +95,8 @@ Pairs<T> floquet_pairs(const Chain& chain, const State<T>& start,
 /**
 ## Errors
 
-No orbit should be called stable or unstable below the error of its multipliers. Computations with two
-tolerances or types give two values of every $\kappa$. We take their difference as the error and add the
-symplectic defect of the finer one, which needs no comparison. From $\kappa$ to the multiplier the error
+Computations with two tolerances or types give two values of every $\kappa$. The error is their difference plus the
+symplectic defect of the finer one. From $\kappa$ to the multiplier the error
 grows by $|d\lambda/d\kappa| \sim |\kappa(1+\kappa)|^{-1/2}$, up to the square root of the error if $\kappa$ cannot
 be told from 0 or $-1$; what a double rounds off of $\kappa$ and $\lambda$ counts, too. */
 struct Pair {
@@ -133,24 +117,19 @@ struct Pair {
   }
 };
 
-/**
-Two lists of eigenvalues have no common order. So each eigenvalue of the finer computation is compared with
-the nearest one of the coarser that has not been taken yet. */
-/// The pairs with their errors, in the order of `fine`.
+/// The pairs with their errors, in the order of `fine`. Each eigenvalue of the finer computation is compared with
+/// the nearest one of the coarser that has not been taken yet.
 template <class C, class T>
 std::vector<Pair> compare_pairs(const Pairs<C>& coarse, const Pairs<T>& fine);
 
-/**
-An orbit is unstable if the largest modulus of all multipliers exceeds one by more than its error. Otherwise
-nothing contradicts its stability. */
 /// By how much the largest modulus of the pairs from number `first` on exceeds one; its error allows for those of all
 /// these pairs.
 Estimate excess(const std::vector<Pair>& pairs, std::size_t first = 0);
 
 /**
-## Two other ways to the pinning pair
+## Another way to the pinning pair
 
-A stability verdict deserves a second route, and the symmetries of symmetry.hpp give one. For a
+The symmetries of symmetry.hpp give a second route. For a
 bond-centred breather the reflection of the chain splits all changes into odd ones, to which the shift in
 time belongs, and even ones, to which the pinning mode belongs: the block of $K$ on even vectors needs no
 restriction. For a site-centred one $-PF$, half a period followed by the sign change and reflection of
@@ -160,12 +139,5 @@ multipliers of each pair as its eigenvalue, and $\kappa = \alpha^2 - 1$. */
 /// kappa of the pinning pair, from the half-period map in momenta.
 template <class T>
 T pinning_by_symmetry(const Matrix<T>& half, Centre centre);
-
-/**
-The same can be had from the monodromy matrix of any integrator. Each of the four eigenvalues nearest to
-$+1$ may be wrong by the square root of the matrix's error, but not the sum of their
-$(\lambda-1)^2/\lambda$. It is $8\kappa$ of the pinning pair, because the time-translation pair adds nothing. */
-/// kappa of the pinning pair, from a monodromy matrix of two rows per site.
-double quadruplet_kappa(const Matrix<double>& map);
 
 }  // namespace lattice

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cstdio>
 #include <limits>
+#include <type_traits>
 
 #include "lattice/numerics/progress.hpp"
 
 namespace lattice {
 
 #ifndef LATTICE_QUADRUPLE
-std::string to_text(const History& history) {
+/// Residuals in one line.
+static std::string to_text(const History& history) {
   std::string text;
   for (const Iteration& i : history) {
     char buffer[48];
@@ -18,6 +20,10 @@ std::string to_text(const History& history) {
   }
   return text;
 }
+
+NewtonFailed::NewtonFailed(const std::string& what, History steps)
+    : std::runtime_error(what + (steps.empty() ? "" : "; relative residuals " + to_text(steps))),
+      history(std::move(steps)) {}
 #endif
 
 template <class T>
@@ -29,6 +35,15 @@ T sup(const Vector<T>& x) {
     most = std::max(most, magnitude(x[i]));
   }
   return most;
+}
+
+template <class T>
+Vector<T> solve_system(const Matrix<T>& matrix, const Vector<T>& right, double rank) {
+  if (matrix.rows() == matrix.cols() && rank <= 0) return solve_square(matrix, right);
+  if constexpr (std::is_floating_point_v<T>)
+    return shortest_solution(matrix, right, rank);
+  else
+    throw std::logic_error("this type solves as many equations as unknowns, no others");
 }
 
 // Measured by its own size, the tail of a breather counts as much as its centre
@@ -57,24 +72,14 @@ NewtonFailed failure(const Equations<T>& equations, const std::string& why,
   return {equations.name + ": " + why, so_far.history};
 }
 
-/// The solution, if its flow was accurate; throws NewtonFailed otherwise.
-template <class T>
-Solution<T> accepted(const Equations<T>& equations, Solution<T> found, const NewtonRule<T>& rule) {
-  if (is_accurate(found.evaluation.flow, rule.events)) return found;
-  throw failure(equations, "the integration is not accurate enough for an orbit", found);
-}
-
 /// What is shown of an iteration: how many went before, and the residual they left.
 std::string iteration_label(int i, double residual) {
   const std::string number = "Newton step " + std::to_string(i + 1);
   return i == 0 ? number : number_label(number + ", residual", residual);
 }
 
-/**
-Rest is a periodic orbit of any frequency, and from a bad guess the method shrinks towards it until the numbers
-end; or it leaps to motions so violent that the flow over one period would take for ever. What is a millionth of its
-guess, or thirty times as large, is no orbit: in all families that we know the two are of one size. */
-/// Throws NewtonFailed if the unknowns `x` are close to rest or far beyond the guess.
+/// Throws NewtonFailed if the unknowns `x` are close to rest, a periodic orbit of any frequency, or far beyond the
+/// guess, where the flow over one period would take for ever.
 template <class T>
 void refuse_size(const Equations<T>& equations, const Vector<T>& guess, const Vector<T>& x,
                  const Solution<T>& so_far) {
@@ -88,17 +93,15 @@ void refuse_size(const Equations<T>& equations, const Vector<T>& guess, const Ve
   throw failure(equations, why, so_far);
 }
 
-/**
-The residual is that of the worst equation, each in its own unit. Far from any orbit a full step may lead
-even farther away. A damped iteration tries the step, its half, its quarter and so on until the residual
-falls, and gives up below a thousandth of the step. */
+/// The residual of the worst equation, each in its own unit.
 template <class T>
 T relative_residual(const Equations<T>& equations, const Evaluation<T>& at, const Vector<T>& x,
                     const NewtonRule<T>& rule) {
   return sup<T>(at.residual.cwiseQuotient(equations.sizes(x, rule.scaled).equation));
 }
 
-/// The share of the step to be taken from the best point so far; throws NewtonFailed if none helps.
+/// The share of the step to be taken from the best point so far, the largest power of 1/2 that lowers the residual;
+/// throws NewtonFailed below a thousandth.
 template <class T>
 T damping(const Equations<T>& equations, const Vector<T>& step, const T& last,
           const Solution<T>& best, const NewtonRule<T>& rule) {
@@ -135,7 +138,8 @@ Solution<T> newton(const Equations<T>& equations, Vector<T> x, const NewtonRule<
     if (better || !small) best.evaluation = std::move(at), best.x = x;
     if (small && !(residual < last / T(4))) {
       if (!better) best.history.pop_back();
-      return accepted(equations, std::move(best), rule);
+      if (is_accurate(best.evaluation.flow, rule.events)) return best;
+      throw failure(equations, "the integration is not accurate enough for an orbit", best);
     }
     // Step on, with care as long as the orbit is far away
     last = residual;
@@ -151,6 +155,7 @@ Solution<T> newton(const Equations<T>& equations, Vector<T> x, const NewtonRule<
 
 #define LATTICE_INSTANCES(T)                                                           \
   template T sup<T>(const Vector<T>&);                                                 \
+  template Vector<T> solve_system<T>(const Matrix<T>&, const Vector<T>&, double);      \
   template Vector<T> solve_scaled<T>(Matrix<T>, Vector<T>, const Sizes<T>&, double);   \
   template bool is_accurate<T>(const FlowReport<T>&, const EventTolerance<T>&);        \
   template Solution<T> newton<T>(const Equations<T>&, Vector<T>, const NewtonRule<T>&, \

@@ -5,9 +5,7 @@
 To find $x$ with $f(x) = 0$, Newton's method repeats $x \leftarrow x - f'(x)^{-1} f(x)$ from a guess; once
 it is close, each step doubles the number of correct digits. Here $x$ is the initial state of a periodic
 orbit, as far as it is unknown, and the residual $f(x)$ says by how much the orbit fails to close (symmetry.hpp).
-
-`newton` takes functions for $f$ and $f'$ (`Equations`) and a guess, and knows nothing else, so that it serves every
-periodic orbit. This file holds the method, its history and its failures; shooting.hpp has the equations of a chain. */
+`newton` knows nothing but the functions $f$ and $f'$; shooting.hpp has those of a chain. */
 
 #include <functional>
 #include <stdexcept>
@@ -15,8 +13,8 @@ periodic orbit. This file holds the method, its history and its failures; shooti
 #include <utility>
 #include <vector>
 
+#include "lattice/algebra/dense.hpp"
 #include "lattice/events/event_driven.hpp"
-#include "lattice/orbits/linear.hpp"
 
 namespace lattice {
 
@@ -24,10 +22,6 @@ namespace lattice {
 template <class T>
 T sup(const Vector<T>& x);
 
-/**
-## The equations
-
-Residual and derivative come from one integration. */
 /// What one integration tells of the equations at x.
 template <class T>
 struct Evaluation {
@@ -55,9 +49,6 @@ struct Equations {
   std::function<T(const Vector<T>& x)> amplitude{};
 };
 
-/**
-Where nothing but $f$ is known, central differences give the derivative. Their error decides how fast the method
-converges, but not where. */
 /// The derivative of `residual` at `x`, from changes of each unknown by `change` to either side.
 template <class T, class Residual>
 Matrix<T> central_differences(const Residual& residual, const Vector<T>& x, const T& change) {
@@ -89,41 +80,34 @@ Equations<T> by_differences(const std::string& name, const Residual& residual, c
           }};
 }
 
-/**
-## A step
+/// The x with matrix * x = right. With as many equations as unknowns and without a `rank` the system is solved as it
+/// stands. Otherwise it is the shortest one in the sense of least squares, in which a direction counts as free if its
+/// singular value, relative to the largest, is below `rank`; types that are not built in throw std::logic_error.
+template <class T>
+Vector<T> solve_system(const Matrix<T>& matrix, const Vector<T>& right, double rank = 0);
 
-Each step solves a linear system (linear.hpp), and its numbers differ vastly: the tail of a breather falls
-double-exponentially, $|y_{n+1}|\sim|y_n|^{3/2}$, and its equations are as small as its positions. If each
-unknown and each equation is measured in units of the local size (`Sizes`), elimination finds every
+/**
+The tail of a breather falls double-exponentially, $|y_{n+1}|\sim|y_n|^{3/2}$, and its equations are as small as its
+positions. If each unknown and each equation is measured in units of the local size (`Sizes`), elimination finds every
 position to the same relative accuracy. */
 /// The step x with matrix * x = right, computed in the units of `size` and returned in those of `matrix`
 /// and `right`.
 template <class T>
 Vector<T> solve_scaled(Matrix<T> matrix, Vector<T> right, const Sizes<T>& size, double rank);
 
-/**
-## History and failure
-
-A result that has not converged must not leave a program unnoticed, so every iteration is recorded.
-Residual and step are relative to the amplitude of the orbit, or, if `scaled`, to the local size, so that
-the tail has to converge as well as the centre. */
+/// Residual and step are relative to the amplitude of the orbit, or, if `scaled`, to the local size, so that
+/// the tail has to converge as well as the centre.
 struct Iteration {
   double residual, step;  ///< the step from that point on; zero where none was made
 };
 /// All iterations, from the guess on.
 using History = std::vector<Iteration>;
 
-/// Residuals and steps in one line, for messages.
-std::string to_text(const History& history);
-
-/**
-If the method fails, the residuals of all iterations are in the message: they tell whether the guess was
-bad, the flow inaccurate, or the branch at its end. */
+/// Its message has the residuals of all iterations: they tell whether the guess was bad, the flow inaccurate, or the
+/// branch at its end.
 struct NewtonFailed : std::runtime_error {
   History history;
-  NewtonFailed(const std::string& what, History steps)
-      : std::runtime_error(what + (steps.empty() ? "" : "; relative residuals " + to_text(steps))),
-        history(std::move(steps)) {}
+  NewtonFailed(const std::string& what, History steps);
 };
 
 /// How Newton's method proceeds and when it stops.
@@ -141,11 +125,8 @@ struct NewtonRule {
   T converged_below() const { return T(scaled ? 65536 : 64) * events.tolerance; }
 };
 
-/**
-An orbit is no better than the flow from which it was computed. Every step of the integrator estimates its
-own error. If one could not meet the tolerance, or if a contact that matters opened or closed in the middle
-of a step (`missed_events`), the residual means nothing and the orbit is refused. */
-/// Whether the flow is good enough for an orbit.
+/// Whether the flow is good enough for an orbit: every step met the tolerance, and no contact that matters opened or
+/// closed in the middle of one.
 template <class T>
 bool is_accurate(const FlowReport<T>& flow, const EventTolerance<T>& rule);
 
@@ -161,9 +142,8 @@ struct Solution {
 ## The method
 
 Most of the time goes into the derivative. Once the residual has fallen below `reuse_below`, the last one is good
-enough for all digits; so is one that was computed before, of the same orbit in another precision. The method stops
-when the residual is small and no longer falls by a factor of four, and keeps the better of the last two points;
-rounding then forbids more. Anything else is a failure. */
+enough for all digits; so is one of the same orbit in another precision. The method stops when the residual is small and
+no longer falls by a factor of four, and keeps the better of the last two points. Anything else is a failure. */
 /// The solution near the guess `x`. If a `derivative` is given it serves at all points, and no other is computed.
 /// Throws NewtonFailed, with the history.
 template <class T>

@@ -7,18 +7,6 @@
 #include <vector>
 
 namespace lattice {
-namespace {
-
-/// A number well above the smallest one of the type, which stands for a size that has vanished.
-template <class T>
-T vanishing() {
-  if constexpr (std::is_floating_point_v<T>)
-    return T(1024) * std::numeric_limits<T>::min();
-  else
-    return T(1e-300);
-}
-
-}  // namespace
 
 template <class T>
 Tangent<T> tangent_of(const Basis& basis, std::size_t sites) {
@@ -29,8 +17,6 @@ Tangent<T> tangent_of(const Basis& basis, std::size_t sites) {
   return tangent;
 }
 
-/**
-If Newton's method fails, its message names the orbit that was looked for. */
 template <class T>
 std::string Shooting<T>::name() const {
   char text[96];
@@ -42,9 +28,6 @@ std::string Shooting<T>::name() const {
   return text;
 }
 
-/**
-The lists of the symmetry translate unknowns into a state and back. */
-/// The state at t = 0 that belongs to the unknowns.
 template <class T>
 State<T> Shooting<T>::expand(const Vector<T>& x) const {
   State<T> state(chain.sites);
@@ -54,7 +37,6 @@ State<T> Shooting<T>::expand(const Vector<T>& x) const {
   return state;
 }
 
-/// The unknowns of a state; its time is taken for the period if that is free.
 template <class T>
 Vector<T> Shooting<T>::reduce(const State<T>& state) const {
   const std::size_t m = symmetry.unknowns.size();
@@ -67,13 +49,8 @@ Vector<T> Shooting<T>::reduce(const State<T>& state) const {
   return x;
 }
 
-/**
-## Sizes
-
-Newton's method wants to know how large each unknown is. The local size of an orbit is the larger of
-position and velocity at the start. A guess may be zero in the tail, where the breather is not; there
-the law $|y_{n+1}|\sim|y_n|^\alpha$ of the tail, with $\alpha = 3/2$ for spheres, divided by 16 to be on the safe side,
-supplies a least size, from the largest site outwards. */
+/// The local size of an orbit is the larger of position and velocity at the start. Where a guess is zero and the
+/// breather is not, the law $|y_{n+1}|\sim|y_n|^\alpha$ of the tail, divided by 16, supplies a least size.
 template <class T>
 std::vector<T> local_sizes(const State<T>& state, double alpha) {
   using std::pow, std::sqrt;
@@ -84,20 +61,22 @@ std::vector<T> local_sizes(const State<T>& state, double alpha) {
     size[i] = std::max(magnitude(state.y[i]), magnitude(state.v[i]));
     if (size[i] > size[top]) top = i;
   }
+  // A number well above the smallest one of the type stands for a size that has vanished
+  T least(1e-300);
+  if constexpr (std::is_floating_point_v<T>) least = T(1024) * std::numeric_limits<T>::min();
   const auto tail = [&](std::size_t i, std::size_t inner) {
     const T part = alpha == 1.5 ? sqrt(size[inner]) : pow(size[inner], T(alpha - 1));
     const T law = (size[inner] < T(1) ? part : T(1)) * size[inner] / T(16);
-    size[i] = std::max({size[i], law, vanishing<T>()});
+    size[i] = std::max({size[i], law, least});
   };
   for (std::size_t i = top + 1; i < n; ++i) tail(i, i - 1);
   for (std::size_t i = top; i-- > 0;) tail(i, i + 1);
   return size;
 }
 
-/**
-Unknowns and equations have the size of the site that they name first; a free period has the size one.
-Unless `scaled`, and for orbits that do not decay in space, the amplitude of the orbit serves for all; so it does
-between compressed beads, whose linear tail no law tells beforehand. */
+/// Unknowns and equations have the size of the site that they name first; a free period has the size one.
+/// Unless `scaled`, for orbits that do not decay in space and between compressed beads, whose linear tail no law tells
+/// beforehand, the amplitude of the orbit serves for all.
 template <class T>
 Sizes<T> Shooting<T>::sizes(const Vector<T>& x, bool scaled) const {
   const State<T> start = expand(x);
@@ -115,10 +94,6 @@ Sizes<T> Shooting<T>::sizes(const Vector<T>& x, bool scaled) const {
   return out;
 }
 
-/**
-## An evaluation
-
-First the residuals, for which the two ends of the integration are enough. */
 template <class T>
 Vector<T> Shooting<T>::residuals(const State<T>& start, const State<T>& end) const {
   Vector<T> out = Vector<T>::Zero(Eigen::Index(symmetry.equations.size()));
@@ -131,9 +106,7 @@ Vector<T> Shooting<T>::residuals(const State<T>& start, const State<T>& end) con
   return out;
 }
 
-/**
-Residuals are combinations of entries of the state, so the rows of their Jacobian are the same
-combinations of rows of the tangent. */
+// Residuals are combinations of entries of the state, and the rows of their Jacobian the same ones of the tangent
 template <class T>
 Matrix<T> Shooting<T>::slopes(const Tangent<T>& start, const Tangent<T>& end) const {
   const std::size_t rows = symmetry.equations.size(), columns = symmetry.unknowns.size();
@@ -149,9 +122,7 @@ Matrix<T> Shooting<T>::slopes(const Tangent<T>& start, const Tangent<T>& end) co
   return out;
 }
 
-/**
-The tangent has one column for each unknown and no others. A change of the period by $\delta T$ moves the end of
-the integration along the orbit: by its rate of change there times $\delta T$ over the number of parts. */
+// A change of the period moves the end of the integration along the orbit, by its rate of change there over `parts`
 template <class T>
 Evaluation<T> Shooting<T>::evaluate(const Vector<T>& x, const EventTolerance<T>& rule,
                                     bool with_jacobian) const {
@@ -185,9 +156,7 @@ Equations<T> Shooting<T>::equations() const {
           [*this, rest](const Vector<T>& x) { return largest_difference(expand(x), rest); }};
 }
 
-/**
-Everything but the two derivatives is read off the last evaluation; the area of the period is that of the
-computed part times the number of parts. */
+/// All but the two derivatives; the area of the period is that of the computed part times the number of parts.
 template <class T>
 Orbit<T> describe(const Shooting<T>& problem, const Solution<T>& found) {
   Orbit<T> orbit;
@@ -203,9 +172,8 @@ Orbit<T> describe(const Shooting<T>& problem, const Solution<T>& found) {
   return orbit;
 }
 
-/**
-Along the branch the energy changes by minus the forces times the change of the positions, and by the
-momenta times the change of the velocities. */
+/// Along the branch the energy changes by minus the forces times the change of the positions, and by the
+/// momenta times the change of the velocities.
 template <class T>
 void add_slopes(const Shooting<T>& problem, const Vector<T>& x_omega, Orbit<T>& orbit) {
   orbit.x_omega = x_omega;

@@ -6,10 +6,8 @@ A breather returns after one period $T_b = 2\pi/\omega_b$,
 $$y_n(T_b) = y_n(0),\qquad \dot y_n(T_b) = \dot y_n(0).$$
 Taken literally these are two equations per site, with an almost singular matrix: they remain true if the
 orbit is shifted in time, and nearly true if it is shifted along the chain. The symmetries of the orbit
-(symmetry.hpp) remove both directions and leave less to compute.
-
-A chain, a symmetry and a frequency give the equations for newton.hpp. The flow is that of event_driven.hpp,
-with its exact derivative (tangent.hpp). */
+(symmetry.hpp) remove both directions. A chain, a symmetry and a frequency give the equations for newton.hpp, with the
+flow of event_driven.hpp and its exact derivative (tangent.hpp). */
 
 #include <cmath>
 #include <cstddef>
@@ -29,17 +27,11 @@ T pi() {
   return acos(T(-1));
 }
 
-/**
-The derivative of the flow is wanted for some directions only. Its tangent has one column for each
-direction in a basis. */
-/// That tangent at the start: one column for each combination.
+/// The tangent at the start: one column for each direction of the basis.
 template <class T>
 Tangent<T> tangent_of(const Basis& basis, std::size_t sites);
 
-/**
-In a symmetry the entries of a state are numbered from 0 to $2N-1$, first positions, then velocities.
-`entry` finds them. */
-/// Entry `i` of a state.
+/// Entry `i` of a state, from 0 to $2N-1$, first positions, then velocities.
 template <class T>
 const T& entry(const State<T>& state, std::size_t i) {
   const std::size_t n = state.y.size();
@@ -51,12 +43,8 @@ T& entry(State<T>& state, std::size_t i) {
   return i < n ? state.y[i] : state.v[i - n];
 }
 
-/**
-## The problem
-
-A `Shooting` is the problem of finding a periodic orbit of `chain` with `symmetry`. The contacts of a
-localized orbit should have `floor = 0` (contact.hpp), because the tail is part of it. If the period is
-free it is the last unknown. */
+/// The problem of finding a periodic orbit of `chain` with `symmetry`. The contacts of a localized orbit should have
+/// `floor = 0` (contact.hpp), because the tail is part of it.
 template <class T>
 struct Shooting {
   Chain chain;
@@ -67,8 +55,7 @@ struct Shooting {
   T period() const { return T(2) * pi<T>() / omega; }
   /// The last of the unknowns `x` if the period is free, otherwise the same.
   T period(const Vector<T>& x) const { return symmetry.free_period ? x[x.size() - 1] : period(); }
-  /// What messages call the orbit.
-  std::string name() const;
+  std::string name() const;  ///< what messages call the orbit
   /// The state of the whole chain at t = 0 from the unknowns.
   State<T> expand(const Vector<T>& x) const;
   /// The unknowns of a state; a free period is taken from its time.
@@ -87,13 +74,9 @@ struct Shooting {
   Matrix<T> slopes(const Tangent<T>& start, const Tangent<T>& end) const;
 };
 
-/**
-## The orbit
-
-An orbit is what programs want to know of a solution. Orbits of neighbouring frequencies form a branch,
-along which the unknowns change by `x_omega` per unit of frequency; with forces and velocities this gives
-the derivative of the energy. The area is $\mathcal A = \oint\sum_n\mu_n\dot y_n^2\,dt$ over the whole
-period. */
+/// What programs want to know of a solution. Orbits of neighbouring frequencies form a branch, along which the unknowns
+/// change by `x_omega` per unit of frequency. The area is $\mathcal A = \oint\sum_n\mu_n\dot y_n^2\,dt$ over the
+/// period.
 template <class T>
 struct Orbit {
   Vector<T> x;        ///< unknowns at t = 0, see Shooting::expand
@@ -116,21 +99,14 @@ struct Orbit {
   T period() const { return T(2) * pi<T>() / omega; }
 };
 
-/**
-Most programs call only what follows: a problem, a guess, and Newton's method does the rest. The change
-along the branch comes almost for free, from the same matrix. */
 /// The orbit near the guess `x`, which has as many entries as the problem has unknowns (`reduce` makes them
 /// from a state). Throws NewtonFailed.
 template <class T>
 Orbit<T> newton(const Shooting<T>& problem, const Vector<T>& x, const NewtonRule<T>& rule = {});
 
-/**
-Digits are confirmed by computing an orbit again in extended precision. If double precision has found it,
-extended precision needs no derivative of its own: with the old one each step gains as many digits as the
-derivative has, about twelve, and the columns of the tangent, which take most of the time, are not
-computed. */
-/// The orbit near another one, of this or of a coarser precision, whose derivative serves. If that does not
-/// converge the method starts again with its own. Throws NewtonFailed if that fails.
+/// The orbit near another one, of this or of a coarser precision, whose derivative serves: each step gains about twelve
+/// digits, and the columns of the tangent, which take most of the time, are not computed. If that does not converge the
+/// method starts again with its own. Throws NewtonFailed if that fails.
 template <class T, class From>
 Orbit<T> newton(const Shooting<T>& problem, const Orbit<From>& from,
                 const NewtonRule<T>& rule = {});

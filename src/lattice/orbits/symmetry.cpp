@@ -49,11 +49,8 @@ Symmetry centred(Centre centre, std::size_t sites) {
 }
 
 // A state that returns after the period, moved along by `shift` sites
-Symmetry travelling(std::size_t sites, std::size_t shift, bool ring, bool free_period) {
-  Symmetry s{.name = shift == 0 ? "periodic" : "travelling",
-             .sites = sites,
-             .free_period = free_period,
-             .decays = !ring};
+Symmetry travelling(std::size_t sites, std::size_t shift, bool ring) {
+  Symmetry s{.name = shift == 0 ? "periodic" : "travelling", .sites = sites, .decays = !ring};
   for (std::size_t i = 0; i < 2 * sites; ++i) {
     const std::size_t half = i / sites * sites, n = i - half;
     s.unknowns.push_back({{i, 1}});
@@ -64,22 +61,6 @@ Symmetry travelling(std::size_t sites, std::size_t shift, bool ring, bool free_p
     else if (ring)
       equation.start = {{half + n + sites - shift, -1}};
     s.equations.push_back(equation);
-  }
-  return s;
-}
-
-// Reversible in time about a site at the start, about the next bond after half a period
-Symmetry travelling_reversible(std::size_t reach, bool free_period) {
-  const std::size_t n0 = reach, sites = 2 * reach + 2;
-  Symmetry s{.name = "travelling", .sites = sites, .parts = 2, .free_period = free_period};
-  for (std::size_t n = 1; n <= reach; ++n) s.unknowns.push_back({{n0 + n, 1}, {n0 - n, -1}});
-  s.unknowns.push_back({{sites + n0, 1}});
-  for (std::size_t n = 1; n <= reach; ++n)
-    s.unknowns.push_back({{sites + n0 + n, 1}, {sites + n0 - n, 1}});
-  // Odd positions and even velocities about the bond; a given period leaves one too many
-  for (std::size_t n = 1; n <= reach + 1; ++n) {
-    if (n > 1 || free_period) s.equations.push_back({{{n0 + n, 1}, {n0 + 1 - n, 1}}});
-    s.equations.push_back({{{sites + n0 + n, 1}, {sites + n0 + 1 - n, -1}}});
   }
   return s;
 }

@@ -2,12 +2,9 @@
 /**
 # Symmetries as values
 
-The article's breathers are periodic orbits of the chain (chain.hpp): vibrations that repeat themselves
-after a period $T_b = 2\pi/\omega_b$. We find them by *shooting*: some entries of the initial state are
-unknown, the chain moves for a part of a period, and certain combinations of entries must vanish when it
-ends. Which entries, which part and which combinations is decided by the symmetry of the orbit. All that
-knowledge is in this file: a symmetry is a list of unknowns and a list of equations, both linear, from
-which Newton's method (newton.hpp) takes what it needs.
+Periodic orbits are found by *shooting*: some entries of the initial state are unknown, the chain moves for a part of a
+period, and certain combinations of entries must vanish when it ends. A symmetry of the orbit decides which entries,
+which part and which combinations: it is a list of unknowns and a list of equations, both linear.
 
 The state of $N$ sites is one vector of $2N$ entries, first the positions, then the velocities. A `Term`
 is an entry with a sign, and a sum of terms is a `Combination`. */
@@ -42,7 +39,7 @@ struct Symmetry {
   std::size_t sites = 0;
   Basis unknowns{};                   ///< how the initial state depends on each unknown
   std::vector<Equation> equations{};  ///< what must vanish
-  int parts = 1;                      ///< the flight lasts for the period over this number
+  int parts = 1;                      ///< the segment lasts for the period over this number
   bool free_period = false;           ///< the period is the last unknown
   bool decays = true;                 ///< a localized orbit; its tail is scaled site by site
 };
@@ -69,13 +66,11 @@ $(1+P)\,y(T_b/4) = 0$ and $(1-P)\,\dot y(T_b/4) = 0$: as many equations as sites
 period. */
 Symmetry site_centred(std::size_t sites);
 
-/**
-The article proceeds differently, and for comparison we can do the same: it starts from rest and requires
-that the whole state return after the whole period. These are twice as many equations as unknowns, to be
-solved in the sense of least squares. */
+/// The article's own: the start is at rest, and the whole state returns after the whole period. These are twice as many
+/// equations as unknowns, to be solved in the sense of least squares.
 Symmetry returning(std::size_t sites);
 
-/// The symmetry of a static breather with the given centre.
+/// That of a static breather with the given centre.
 Symmetry centred(Centre centre, std::size_t sites);
 
 /**
@@ -86,20 +81,6 @@ $y_n(t+T) = y_{n-m}(t)$. All positions and velocities are unknown. On a ring the
 modulo $N$; in an open chain what comes from beyond its end is at rest. The equations still allow a shift
 in time, so Newton's step is the shortest one that solves them (newton.hpp). With $m = 0$ this is a
 periodic orbit without any symmetry. */
-Symmetry travelling(std::size_t sites, std::size_t shift, bool ring, bool free_period = false);
-
-/**
-Some travelling orbits are also invariant under $y_n(t) \to -y_{-n}(-t)$. This fixes the origin of time, so
-that no shift is left: at $t = 0$ positions are odd and velocities even in $n$. Together with
-$y_n(t+T) = y_{n-1}(t)$ it relates the times $T/2 \pm t$ and the sites $n$ and $1-n$:
-$$y_n + y_{1-n} = 0,\qquad \dot y_n - \dot y_{1-n} = 0 \qquad\text{at } t = T/2,\ n = 1,\dots,L+1.$$
-The chain has the sites $-L \le n \le L+1$ with $L$ = `reach`, and the last one begins at rest. With the
-unknowns $y_1,\dots,y_L$, $\dot y_0,\dots,\dot y_L$ and $T$ there are as many equations as unknowns.
-
-If $T$ is given there is one equation too many. We leave out the first one, that of the positions of 0
-and 1. In linear wells and at $T = 2\pi k$ nothing is lost by this: there $\sum_n(y_n + i\dot y_n)$ is
-imaginary at the start, only turns, and is imaginary again at $T/2$, so that the $L+1$ equations for
-positions add up to zero whatever the unknowns are (travelling.hpp has more on this sum). */
-Symmetry travelling_reversible(std::size_t reach, bool free_period);
+Symmetry travelling(std::size_t sites, std::size_t shift, bool ring);
 
 }  // namespace lattice

@@ -26,33 +26,18 @@ std::vector<T> contact_roots(const Stationary<T>& state) {
   return roots;
 }
 
-namespace {
-
-/// Diagonal of M and the line beside it: each contact stiffens its two sites and couples them.
-template <class T>
-auto contact_matrix(const std::vector<T>& roots) {
-  const auto contacts = Eigen::Index(roots.size());
-  Vector<T> diagonal(contacts + 1), beside(contacts);
-  diagonal.setZero();
-  for (Eigen::Index i = 0; i < contacts; ++i) {
-    const T& root = roots[std::size_t(i)];
-    diagonal(i) += root;
-    diagonal(i + 1) += root;
-    beside(i) = -root;
-  }
-  return std::pair(diagonal, beside);
-}
-
-}  // namespace
-
 // All eigenvalues of the tridiagonal M, from the largest on
 template <class T>
-ContactSpectrum<T> contact_spectrum(const Stationary<T>& state, bool vector) {
-  const auto [diagonal, beside] = contact_matrix(contact_roots(state));
+ContactSpectrum<T> contact_spectrum(const Stationary<T>& state) {
+  const std::vector<T> roots = contact_roots(state);
   const auto sites = Eigen::Index(state.u.size());
+  // Each contact stiffens its two sites and couples them
+  const Eigen::Map<const Vector<T>> stiff(roots.data(), sites - 1);
+  Vector<T> diagonal = Vector<T>::Zero(sites), beside = -stiff;
+  diagonal.head(sites - 1) += stiff;
+  diagonal.tail(sites - 1) += stiff;
   Eigen::SelfAdjointEigenSolver<Matrix<T>> solver;
-  solver.computeFromTridiagonal(diagonal, beside,
-                                vector ? Eigen::ComputeEigenvectors : Eigen::EigenvaluesOnly);
+  solver.computeFromTridiagonal(diagonal, beside, Eigen::ComputeEigenvectors);
   if (solver.info() != Eigen::Success)
     throw std::runtime_error("the eigenvalues of the contact matrix did not converge");
   // The largest must be mu: keep by how much the solver misses it, and put mu itself in its place
@@ -60,7 +45,7 @@ ContactSpectrum<T> contact_spectrum(const Stationary<T>& state, bool vector) {
   for (Eigen::Index i = sites; i-- > 0;) out.m.push_back(solver.eigenvalues()(i));
   out.phase_defect = out.m[0] - state.mu;
   out.m[0] = state.mu;
-  if (vector) out.second = solver.eigenvectors().col(sites - 2);
+  out.second = solver.eigenvectors().col(sites - 2);
   return out;
 }
 
@@ -92,7 +77,6 @@ T counted_eigenvalue(const Stationary<T>& state, std::size_t k) {
   }
 }
 
-// lambda^2 is real: a real pair where it is positive, an imaginary one where it is negative
 template <class T>
 std::vector<std::pair<T, T>> exponents(const ContactSpectrum<T>& spectrum) {
   std::vector<std::pair<T, T>> out;
@@ -105,19 +89,15 @@ std::vector<std::pair<T, T>> exponents(const ContactSpectrum<T>& spectrum) {
   return out;
 }
 
-namespace {
-
 /// (m_2 - mu / alpha) / mu and |lambda| / mu, computed with numbers of type T.
 template <class T>
-std::pair<double, double> margin_and_exponent(Centre centre, double mu, std::size_t sites,
-                                              double alpha) {
+static std::pair<double, double> margin_and_exponent(Centre centre, double mu, std::size_t sites,
+                                                     double alpha) {
   const auto state = stationary<T>(centre, T(mu), sites, alpha);
   const T m = counted_eigenvalue(state, 2);
   return {static_cast<double>(T(instability_margin(state.mu, m, alpha) / state.mu)),
           static_cast<double>(T(lambda_modulus(state.mu, m, alpha) / state.mu))};
 }
-
-}  // namespace
 
 // The error of a margin: its change with the precision plus its change with ten more sites
 template <class Fine>
@@ -132,11 +112,9 @@ Margin margin_of(Centre centre, double mu, std::size_t sites, double alpha) {
   return out;
 }
 
-namespace {
-
 /// The matrix of (a, b).
 template <class T>
-Matrix<T> full_matrix(const Stationary<T>& state) {
+static Matrix<T> full_matrix(const Stationary<T>& state) {
   const auto sites = Eigen::Index(state.u.size());
   const T p = (T(state.exponent) + T(1)) / T(2), q = (T(state.exponent) - T(1)) / T(2);
   Matrix<T> full(2 * sites, 2 * sites);
@@ -163,10 +141,7 @@ Matrix<T> full_matrix(const Stationary<T>& state) {
   return full;
 }
 
-}  // namespace
-
-/**
-The eigenvalues $\sigma$ of this matrix are $i\lambda$. */
+// The eigenvalues sigma of this matrix are i lambda
 template <class T>
 std::vector<std::complex<T>> full_exponents(const Stationary<T>& state) {
   std::vector<std::complex<T>> out;
@@ -175,7 +150,6 @@ std::vector<std::complex<T>> full_exponents(const Stationary<T>& state) {
   return out;
 }
 
-// How far the two routes to the pinning pair are apart, and how far the phase is from zero
 template <class T>
 Remainders remainders(const Stationary<T>& state) {
   using std::abs;
@@ -215,7 +189,7 @@ void PinningPair::add(std::complex<double> z, Field& w) const {
 
 // The scalars that are used: all eigenvalues in two, a single one in three
 #define LATTICE_SPECTRUM(T)                                                   \
-  template ContactSpectrum<T> contact_spectrum(const Stationary<T>&, bool);   \
+  template ContactSpectrum<T> contact_spectrum(const Stationary<T>&);         \
   template std::vector<std::pair<T, T>> exponents(const ContactSpectrum<T>&); \
   template std::vector<std::complex<T>> full_exponents(const Stationary<T>&); \
   template Remainders remainders(const Stationary<T>&);

@@ -10,12 +10,10 @@ $$M = \nabla^T\,\mathrm{diag}\,|d_n|^{\alpha-1}\,\nabla, \qquad
   \dot x = L_-y,\quad \dot y = -L_+x, \qquad L_- = \mu - M,\quad L_+ = \mu - \alpha M.$$
 Each eigenvector of $M$, with eigenvalue $m$, therefore moves independently, like $e^{\lambda t}$ with
 $$\lambda^2 = -(\mu-m)(\mu-\alpha m).$$
-Eq. (14) says $Mu = \mu u$. If the sign of every second entry is changed, $M$ has no negative entry, and
-where neighbours have opposite signs $u$ is a positive vector, so that by the Perron–Frobenius theorem
-$m_1 = \mu$ is simple and the largest: $0 \le m < \mu$ for all others. Hence such a state is spectrally
-unstable if and only if the second eigenvalue exceeds $\mu/\alpha$, for spheres $2\mu/3$, and then with one real pair $\pm\lambda$
-for each such $m$. Far out, where contacts are slack, $m = 0$ and $\lambda = \pm i\mu$: the essential
-spectrum. */
+Eq. (14) says $Mu = \mu u$. Where neighbours have opposite signs, by the Perron–Frobenius theorem $m_1 = \mu$ is simple
+and the largest: $0 \le m < \mu$ for all others. Hence such a state is spectrally unstable if and only if the second
+eigenvalue exceeds $\mu/\alpha$, for spheres $2\mu/3$, and then with one real pair $\pm\lambda$ for each such $m$. Far
+out, where contacts are slack, $m = 0$ and $\lambda = \pm i\mu$: the essential spectrum. */
 
 #include <cmath>
 #include <complex>
@@ -30,49 +28,41 @@ spectrum. */
 
 namespace lattice {
 
-/// |d_n|^{alpha-1} of every contact, for spheres the roots of the strains, `sites - 1` of them, from the strains of the right half.
+/// |d_n|^{alpha-1} of every contact, for spheres the roots of the strains, `sites - 1` of them.
 template <class T>
 std::vector<T> contact_roots(const Stationary<T>& state);
 
 /**
 ## The spectrum of M
 
-The matrix $M$ is symmetric and tridiagonal, so its eigenvalues are found to a rounding error of the
-largest, in any precision. The invariance under a change of phase, $v \to e^{i\varphi}v$, which gives the
-full problem a defective double eigenvalue $\lambda = 0$, is here the simple eigenvalue $m_1 = \mu$. Since it
-is known beforehand, the computed value checks state and solver at once. We keep its defect and put $\mu$
-itself in its place, so that the exponent of the phase is exactly zero. */
+The invariance under a change of phase, which gives the full problem a defective double eigenvalue $\lambda = 0$, is
+here the simple eigenvalue $m_1 = \mu$. The computed value checks state and solver at once: we keep its defect and put
+$\mu$ itself in its place, so that the exponent of the phase is exactly zero. */
 template <class T>
 struct ContactSpectrum {
   T mu;                   ///< frequency of the state
   std::vector<T> m;       ///< from the largest on; m[0] is known to be mu and set to it
   double exponent = 1.5;  ///< alpha of the state
   T phase_defect{0};      ///< computed m[0] minus mu
-  Vector<T> second{};     ///< unit eigenvector of m[1], if asked for
+  Vector<T> second{};     ///< unit eigenvector of m[1]
 };
 
-/// The spectrum of M, and the second eigenvector if `vector` is set. Throws std::runtime_error if Eigen's
-/// iteration does not converge.
+/// The spectrum of M. Throws std::runtime_error if Eigen's iteration does not converge.
 template <class T>
-ContactSpectrum<T> contact_spectrum(const Stationary<T>& state, bool vector = false);
+ContactSpectrum<T> contact_spectrum(const Stationary<T>& state);
 
-/**
-Eigenvalues can also be counted. By Sylvester's law of inertia as many are larger than $x$ as there are
-positive pivots in the elimination of $M-x$, one per site, which works in any number type; halving an
-interval then finds a single eigenvalue to the last digit. The count at $x = \mu/\alpha$ is the verdict
-itself: one for a stable state, $1+k$ for one with $k$ real pairs. */
-/// How many eigenvalues of the M with these `roots` are larger than `x`.
+/// How many eigenvalues of the M with these `roots` are larger than `x`: by Sylvester's law of inertia as many as the
+/// elimination of $M-x$ has positive pivots. At $x = \mu/\alpha$ this is the verdict: one for a stable state, $1+k$ for
+/// one with $k$ real pairs.
 template <class T>
 std::size_t eigenvalues_above(const std::vector<T>& roots, const T& x);
 
 /// The k-th largest eigenvalue of M, k >= 1, between 0 and 2 mu, by halving until no number of the format
-/// is left inside the interval: no tolerance has to be chosen, and the error is one rounding.
+/// is left inside the interval: the error is one rounding.
 template <class T>
 T counted_eigenvalue(const Stationary<T>& state, std::size_t k);
 
-/**
-Near $m = \mu/\alpha$ the square $\lambda^2$ is small, and its factor $m-\mu/\alpha$ is the one quantity
-that loses digits: an error $\delta$ of $m$ changes $\lambda^2$ by about $(\alpha-1)\mu\delta$. */
+/// Near $m = \mu/\alpha$ an error $\delta$ of $m$ changes it by about $(\alpha-1)\mu\delta$.
 template <class T>
 T lambda_squared(const T& mu, const T& m, double alpha = 1.5) {
   return (mu - m) * (T(alpha) * m - mu);
@@ -92,20 +82,17 @@ T instability_margin(const T& mu, const T& m, double alpha = 1.5) {
   return (T(alpha) * m - mu) / T(alpha);
 }
 
-/**
-Since $m$ and $\lambda^2$ are real, an exponent is either real or imaginary, and its other part is exactly
-zero: a spectrum from $M$ cannot show a small growth that comes from rounding. */
-/// Both exponents of each m, two per site, as (real, imaginary): lambda, then -lambda.
+/// Both exponents of each m, two per site, as (real, imaginary): lambda, then -lambda. One part is exactly zero: a
+/// spectrum from $M$ cannot show a small growth that comes from rounding.
 template <class T>
 std::vector<std::pair<T, T>> exponents(const ContactSpectrum<T>& spectrum);
 
 /**
 ## How close to the edge
 
-The verdict is a sign, so it is worth nothing without an error. Two things could turn it: rounding, and the
-ends of the chain. We vary both, the precision from double to `Fine` and the length by ten sites, and add
-the two changes. Divided by $\mu$ both numbers are free of its scale, so margins at different frequencies
-may be compared digit by digit. */
+Rounding and the ends of the chain could turn the sign of a margin. We vary both, the precision from double to `Fine`
+and the length by ten sites, and add the two changes. Divided by $\mu$ margins at different frequencies may be compared
+digit by digit. */
 /// How far a state is from the edge of stability.
 struct Margin {
   Estimate margin, exponent;  ///< (m_2 - mu / alpha) / mu, positive if unstable, and |lambda| / mu
@@ -125,18 +112,14 @@ exponents from a full matrix of $2N$ rows; with our $x+iy = a+b^*$ at $t = 0$ th
 $$i\lambda\begin{pmatrix}a\\b\end{pmatrix} =
   \begin{pmatrix}\mu-pM & -qM\\ qM & -\mu+pM\end{pmatrix}
   \begin{pmatrix}a\\b\end{pmatrix},\qquad p = \frac{\alpha+1}2,\quad q = \frac{\alpha-1}2,$$
-because $\delta(z|z|^{\alpha-1}) = |z|^{\alpha-1}(p\,\delta z+q\,\delta z^*)$ for real $z$. We keep it as a
-check: its entries come from the displacements, and nothing of its structure is used. A solver for matrices
-without symmetry returns the eigenvalues in no particular order and with both parts rounded, which is why
-it serves as a check and not as the method. */
+because $\delta(z|z|^{\alpha-1}) = |z|^{\alpha-1}(p\,\delta z+q\,\delta z^*)$ for real $z$. It serves as a
+check: its entries come from the displacements, and nothing of its structure is used. */
 /// The exponents lambda from the full matrix. Throws std::runtime_error if the solver does not converge.
 template <class T>
 std::vector<std::complex<T>> full_exponents(const Stationary<T>& state);
 
-/**
-The pair nearest to zero, after the two zeros of the phase, is the pinning pair. The difference of the two
-routes to it, including the part that should vanish, shows how well they agree; and the computed zeros of
-the phase show how large a real part has to be before it means anything. */
+/// How well the two routes to the pinning pair agree, including the part that should vanish, and how large a real part
+/// has to be before it means anything.
 struct Remainders {
   double pair, zero;  ///< of the pinning pair; the larger one of the phase's two zeros
 };
@@ -148,13 +131,10 @@ Remainders remainders(const Stationary<T>& state);
 /**
 ## The pinning pair
 
-The second eigenvector $V$ of $M$ looks like the derivative of the breather along the chain, around a bond
-as around a site: added to the field it shifts the breather, and $iV$ pushes it. In the coordinates
-$x = V\cdot\mathrm{Re}\,w$ and $y = V\cdot\mathrm{Im}\,w$ a perturbation $w$ moves like a pendulum near one
-of its rest positions, $\dot x = (\mu-m)y$, $\dot y = (\alpha m-\mu)x$. If the rest position is
-unstable, the growing direction is $y = \lambda x/(\mu-m)$ and the decaying one has the other sign. The
-growing share of a perturbation is then $\frac12(x + (\mu-m)y/\lambda)$: a push counts $(\mu-m)/\lambda$
-times as much as a shift of the same size. */
+The second eigenvector $V$ of $M$ looks like the derivative of the breather along the chain: added to the field it
+shifts the breather, and $iV$ pushes it. In the coordinates $x = V\cdot\mathrm{Re}\,w$ and $y = V\cdot\mathrm{Im}\,w$ a
+perturbation $w$ moves like a pendulum near one of its rest positions, $\dot x = (\mu-m)y$, $\dot y = (\alpha m-\mu)x$.
+The growing share is $\frac12(x + (\mu-m)y/\lambda)$: a push counts $(\mu-m)/\lambda$ times as much as a shift. */
 struct PinningPair {
   Eigen::VectorXd V;   ///< of length one; its sign is arbitrary
   double mu, m, rate;  ///< rate: |lambda|

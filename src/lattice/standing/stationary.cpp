@@ -10,16 +10,11 @@
 #include "lattice/quadruple/extended.hpp"
 
 namespace lattice {
-
-namespace {
-
 /// D of the strain r.
 template <class T>
-T force_of(const T& r, double alpha) {
+static T force_of(const T& r, double alpha) {
   return r * secant_stiffness(r, alpha);
 }
-
-}  // namespace
 
 template <class T>
 T Stationary<T>::norm() const {
@@ -42,10 +37,8 @@ T Stationary<T>::contact_sum() const {
 namespace {
 
 /**
-The strains span hundreds of decades, so the unknowns of the linear system are the relative
-corrections $\eta_n = \delta r_n/r_n$, and row $n$ is divided by $\mu r_n$. In the tail the scaled
-matrix has ones on its diagonal and $\alpha$ beside it: it is well conditioned however small the
-strains are. */
+The strains span hundreds of decades, so the unknowns are the relative corrections $\eta_n = \delta r_n/r_n$, and row $n$
+is divided by $\mu r_n$. The scaled matrix is well conditioned however small the strains are. */
 template <class T>
 Vector<T> newton_step(Centre centre, const T& mu, const std::vector<T>& r, double alpha) {
   const auto count = Eigen::Index(r.size());
@@ -71,9 +64,7 @@ Vector<T> newton_step(Centre centre, const T& mu, const std::vector<T>& r, doubl
   return solve_square<T>(jacobian, -residual);
 }
 
-/**
-When the strains are known, the displacements follow from Eq. (14), $u_n = (D_{n-1}-D_n)/\mu$, on the right
-half; the other half is its mirror image. */
+/// From Eq. (14), $u_n = (D_{n-1}-D_n)/\mu$, on the right half; the other half is its mirror image.
 template <class T>
 std::vector<T> displacements(Centre centre, const T& mu, const std::vector<T>& r, std::size_t sites,
                              double alpha) {
@@ -93,8 +84,7 @@ std::vector<T> displacements(Centre centre, const T& mu, const std::vector<T>& r
 
 /**
 The iteration stops when no strain is corrected by more than a hundred roundings, times $\alpha$ for each
-site, because $r_n \sim |r_{n-1}|^\alpha$ makes a relative error that much larger from site to site.
-Convergence is quadratic, so what the last correction leaves is far smaller than what it removed. */
+site, because $r_n \sim |r_{n-1}|^\alpha$ makes a relative error that much larger from site to site. */
 template <class T>
 void converge_strains(Centre centre, const T& mu, std::vector<T>& r, double alpha, int most,
                       std::vector<double>& history) {
@@ -124,8 +114,7 @@ void converge_strains(Centre centre, const T& mu, std::vector<T>& r, double alph
 
 }  // namespace
 
-// From a short state outward: the balance of forces in the tail predicts the next strain from the
-// last, until the chain is full or the strain too small for the arithmetic
+// The balance of forces predicts the next strain, until the chain is full or the strain too small for the arithmetic
 template <class T>
 Stationary<T> stationary_from(Centre centre, const T& mu, std::vector<T> start, std::size_t sites,
                               double alpha, int most) {

@@ -2,12 +2,11 @@
 /**
 # Stationary states of the DpS equation
 
-Small static breathers are stationary states of the DpS equation. With $v_n = u_n e^{i\mu t}$, $u_n$ real,
-its normalised form Eq. (11) becomes Eq. (14),
+With $v_n = u_n e^{i\mu t}$, $u_n$ real, the DpS equation, in its normalised form Eq. (11), becomes Eq. (14),
 $$-\mu u_n = D_n - D_{n-1}, \qquad D_n = (u_{n+1}-u_n)\,|u_{n+1}-u_n|^{\alpha-1},$$
-with $D = 0$ beyond free ends; the article's spheres have $\alpha = 3/2$. This file computes its localized
-solutions with the same relative accuracy at every site, down to the last one that the number format can
-represent. Sites are numbered as in sites.hpp. */
+with $D = 0$ beyond free ends; the article's spheres have $\alpha = 3/2$. Its localized solutions are computed with the
+same relative accuracy at every site, down to the last one that the number format can represent. Sites are numbered as
+in sites.hpp. */
 
 #include <cmath>
 #include <cstddef>
@@ -19,9 +18,6 @@ represent. Sites are numbered as in sites.hpp. */
 
 namespace lattice {
 
-/**
-A state keeps the strains $u_{n+1}-u_n$ from which it was computed, so that a neighbouring state can start
-from them. */
 /// `strain[k]` is u_{k+1} - u_k for k >= 0, the right half of the contacts.
 template <class T>
 struct Stationary {
@@ -41,17 +37,14 @@ struct Stationary {
 /**
 The differences of neighbouring equations contain only the strains $r_n = u_{n+1}-u_n$,
 $$D_{n+1} - 2D_n + D_{n-1} + \mu r_n = 0, \qquad D_n = r_n|r_n|^{\alpha-1}.$$
-This has two merits. In the tail it reads $r_n \approx -D_{n-1}/\mu$: each strain follows from the one
-before without cancellation, and $u_n = (D_{n-1}-D_n)/\mu$ is as accurate. And the symmetry is simple:
-$D_{-1} = D_1$ around a bond and $D_{-1} = -D_0$ around a site, so that the right half of the chain
-suffices and no direction is left in which a state could slide along the chain.
+In the tail it reads $r_n \approx -D_{n-1}/\mu$: each strain follows from the one before without cancellation, and
+$u_n = (D_{n-1}-D_n)/\mu$ is as accurate. The symmetry is $D_{-1} = D_1$ around a bond and $D_{-1} = -D_0$ around a
+site, so that the right half of the chain suffices and no state can slide along the chain.
 
 The first guess is the quasi-continuum profile. A wrong tail in it would be fatal, since an error of the
-centre enters the $k$-th site from it with the exponent $\alpha^k$. So we first solve on a short chain and
-lengthen it by a site at a time; each new strain follows from its neighbour, and a few steps of
-Newton's method do the rest. The short chain holds the support of the approximation, which grows like
-$(\alpha-1)^{-1}$ as $\alpha \to 1$, and the default chain is longer by the same eleven sites a side for all
-exponents. */
+centre enters the $k$-th site from it with the exponent $\alpha^k$. So we first solve on a short chain, which holds the
+support of the approximation, and lengthen it by a site at a time; each new strain follows from its neighbour, and a few
+steps of Newton's method do the rest. */
 /// Strains of the short chain's right half, four for spheres: where the quasi-continuum profile is not zero.
 inline std::size_t short_chain(double alpha = 1.5) {
   return std::size_t(std::numbers::pi * alpha / (2 * (alpha - 1)));
@@ -76,10 +69,7 @@ template <class T>
 Stationary<T> stationary_from(Centre centre, const T& mu, std::vector<T> start, std::size_t sites,
                               double alpha = 1.5, int most = 30);
 
-/**
-The tail ends where the strain is about to fall below the normal numbers; all that follows is zero in this
-number format. */
-/// Above it a number and its rounding error are both normal numbers of this type.
+/// Above it a number and its rounding error are both normal numbers of this type. A tail ends there.
 template <class T>
 T least_exact() {
   using std::ldexp;

@@ -1,4 +1,4 @@
-#include "lattice/integrators/driven_chain.hpp"
+#include "sec5/driven_chain.hpp"
 
 #include <algorithm>
 #include <array>
@@ -23,7 +23,7 @@ struct Friction {
 class DrivenRun {
  public:
   DrivenRun(const DrivenChain& driven, double h)
-      : driven_(driven), h_(h), stepper_{h}, memory_(stepper_.memory<double>(driven.chain)) {
+      : driven_(driven), h_(h), stepper_{h}, memory_(stepper_.memory(driven.chain)) {
     stepper_.finer = std::max(0, std::ilogb(largest_step / h));
     for (double rate : driven.losses.of_site) friction_.emplace_back(rate, h);
     if (friction_.empty()) friction_.assign(driven.chain.sites, {driven.losses.rate, h});
@@ -94,7 +94,7 @@ class DrivenRun {
   const DrivenChain& driven_;
   double h_;
   EventCorrected stepper_;
-  NystromMemory<double> memory_;
+  NystromMemory memory_;
   std::vector<Friction> friction_{};
 };
 
