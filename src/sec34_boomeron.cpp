@@ -17,8 +17,8 @@ fig22_turning_maps.py: `e` over `t` and `n` from the table `density_maps`, `mean
 dashed line from `decorrelation`.](fig:22)
 
 We find this, with two qualifications: the force is constant within a factor of two from way to way, and much weaker in
-between; and at $v_0=1.87$ the packet comes to rest later than figure 23 suggests. Which packets turn, and why, is the
-question of two later chapters (`sec34_boomeron_map`, `sec34_boomeron_why`).
+between; and at $v_0=1.87$ the packet comes to rest later than figure 23 suggests. Two chapters of volume two ask which
+packets turn, and why (`sec34_boomeron_map`, `sec34_boomeron_why`).
 
 ## Model
 
@@ -53,11 +53,12 @@ using namespace lattice;
 
 Strike, follow, smooth, and read the turn. `evolve` integrates Eq. (9) by Runge–Kutta–Nyström steps of order six, each
 of which is corrected where a contact opens or closes (event_corrected.hpp), and shows the state every 0.2 units of
-time. `smooth` averages $X(t)$ over 15 units, about four periods, with the weight $1+\cos(2\pi t/15)$. Three moments
-are read from the smoothed trajectory: the first at which the *velocity vanishes*, beyond site 8; the *turning point*,
-the furthest one before the packet has come back by five sites; and the *reflection*, the nearest one before it has
-moved out again by three. A packet can stop, drift on and turn later, so the first two may differ. `vertex` puts a
-parabola through a sample and its neighbours, so that a moment may lie between samples. */
+time. `smooth` averages $X(t)$ over 15 units, about four periods, with the weight $1+\cos(2\pi t/15)$. `find_turn` reads
+three moments from the smoothed trajectory: the first at which the *velocity vanishes* (`stop`), beyond site 8; the
+*turning point* (`apex`), the furthest one before the packet has come back by five sites; and the *reflection*
+(`rebound`), the nearest one before it has moved out again by three. A packet can stop, drift on and turn later, so the
+first two may differ. A parabola through three samples places each moment between them; what does not happen is
+`nan`. */
 struct Experiment {
   double v0, s, time;
   std::size_t sites = 150;
@@ -68,25 +69,9 @@ struct Trajectory {
   State<double> end{};
   Run run{};  // energy drift
 };
-constexpr double sample = 0.2, width = 15;
+constexpr double sample = 0.2, width = 15;        // of time
+constexpr double back = 5, again = 3, clear = 8;  // sites, which define a turn
 using Seen = std::function<void(double t, const std::vector<double>& e)>;
-
-/// Velocity zero (stop), turning point (apex) and reflection (rebound); what does not happen stays nan.
-Turn turning(const Path& path) {
-  const std::vector<double>& x = path.centre;
-  Turn turn;
-  std::size_t i = 1, far = 0;
-  while (i < x.size() && !(x[i - 1] > 8 && x[i] < x[i - 1])) ++i;
-  if (i < x.size()) turn.stop = vertex(path, i - 1);
-  for (i = 1; i < x.size() && x[i] >= x[far] - 5; ++i)
-    if (x[i] > x[far]) far = i;
-  if (i < x.size()) turn.apex = vertex(path, far);
-  std::size_t near = i;  // from where the way back is certain
-  for (; i < x.size() && x[i] <= x[near] + 3; ++i)
-    if (x[i] < x[near]) near = i;
-  if (i < x.size()) turn.rebound = vertex(path, near);
-  return turn;
-}
 
 /// The strongest packet after an impact.
 Trajectory trajectory(const Experiment& impact, const Method& method, const Seen& look = {}) {
@@ -104,8 +89,8 @@ Trajectory trajectory(const Experiment& impact, const Method& method, const Seen
   if (!(out.run.energy_drift < 1e-3)) throw Failure("the energy is not conserved");
   out.end = state;
   out.smoothed = smooth(out.path, width);
-  out.turn = turning(out.smoothed);
-  out.other_width = turning(smooth(out.path, width / 2));
+  out.turn = find_turn(out.smoothed, back, again, clear);
+  out.other_width = find_turn(smooth(out.path, width / 2), back, again, clear);
   return out;
 }
 
@@ -129,7 +114,7 @@ Estimate measured(const TwoRuns<Trajectory>& runs, Moment Turn::*moment, double 
 A map of snapshots would show stripes that do not exist, since it would sample the oscillation of the packet at nearly
 its own rate. So figure 22 shows averages over four or five units of time, and over one in the zoom. Its dashed line is
 the time beyond which the motion depends on digits of $v_0$ that nobody knows (see *How long the motion is determined*).
-A colour can be read to a few per cent at best, so the maps come from runs with a longer step. */
+*/
 void report_maps(Report& report) {
   struct Panel {
     std::int64_t number;
@@ -221,12 +206,10 @@ A force would need a mass as well. That of slow breathers is negative (`sec33_mo
 them down. The waves behind this packet can only push forward, and they do slow it down (`sec34_boomeron_why`).
 
 Along both lists, of $v_0$ at $s=1$ and of $s$ at $v_0=1.9$, the modulus grows: no value is smaller than an earlier one
-beyond the errors of both. Below $v_0 = 1.5$, though, the errors are larger than the differences between neighbours.
-
-The article does not say how constant *almost constant* is. Around the turning point the mean acceleration is six times
-smaller than on the way out. Within a way it changes too (column `bend` of the table `force`), on the way back by more
-than its mean. So the force is constant within a factor of two from way to way, and no better than that. In linear wells
-a packet slows down as well, though none was seen to turn.
+beyond the errors of both. The article does not say how constant *almost constant* is. Within a way the acceleration
+changes too (column `bend` of the table `force`), on the way back by more than its mean. So the force is constant within
+a factor of two from way to way, and no better than that. In linear wells a packet slows down as well, though none was
+seen to turn.
 
 | $\ddot X$, sites per squared unit of time | article | here |
 |---|---|---|
@@ -309,10 +292,9 @@ void report_force(Report& report) {
 ## Profiles close to the turning (figure 23)
 
 The article shows the velocities of all beads at $v_0 = 1.87$ for two times at which, it says, the packet is close to
-turning. We show the same times. At $t=238$ the centre is two and a half sites short of its turning point and still
-moves on. When its velocity vanishes first is badly known, because the trajectory is almost flat there: with half the
-smoothing at $t\approx 315$, still later than the article's times. So the packet is close to turning in place, but not
-in time.
+turning. At the first of them the centre is two and a half sites short of its turning point. When its velocity vanishes
+first is badly known, because the trajectory is almost flat there: with half the smoothing at $t\approx 315$, still
+later than the article's times. So the packet is close to turning in place, but not in time.
 
 ![Velocities close to the turning. Drawn by fig23_turning_profiles.gp: `v` against `n` for two `t`, from the table
 `turning_profiles`.](fig:23) */
@@ -332,21 +314,17 @@ void report_profiles(Report& report, const TwoRuns<Trajectory>& pictured) {
       table.add({time, n + 1, runs.of([&](const Trajectory& run) { return run.end.v[n]; })});
   }
 
-  // How far the centre is at the first of these times from its turning point, and how fast
+  // How far the centre is at the first of these times from its turning point
   const Estimate apex = measured(pictured, &Turn::apex, &Moment::site),
                  here = pictured.of([](const Trajectory&run) { return centre_at(run, 238); });
-  report.facts.add("speed_187_at_238", pictured.of([](const Trajectory& run) {
-    return (centre_at(run, 243) - centre_at(run, 233)) / 10;
-  }),
-                   "site per unit of time");
   report.facts.add("apex_distance_187_at_238", {apex.value - here.value, apex.error + here.error},
                    "site");
 }
 
 /**
 Can the digits of $v_0$ that are not printed explain this? They leave a range from 1.865 to 1.875. Over it the velocity
-vanishes first at 320 at the earliest (with half the smoothing at 296), well after the article's 240.
-A velocity profile, as in figure 23, does not tell a packet at rest from one that moves slowly.
+vanishes first at 320 at the earliest (with half the smoothing at 296), well after the article's 240. A velocity
+profile does not tell a packet at rest from one that moves slowly.
 
 | $s=1$, $v_0=1.87$ | article | here |
 |---|---|---|
@@ -355,8 +333,7 @@ A velocity profile, as in figure 23, does not tell a packet at rest from one tha
 | turning point, time | | [493.0 ± 0.4](num:sec34_boomeron.apex_time_187) |
 | velocity vanishes first, time | close to 238 and 241 | [5e2 ± 2e2](num:sec34_boomeron.stop_time_187) |
 | the earliest such time for 1.865 to 1.875 | | [319.813 ± 0.0004](num:sec34_boomeron.stop_time_187_earliest) |
-| the latest | | [492.97 ± 0.06](num:sec34_boomeron.stop_time_187_latest) |
-| speed at $t=238$, sites per unit of time | | [0.0308568 ± 3e-10](num:sec34_boomeron.speed_187_at_238) | */
+| the latest | | [492.97 ± 0.06](num:sec34_boomeron.stop_time_187_latest) | */
 void report_printed_range(Report& report) {
   const std::size_t count = report.quick ? 3 : 11;
   std::vector<double> coarse(count), fine(count), smoothed_less(count);
@@ -378,9 +355,9 @@ void report_printed_range(Report& report) {
 ## In the softest of hard wells
 
 The article sees reversals for $s\ge0.005$ and none for $s=0$, and prints neither an impact nor a time. In so soft a
-well packets turn soon after very strong impacts only, so we take $v_0=132$. With $s=0.005$ the packet turns and comes
-back. After the same impact on linear wells it has moved outward all the time until $t=450$, and still does. After
-weaker impacts a packet in the soft well may turn much farther out.
+well packets turn soon after very strong impacts only, so we take $v_0=132$. After the same impact on linear wells the
+packet has moved outward all the time until $t=450$, and still does. After weaker impacts a packet in the soft well may
+turn much farther out.
 
 | $v_0=132$ | article | here |
 |---|---|---|
@@ -417,10 +394,9 @@ void report_softest(Report& report) {
 ## How long the motion is determined
 
 The motion is chaotic: two runs that differ by as little as a rounding error separate sooner or later. We call them
-*decorrelated* when their states differ by a tenth of the largest displacement or velocity. One impact computed with two
-steps tells for how long we can compute the motion. Two impacts that differ by a fraction $\delta$ tell for how long
-anybody can who knows $v_0$ to so many digits only. The article prints two or three; half a unit of the last digit of
-1.87 is $\delta\approx3\cdot10^{-3}$. */
+*decorrelated* when their states differ by a tenth of the largest displacement or velocity. One impact with two steps
+tells for how long we can compute the motion. Two impacts that differ by a fraction $\delta$ tell for how long anybody
+can who knows $v_0$ to so many digits only; half a unit of the last digit of 1.87 is $\delta\approx3\cdot10^{-3}$. */
 double decorrelation_time(double v0, double step, double other_v0, double other_step) {
   const Chain chain{150, Quartic{1}};
   State<double> one(chain.sites), other(chain.sites);
@@ -434,10 +410,10 @@ double decorrelation_time(double v0, double step, double other_v0, double other_
 }
 
 /**
-After the impact of $v_0=1.9$ two steps agree until well beyond the first reflection. Figure 22 marks the time at which
-two impacts that differ by $10^{-6}$ decorrelate, since nobody would print a velocity with more digits. So turning point
-and first reflection are facts about the chain, and what the map shows much later is one possibility among many. With
-the three printed digits two impacts are decorrelated even before they turn (table `decorrelation`).
+Two steps agree until well beyond the first reflection. Figure 22 marks the time at which two impacts that differ by
+$10^{-6}$ decorrelate, since nobody would print a velocity with more digits. So turning point and first reflection are
+facts about the chain, and what the map shows much later is one possibility among many. With the three printed digits
+two impacts are decorrelated even before they turn (table `decorrelation`).
 
 | $s=1$, $v_0=1.9$ | article | here |
 |---|---|---|
@@ -477,9 +453,9 @@ void report_decorrelation(Report& report) {
 ## What erratic means (figure 22, last panel)
 
 Beyond that time only statements about ensembles make sense. So we draw 24 impacts at random from an interval of
-relative width $10^{-6}$ around $v_0 = 1.9$, with a recorded seed, and see how far the centres of their packets spread.
-A centre that is equally likely to be anywhere up to the turning point would have a standard deviation of six sites.
-Long after the return ours is larger, since some packets get beyond the first turning point.
+relative width $10^{-6}$ around $v_0 = 1.9$ and see how far the centres of their packets spread. Centres that are
+equally likely to be anywhere up to the turning point would have a standard deviation of six sites; some packets get
+beyond it.
 
 | standard deviation of the centres, sites | article | here |
 |---|---|---|
@@ -538,14 +514,13 @@ void report_ensemble(Report& report) {
 /**
 ## How well this is known
 
-Every number has two resolutions. Only those of the last two sections depend on chaos. Every run stops
-with an error if its far end moves or if its energy drifts by more than a thousandth. A turning point that depended on
-our own integrator would be no fact about the chain, so there are two more routes, and the program fails where they
-disagree. GSL's adaptive method of order eight, which knows nothing of contacts, has to arrive at the same state at
-$t=100$ within $10^{-7}$. For the whole way, where GSL would be slow, another scheme, with fourteen stages, has to give
-the time of the reflection within 0.2. The tests read the same turns with the library's `turning.hpp`.
-
-The article does not say how it integrates or averages, nor how long its chain is. */
+Every number has two resolutions. Only those of the last two sections depend on chaos. Every run stops with an error if
+its far end moves or if its energy drifts by more than a thousandth. A turning point that depended on our own integrator
+would be no fact about the chain, so there are two more routes, and the program fails where they disagree. GSL's
+adaptive method of order eight, which knows nothing of contacts, has to arrive at the same state at $t=100$ within
+$10^{-7}$. For the whole way, where GSL would be slow, another scheme, with fourteen stages, has to give the time of the
+reflection within 0.2. The tests check `find_turn` on trajectories made by hand. The article does not say how it
+integrates or averages, nor how long its chain is. */
 void check_by_other_routes(bool quick) {
   const Experiment out{1.9, 1, 100, 60};
   State<double> start(out.sites);
@@ -576,8 +551,8 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** Wells and contacts are members of `Chain` in `trajectory`; the impacts of a table are lists of
-`Experiment`, $\{v_0, s, t\}$. What counts as a turn is `turning`, and the smoothing is `width`. The figures read
-columns by name.
+`Experiment`, $\{v_0, s, t\}$. What counts as a turn are the sites `back`, `again` and `clear`, and the smoothing is
+`width`. The figures read columns by name.
 
 1. *Easy.* When does the packet of figure 23 turn? `build/bin/sec34_boomeron run --velocity 1.87` gives
    `apex_site` = 23.175 and `apex_time` = 493. Hint: before it turns it is slow for a long time.

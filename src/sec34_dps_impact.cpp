@@ -13,8 +13,8 @@ describe everything. Does it? According to section 3.4 of James, Kevrekidis and 
 ![A struck DpS chain sends out a travelling breather. Drawn by fig16_dps_impact.py: `density` over `n` and `tau` from
 the table `dps_impact_map`; the inset is `dps_impact_profile`.](fig:16)
 
-The first two hold. What is called the amplitude is not printed. In one snapshot the heights of the packets, from crest
-to trough, have both printed values; their largest displacements differ by a few per cent only.
+All of this holds, if the amplitude, which the article does not define, is the height of a packet from crest to trough
+in one snapshot. The largest displacements differ by a few per cent only.
 
 ## Model
 
@@ -115,8 +115,8 @@ ChainRun chain_run(const EventCorrected& method, std::size_t rows) {
 
 /**
 Every number comes from two of these runs, and its error is their difference. The tolerance of GSL is lowered by a
-factor of a hundred, and the finer run is sampled twice as often. The chain's step, and the distance of the samples with
-it, is halved until the *end states* of two runs agree to a tolerance, relative to their largest entry (`refined`). */
+factor of a hundred, and the finer run is sampled twice as often. The chain's step, and the distance of the samples, is
+halved until the *end states* of two runs agree to a tolerance, relative to their largest entry (`refined`). */
 struct Resolution {
   double tolerance = 1e-4, dps_tolerance = 1e-11;
   std::size_t rows = 400;          // of the maps
@@ -140,9 +140,8 @@ Estimate speed_of(const TwoRuns<DpsRun>& runs) {
 ## The packet of the DpS equation (figure 16)
 
 Both sides of the DpS equation change in the same way if the amplitudes are multiplied by $c$ and time runs faster by
-$c^{1/2}$. So the size of the impact drops out, and one run serves for all of them; in the time of the chain every speed
-is proportional to $\epsilon^{1/2}$, that is, to the square root of the impact velocity. The figure shows the map of
-$|A_n|^2$ and, in its inset, the final profile.
+$c^{1/2}$. So one run serves for impacts of all sizes; in the time of the chain every speed is proportional to
+$\epsilon^{1/2}$, that is, to the square root of the impact velocity.
 
 Is this a travelling breather? It must *last*, with one speed and one norm, and what stays behind must be weak. A
 constant speed alone is not enough: the front of a linear wave has one, too, but it spreads as $\tau^{1/3}$ and loses
@@ -151,9 +150,9 @@ cent, since a young packet still sheds its tail. What stays behind has more than
 thirty sites: it is weak in the sense that no window of eleven sites holds half as much as the packet.
 
 The article says that the residue at the boundary is no surface mode, because it is extended and not periodic. Both
-hold. The participation number $(\sum|A_n|^2)^2/\sum|A_n|^4$, with sums from the boundary to ten sites behind the
-packet's peak, counts the sites that share the residue. And in a stationary mode, $A_n = a_ne^{i\Omega\tau}$, $|A_1|$
-would be constant: we quote its swing in the last fifth of the run.
+hold. The participation number $(\sum|A_n|^2)^2/\sum|A_n|^4$, from the boundary to ten sites behind the packet's peak,
+counts the sites that share it. And in a stationary mode $|A_1|$ would be constant: we quote its swing in the last fifth
+of the run.
 
 | in the DpS equation | article | here |
 |---|---|---|
@@ -273,14 +272,13 @@ void report_figures(Report& report, const TwoRuns<DpsRun>& dps, const TwoRuns<Ch
 }
 
 /**
-How fast is the packet, and how many sites carry it? Where to stop counting behind the peak is arbitrary, since the
-trailing edge merges into the wave train. Ahead of it nothing has moved yet, and the amplitude falls
-super-exponentially. With one per cent as the limit, which a drawing still shows, three sites on either side and the
-peak make seven. Counted by energy the packet is narrower.
+How fast is the packet, and how many sites carry it? Behind the peak it merges into the wave train, but ahead of it
+nothing has moved yet, and the amplitude falls super-exponentially. With one per cent as the limit, which a drawing
+still shows, three sites on either side and the peak make seven. Counted by energy the packet is narrower.
 
-The largest displacement does not depend on the phase of the oscillation. We take it while the centre moves over the
-last site. Samples lie 0.1 apart in the coarser run, and a maximum of $\cos t$ between two samples at the distance $h$
-may exceed both by the fraction $1-\cos(h/2)\approx h^2/8$, which is added to the error.
+The largest displacement, while the centre moves over the last site, does not depend on the phase of the oscillation. A
+maximum of $\cos t$ between two samples at the distance $h$ may exceed both by the fraction
+$1-\cos(h/2)\approx h^2/8$, which is added to the error.
 
 | packet of the chain | article | here |
 |---|---|---|
@@ -341,12 +339,12 @@ void report_packet(Report& report, const TwoRuns<DpsRun>& dps, const TwoRuns<Cha
 /**
 ## Which amplitudes are 9e-4 and 13e-4?
 
-The article prints both in one sentence, and one definition gives both: the height of the packet from crest to trough in
-one snapshot, at $t = 8091.0$. The run ends at $\tau = 250$, which with the printed $\epsilon$ is $t = 8090.7$. But the
-height changes within an oscillation, in the chain nearly by a factor of two. So we take it, by the same function for
-chain and approximation, at 201 instants between $t = 8085$ and 8095, a little more than one and a half oscillations.
-The chain is within five per cent of the printed number at [18](num:sec34_dps_impact.instants_lattice_near) of them, and
-at [18](num:sec34_dps_impact.instants_both_near) of these the approximation is within five per cent of its own.
+One definition gives both: the height of the packet from crest to trough in one snapshot, at $t = 8091.0$; the run ends
+at $\tau = 250$, with the printed $\epsilon$ $t = 8090.7$. But the height changes within an oscillation, in the chain
+nearly by a factor of two. So we take it, by the same function for chain and approximation, at 201 instants between
+$t = 8085$ and 8095, a little more than one and a half oscillations. The chain is within five per cent of the printed
+number at [18](num:sec34_dps_impact.instants_lattice_near) of them, and at
+[18](num:sec34_dps_impact.instants_both_near) of these the approximation is within five per cent of its own.
 
 | | article | chain | DpS equation |
 |---|---|---|---|
@@ -356,8 +354,8 @@ at [18](num:sec34_dps_impact.instants_both_near) of these the approximation is w
 | largest height, over the last site | | [0.00142107 ± 4e-14](num:sec34_dps_impact.height_lattice_largest) | |
 | largest displacement, over the last site | | [0.0009180 ± 6e-7](num:sec34_dps_impact.amplitude_lattice) | [0.000949922 ± 4e-11](num:sec34_dps_impact.amplitude_dps) |
 
-So by the largest displacement the approximation overestimates the amplitude of the chain by a few per cent; by the
-height, at $\tau = 250$, by a third, and by another amount at another phase. */
+By the largest displacement the approximation overestimates the chain by a few per cent; by the height, at
+$\tau = 250$, by a third, and by another amount at another phase. */
 double height(const State<double>& now) {
   const std::size_t peak = *front_packet(energy_density(Chain{sites}, now));
   const auto packet = now.y.begin() + std::ptrdiff_t(peak) - 5;
@@ -432,9 +430,9 @@ void report_heights(Report& report, const TwoRuns<DpsRun>& dps, const TwoRuns<Ch
 }
 
 /**
-Could the DpS equation give a *largest displacement* of $13\cdot10^{-4}$? Other problems do, with a fixed end in place
-of the free one or with an initial amplitude larger by $\sqrt2$ (such as $-1-i$). But the article states the free end,
-and a speed only slightly above that of the chain; both of these packets are much faster.
+Could the DpS equation give a *largest displacement* of $13\cdot10^{-4}$? Other problems do, with a fixed end or with an
+initial amplitude larger by $\sqrt2$. But the article states the free end, and a speed only slightly above that of the
+chain; both of these packets are much faster.
 
 | largest displacement and speed | amplitude | sites per unit of $\tau$ |
 |---|---|---|
@@ -462,13 +460,10 @@ void report_other_problems(Report& report, const TwoRuns<DpsRun>& dps, const Res
 /**
 ## How well it is known
 
-- Every number has an error from two resolutions, and that of a speed includes the error of its fit. The tolerance only
-  says when two runs of the chain agree; they agree better, as the errors of the heights show.
-- An independent route: GSL solves the equation of motion of the chain, too, without knowing of contact events. The
-  program stops with an error if the two states differ at the end of the run by more than $10^{-5}$ of the largest
-  entry.
-- Not printed, and assumed: the stretch on which speeds are fitted, the one per cent that bounds a packet, and what is
-  called the amplitude. */
+Every number has an error from two resolutions, and that of a speed includes the error of its fit. The tolerance only
+says when two runs of the chain agree; they agree better, as the errors of the heights show. An independent route: GSL
+solves the equation of motion of the chain, too, without knowing of contact events. The program stops with an error if
+the two states differ at the end of the run by more than $10^{-5}$ of the largest entry. */
 void report_check(const State<double>& ours) {
   const Chain chain{sites};
   State<double> reference = struck(sites, 2 * eps);
@@ -481,8 +476,8 @@ void report_check(const State<double>& ours) {
 ## Try it
 
 **To change it.** The size of the impact and the end of the run are `eps` and `tau_end`; `sites` must grow with the
-time. Other wells or contacts of the chain are further members of `Chain` in `chain_run`; the DpS equation then has
-another $\tau_0$ or power (dps.hpp). The figures read columns by name.
+time. Other wells or contacts are further members of `Chain` in `chain_run`; the DpS equation then has another $\tau_0$
+or power (dps.hpp). The figures read columns by name.
 
 1. *Easy.* What if the chain is held at its first contact? `build/bin/sec31_dps_limit impact --end fixed` gives
    `amplitude` = 0.6587 and `speed` = 0.4142. Hint: an end that cannot recoil gives the packet more.

@@ -16,7 +16,7 @@ swings over the top and comes down in the next well. What becomes of the travell
 
 Section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) answers in one sentence, without a figure: at large
 impact velocity a *kink*, a step of one well that travels along the chain, replaces the breather, and beads are ejected
-at the far end; nothing blows up. The article leaves open how the transition happens. Here we map it.
+at the far end; nothing blows up. Here we map the transition.
 
 ## Model
 
@@ -139,14 +139,14 @@ velocities is the spacing of the scan; the two velocities between them are undec
 | first one from which on a kink always crosses the chain | large | [4.72 ± 0.02](num:sec34_kink.first_certain_kink) |
 | share of the scan that is neither breather nor kink | | [0.00569801](num:sec34_kink.kink_undecided) |
 
-A count that has settled may still change: at $v_0 = 4.28$ it has by $t = 200$, but when the breather arrives at the far
-end, before $t = 400$, it throws the last bead off. So *no bead moves on* means until the counts have settled.
+A count that has settled may still change: at $v_0 = 4.28$ the breather throws the last bead off when it arrives at the
+far end. So *no bead moves on* means until the counts have settled.
 
 Why so far above 2? The first bead does not climb alone, but pushes on the second all the way up, and gives away energy.
 In a kink *every* bead passes its maximum; each pays 2 on the way up and gets 2 back on the way down, so that a kink,
 once on its way, can go on. We have no theory that gives 4.7. */
 void report_examples(Report& report) {
-  // Two impacts, one below the transition and one above, show what the counts mean
+  // One impact below the transition and one above
   Table& examples =
       report.table("kink_examples",
                    {number("velocity", "impact velocity"), number("t", "time"),
@@ -262,11 +262,10 @@ void report_confinement(Report& report) {
 /**
 ## How well this is known
 
-What is counted are whole beads, at two steps, after a wait that doubles; energy that drifts by more than a thousandth
-stops the program. The independent route is GSL's adaptive method of order eight, which knows nothing of contacts: it
-has to find a breather, after $v_0=2$, and a kink, after $v_0=5$, within $10^{-8}$ at the same places at $t=60$, when
-the kink is about to leave. Much later two methods cannot agree, as the motion is chaotic; that is why counts and not
-places are compared in the scan. */
+Whole beads are counted, at two steps; energy that drifts by more than a thousandth stops the program. The independent
+route is GSL's adaptive method of order eight, which knows nothing of contacts: it has to find a breather, after
+$v_0=2$, and a kink, after $v_0=5$, within $10^{-8}$ at the same places at $t=60$, when the kink is about to leave. Much
+later the motion is chaotic; that is why counts and not places are compared in the scan. */
 void check_by_gsl() {
   const Chain chain{beads, Pendulum{}};
   for (double v0 : {2.0, 5.0}) {
@@ -295,9 +294,8 @@ well needs a period of its own in `count_wells`. The figure reads columns by nam
 
 1. *Easy.* Does the kink need the whole chain? `build/bin/sec34_kink run --velocity 5 --sites 30` gives `moved` = 30.
 2. *Easy.* Which quartic well is most like a pendulum?
-   `build/bin/sec34_impact run --well pendulum --velocity 1 --time 400` gives
-   `speed` = 0.1817, and `build/bin/sec34_impact run --s -1/6 --velocity 1 --time 400` gives `speed` = 0.1814. Hint:
-   expand $\sin y$.
+   `build/bin/sec34_impact run --well pendulum --velocity 1 --time 400` gives `speed` = 0.1817, and
+   `build/bin/sec34_impact run --s -1/6 --velocity 1 --time 400` gives `speed` = 0.1814. Hint: expand $\sin y$.
 3. *Harder.* A kink is much faster than a breather: `build/bin/sec34_impact run --well pendulum --velocity 5 --time 60`
    gives `speed` = 0.7697, and `build/bin/sec34_impact run --well pendulum --velocity 3 --time 200` gives `speed` =
    0.2471. Hint: a bead that falls into the next well gets back what the maximum has cost, and can hand it on.
