@@ -375,7 +375,7 @@ void report_softest(Report& report) {
   report.facts.add("return_site_softest",
                    hard.of([](const Trajectory& p) { return p.turn.rebound.site; }), "site");
 
-  // Where the centre is at t = 450 in linear wells, how fast, and the farthest that it has ever fallen back
+  // In linear wells: place and speed at t = 450, and the farthest that the centre has ever fallen back
   const auto fallen = [](const Trajectory& p) {
     double most = p.smoothed.centre[0], back = 0;
     for (double x : p.smoothed.centre) most = std::max(most, x), back = std::max(back, most - x);

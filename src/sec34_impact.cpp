@@ -105,9 +105,8 @@ Followed followed(const EventCorrected& method, double s, double v0, double time
 
 /**
 `refined(tolerance, run)` halves the step, and the distance of the samples with it, until the *end states* of two
-successive runs agree to `tolerance`, relative to their largest entry. Both are returned. The finer one gives the
-numbers, its difference from the coarser one their errors. If no step is short enough, if the energy drifts, or if a
-bead escapes, it throws.
+successive runs agree to `tolerance`, relative to their largest entry. The finer one gives the numbers, its difference
+from the coarser one their errors. If no step is short enough, if the energy drifts, or if a bead escapes, it throws.
 
 ## Speed and energy against impact velocity (figure 19)
 
@@ -129,17 +128,16 @@ struct SweepPoint {
     const auto runs = refined(tolerance, [&](const EventCorrected& method) {
       return followed(method, s, velocity, time_for(velocity));
     });
-    speed = runs.of([](const Followed& run) { return packet_speed(run.path, fit_to); });
-    peak =
-        runs.of([](const Followed& run) { return run.path.largest_peak(fit_from, fit_to).value; });
-    energy = runs.of([](const Followed& run) { return run.path.energy_at(fit_to); });
+    speed = runs.of([](const Followed& f) { return packet_speed(f.path, fit_to); });
+    peak = runs.of([](const Followed& f) { return f.path.largest_peak(fit_from, fit_to).value; });
+    energy = runs.of([](const Followed& f) { return f.path.energy_at(fit_to); });
   }
 };
 
 /**
 A bead that passes the maximum of a soft well, at $|y| = (-s)^{-1/2}$, runs away to infinity. So each soft well has a
-largest velocity worth trying, and a range in which its blow-up is looked for. Both are our choice. A curve ends below
-the first velocity at which a bead escapes (`ends`, from the scan of the blow-up, a later section). */
+largest velocity worth trying, and a range in which its blow-up is looked for, both our choice. A curve ends below the
+first velocity at which a bead escapes (`ends`, from the scan in the section on the blow-up). */
 struct SweptWell {
   double s;
   std::string name;
@@ -160,9 +158,9 @@ std::vector<Curve> report_sweep(Report& report, const std::vector<double>& ends)
                     estimate("energy", "energy of the packet when it passes site 60"),
                     count("ending", "1 in the last 0.05 of a curve that ends in a blow-up")});
   const double spacing = report.quick ? 0.05 : 0.01;
-  std::vector<Curve> curves;
+  std::vector<Curve> curves(wells.size());
   for (std::size_t w = 0; w < wells.size(); ++w) {
-    Curve& curve = curves.emplace_back();
+    Curve& curve = curves[w];
     for (long k = 1; k <= std::lround(wells[w].fastest / spacing); ++k)
       if (spacing * double(k) <= ends[w]) curve.push_back({wells[w].s, spacing * double(k)});
     const double last = curve.back().velocity;
@@ -232,9 +230,7 @@ Why should a soft well keep energy? Between contacts all beads in linear wells s
 they move, and what one bead gives, the next one takes up in step. In a soft well the bead that moves far is slower. If
 the impact is strong enough, this exceeds what the contact adds: the first bead swings at a frequency below 1, while its
 neighbours move less and are, by themselves, faster. So they are driven below their resonance, and the energy stays
-where it is. This is an explanation by frequencies, not a proof: we have not computed the surface mode as a periodic
-orbit.
-*/
+where it is. This is an explanation by frequencies, not a proof. */
 void report_forces(Report& report) {
   Table& forces = report.table("surface_mode_forces",
                                {number("s", "anharmonicity of the well"), number("t", "time"),
@@ -264,27 +260,26 @@ figure 21.
 void report_shares(Report& report, const std::string& name, double s, double v0) {
   const auto runs = refined(
       tolerance, [&](const EventCorrected& method) { return followed(method, s, v0, 900); });
-  const auto trapped = [](const Followed& run) {
+  const auto trapped = runs.of([](const Followed& run) {
     Path first = run.path;
     first.energy = run.stays;
     return first.energy_at(fit_to);
-  };
-  const auto packet = [&](const Followed& run) {
+  });
+  const auto packet = runs.of([&](const Followed& run) {
     return run.path.energy_at(fit_to) / total(energy_density({90, Quartic{s}}, run.end));
-  };
-  const auto speed = [](const Followed& run) { return packet_speed(run.path, fit_to); };
-  report.facts.add("trapped_" + name, runs.of(trapped), "share of the energy");
-  report.facts.add("packet_" + name, runs.of(packet), "share of the energy");
-  report.facts.add("speed_" + name, runs.of(speed), "site per unit of time");
+  });
+  const auto speed = runs.of([](const Followed& run) { return packet_speed(run.path, fit_to); });
+  report.facts.add("trapped_" + name, trapped, "share of the energy");
+  report.facts.add("packet_" + name, packet, "share of the energy");
+  report.facts.add("speed_" + name, speed, "site per unit of time");
 }
 
 /**
 ## A snapshot of both (figure 21)
 
 The article shows surface mode and travelling breather together, in the velocities of all beads at $t = 587$ after an
-impact of 1.87 at $s = -\frac16$. In between there are other waves, a slow second packet among them. We call the two
-*visible* if each rises above everything that lies between them. Both do: the lower of the two is
-[1.34](num:sec34_impact.snapshot_prominence) times as high as the highest wave there.
+impact of 1.87 at $s = -\frac16$. We call the two *visible* if each rises above all waves between them. Both do: the
+lower of the two is [1.34](num:sec34_impact.snapshot_prominence) times as high as the highest wave there.
 
 ![Surface mode and packet side by side. Drawn by fig21_snapshot.gp: `v` against `n`, from the table
 `surface_mode_snapshot`.](fig:21) */
@@ -318,12 +313,11 @@ void report_snapshot(Report& report) {
 The width of a packet is read off its undisturbed side, as in the chapter before: if $k$ sites ahead of the peak ever
 exceed one per cent of its amplitude, the width is $2k+1$. The tail is the largest amplitude, relative to the peak's, on
 the ten sites that follow the window of Eq. (24). Both are taken in linear wells while the centre moves from site 40 to
-60. A contact of unit overlap pushes as hard as a well pulls back at unit displacement; so $v_0 = 1$ counts as moderate.
+60. The article gives no measure for *mainly* seven sites and for *moderate* velocities. The hundredth is ours, and
+$v_0 = 1$ counts as moderate, where contacts push as hard as the wells.
 
-After such an impact the packet has [11.0](num:sec34_impact.packet_width_moderate) sites: the contacts push as
-strongly as the wells, the DpS limit is left, and two more sites on either side rise above the hundredth. The article
-speaks of *mainly* seven sites and of *moderate* velocities without a measure for either. The hundredth and the velocity
-are ours. The tail is small, and grows with the impact velocity.
+After such an impact the packet has [11.0](num:sec34_impact.packet_width_moderate) sites: the DpS limit is left, and two
+more sites on either side rise above the hundredth.
 
 | amplitude of the tail over that of the peak | article | here |
 |---|---|---|
@@ -364,10 +358,10 @@ velocities at which no bead escapes lie between velocities at which one does. So
 velocity with an escape to the highest without, on a grid of 801 velocities and up to $t = 500$ (table `blowup_scan`).
 Both scans begin with survivors and end with escapes. [](finding:blowup.bands)
 
-Every velocity is run with two steps on a chain that nothing can cross within the time. What must agree is the
-*outcome*; where it does not, the velocity is disputed and counts for neither edge. The scans begin above the energy
-bound, which is 1.73 for $s = -\frac16$ and 0.85 for $s = -0.7$, and so they cannot test it. The sweep of figure 19 can:
-it has a run at every velocity from 0.01 up to the band and would end with an error if a bead escaped.
+Every velocity is run with two steps on a chain that nothing can cross within the time. Where the *outcomes* differ,
+the velocity is disputed and counts for neither edge. The scans begin above the energy bound, which is 1.73 for
+$s = -\frac16$ and 0.85 for $s = -0.7$. The sweep of figure 19 tests it: it has a run at every velocity from 0.01 up to
+the band and would end with an error if a bead escaped.
 
 | edge of the band, ± spacing of the grid | $s = -\frac16$ | $s = -0.7$ |
 |---|---|---|
@@ -391,23 +385,18 @@ struct Trial {
 };
 
 /**
-Inside the band the packets of those impacts that do not blow up can be faster, perhaps because the collision that keeps
-the first bead from escaping feeds the packet. The curves of figure 19 therefore end one grid spacing below the band.
-Their last points, up to 0.05 below it, the velocity of figure 20 among them, are erratic and are marked in the figure:
-the first bead almost escapes before it returns. Each is right for its own velocity, but a finer scan would find more
-structure. */
+The curves of figure 19 end one grid spacing below the band. Their last points, up to 0.05 below it, the velocity of
+figure 20 among them, are erratic and are marked in the figure: the first bead almost escapes before it returns. A finer
+scan would find more structure. */
 std::vector<double> report_blowup(Report& report) {
   Table& scan =
       report.table("blowup_scan",
                    {number("s", "anharmonicity of the well"), number("velocity", "impact velocity"),
                     number("escape_time", "time of the blow-up, nan if there is none"),
                     count("agree", "1 where both resolutions agree on the outcome")});
-  std::vector<double> ends;  // of the curves of figure 19
-  for (const SweptWell& well : wells) {
-    if (well.s == 0) {
-      ends.push_back(far_away);
-      continue;
-    }
+  std::vector<double> ends{far_away};  // of the curves of figure 19; the first well is linear
+  for (std::size_t w = 1; w < wells.size(); ++w) {
+    const SweptWell& well = wells[w];
     std::vector<Trial> trials(report.quick ? 31 : 801);
     for (std::size_t i = 0; i < trials.size(); ++i)
       trials[i].velocity =
@@ -440,10 +429,9 @@ std::vector<double> report_blowup(Report& report) {
 /**
 ## An independent route
 
-States on which our runs agree could still be wrong. So the struck chain of figure 20 is computed once more by another
-method, of order eight, from the GNU Scientific Library. It shares nothing with ours but the forces, and must arrive at
-the same state at $t = 60$: the program stops with an error if the two differ by more than $10^{-8}$ of the largest
-entry. */
+The struck chain of figure 20 is computed once more by a method of order eight from the GNU Scientific Library. It
+shares nothing with ours but the forces, and must arrive at the same state at $t = 60$: the program stops with an error
+if the two differ by more than $10^{-8}$ of the largest entry. */
 void check_by_gsl() {
   const Chain chain{40, Quartic{-0.7}};
   const auto runs = states_after(1e-9, chain, 0.94, 60);
