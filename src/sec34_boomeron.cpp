@@ -252,6 +252,7 @@ void report_force(Report& report) {
                 number("bend", "relative difference of the slopes of both halves")});
   table.fill(list, row, "forces");
 
+  // The two impacts of figure 22, the three legs, the linear well
   const auto seen = [&](double v0, double s, Leg leg = Leg::out) {
     for (const Accelerated& p : list)
       if (p.v0 == v0 && p.s == s && p.leg == leg) return p.seen;
