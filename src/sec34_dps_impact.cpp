@@ -13,8 +13,8 @@ describe everything. Does it? According to section 3.4 of James, Kevrekidis and 
 ![A struck DpS chain sends out a travelling breather. Drawn by fig16_dps_impact.py: `density` over `n` and `tau` from
 the table `dps_impact_map`; the inset is `dps_impact_profile`.](fig:16)
 
-All of this holds, if the amplitude, which the article does not define, is the height of a packet from crest to trough
-in one snapshot. The largest displacements differ by a few per cent only.
+The first two hold. What is called the amplitude is not printed. In one snapshot the heights of the packets, from crest
+to trough, have both printed values; their largest displacements differ by a few per cent only.
 
 ## Model
 
@@ -338,9 +338,9 @@ void report_packet(Report& report, const TwoRuns<DpsRun>& dps, const TwoRuns<Cha
 /**
 ## Which amplitudes are 9e-4 and 13e-4?
 
-One definition gives both: the height of the packet from crest to trough in one snapshot, at $t = 8091.0$; the run ends
-at $\tau = 250$, with the printed $\epsilon$ $t = 8090.7$. But the height changes within an oscillation, in the chain
-nearly by a factor of two. So we take it, by the same function for chain and approximation, at 201 instants between
+One definition gives both: the height of the packet from crest to trough in one snapshot, at $t = 8091.0$; the end of
+the run, $\tau = 250$, is $t = 8090.7$. But the height changes within an oscillation, in the chain nearly by a factor of
+two. So we take it, by the same function for chain and approximation, at 201 instants between
 $t = 8085$ and 8095, a little more than one and a half oscillations. The chain is within five per cent of the printed
 number at [18](num:sec34_dps_impact.instants_lattice_near) of them, and at
 [18](num:sec34_dps_impact.instants_both_near) of these the approximation is within five per cent of its own.

@@ -188,8 +188,7 @@ void report_transition(Report& report) {
     return p.counts.ejected_far == 0 || p.counts.moved < std::int64_t(beads);
   };
   const auto mixed = std::find_if(points.begin(), points.end(), has_moved);
-  auto certain = points.end();  // the first of those from which on all are kinks
-  while (certain != points.begin() && !no_kink(certain[-1])) --certain;
+  const auto certain = std::find_if(points.rbegin(), points.rend(), no_kink).base();
   const auto breathers = mixed - points.begin(), kinks = points.end() - certain;
   report.facts.add("kink_breathers", exact(double(breathers)));
   report.facts.add("kink_kinks", exact(double(kinks)));
