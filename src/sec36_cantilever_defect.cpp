@@ -33,7 +33,6 @@ Eqs. (28) to (30), which is 0.29 at the 1 m/s of the article. In the program $\m
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 #include <numeric>
 #include <string>
@@ -45,7 +44,6 @@ Eqs. (28) to (30), which is 0.29 at the 1 m/s of the article. In the program $\m
 #include "lattice/gsl/reference.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
-#include "report/sweep.hpp"
 #include "sec3/array_impact.hpp"
 
 using namespace lattice;
@@ -400,45 +398,43 @@ reason. [](finding:defect.map) The trapped state at 0.925 radii is close to a br
 
 ![Reflected, remaining and transmitted energy against the radius of the defect. Drawn by x09_defect_map.py: the net
 shares over `ratio`, from `defect_map`.](fig:x09) */
-Sweep map_of_defects(const std::filesystem::path& folder, const ScatteringSetup& setup, bool quick,
-                     Part part) {
+Table map_of_defects(const ScatteringSetup& setup, bool quick) {
   const std::string all = "share of the energy, see the chapter",
                     arriving = "share of what arrives, see the chapter";
   std::vector<double> radii;
   for (int k = 40; k <= 160; ++k)  // in eightieths, closer to each other around one
     if (quick ? k % 10 == 0 : k % 2 == 0 || (k > 68 && k < 92)) radii.push_back(double(k) / 80);
-  Sweep sweep{
-      folder,
-      "defect_map",
-      {number("ratio", "radius of the defect's beads over the others'"),
-       number("mu", "effective mass of the defect over the others'"),
-       number("linear_frequency", "of the defect, over that of the others"),
-       estimate("reflected", all), estimate("near", all), estimate("transmitted", all),
-       estimate("near_earlier", all),
-       estimate("net_reflected", arriving, "",
-                "difference of two resolutions, against the neighbouring rows: it is zero by "
-                "definition without a defect"),
-       estimate("net_near", arriving), estimate("net_transmitted", arriving),
-       number("budget", "sum of the three shares less one")},
-      radii.size(),
-      std::string("defect map, velocity 1 m/s, ") + (quick ? "quick" : "full")};
-  // The points are independent: a part of them can be computed alone, and an interrupted map goes on
-  sweep.compute(part, [&](std::size_t i) {
-    const Fractions f = fractions(setup, radii[i]);
+  Table map{{number("ratio", "radius of the defect's beads over the others'"),
+             number("mu", "effective mass of the defect over the others'"),
+             number("linear_frequency", "of the defect, over that of the others"),
+             estimate("reflected", all), estimate("near", all), estimate("transmitted", all),
+             estimate("near_earlier", all),
+             estimate("net_reflected", arriving, "",
+                      "difference of two resolutions, against the neighbouring rows: it is zero by "
+                      "definition without a defect"),
+             estimate("net_near", arriving), estimate("net_transmitted", arriving),
+             number("budget", "sum of the three shares less one")}};
+  const auto row = [&](double ratio) {
+    const Fractions f = fractions(setup, ratio);
     const CantileverArray& array = setup.blow.array;
-    Cells row{radii[i], array.mu(radii[i]), array.linear_frequency(radii[i])};
-    for (const Estimate& e : {f.reflected, f.near, f.transmitted, f.near_earlier, f.net_reflected,
-                              f.net_near, f.net_transmitted})
-      row.insert(row.end(), {e.value, e.error});
-    row.push_back(f.budget.value);
-    return row;
-  });
-  return sweep;
+    return Cells{ratio,
+                 array.mu(ratio),
+                 array.linear_frequency(ratio),
+                 f.reflected,
+                 f.near,
+                 f.transmitted,
+                 f.near_earlier,
+                 f.net_reflected,
+                 f.net_near,
+                 f.net_transmitted,
+                 f.budget.value};
+  };
+  map.fill(radii, row, "map of defects");
+  return map;
 }
 
 void report_map(Report& report, const ScatteringSetup& setup) {
-  Sweep sweep = map_of_defects(report.output.folder(), setup, report.quick, {});
-  const Table map = sweep.table();
+  const Table map = map_of_defects(setup, report.quick);
   const auto ratio = map.numbers("ratio"), near = map.numbers("near"),
              reflected = map.numbers("net_reflected"), error = map.numbers("net_reflected_error");
   const auto most = std::size_t(std::max_element(near.begin(), near.end()) - near.begin());
@@ -461,7 +457,6 @@ void report_map(Report& report, const ScatteringSetup& setup) {
   report.facts.add("total_reflection_least", least);
   report.facts.add("total_reflection_most", highest);
   report.output.add("defect_map", map);
-  sweep.forget();
 }
 
 /**
@@ -559,8 +554,7 @@ void reproduce(Report& report) {
 ## With your own parameters
 
 `run` measures one defect; it fails if the packet that passes reaches the far end in 75 ms, and `--sites` makes the
-array longer. `map --part 2/8` computes one part of the map of figure x09 and leaves its rows in `--folder` for the full
-run. */
+array longer. */
 struct OneDefect {
   static constexpr Title title{"run", "one defect: reflected, remaining, transmitted energy"};
   double ratio = 1.6, velocity = 1;
@@ -618,17 +612,9 @@ Table OneDefect::table() const {
   return q.table;
 }
 
-struct DefectMap : MapPart {
-  static constexpr Title title{"map", "a part of the map of defects"};
-
-  Table table() const {
-    return map_of_defects(folder, {StruckArray{}, false}, false, mine()).table(mine());
-  }
-};
-
 int main(int argc, char** argv) {
   return run({"sec36_cantilever_defect", "3.6",
               "Decorated cantilevers and a defect that reflects (section 3.6)", reproduce,
-              commands<OneDefect, DefectMap>()},
+              commands<OneDefect>()},
              argc, argv);
 }

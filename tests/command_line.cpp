@@ -28,7 +28,6 @@ TEST_CASE("help and version", "[cli]") {
   CHECK(call("sec34_impact --version").output.find("sec34_impact ") == 0);
   CHECK(run.find("--contact {hertz|power} ") != std::string::npos);
   CHECK(matches(run, "such as -1/6").size() == 1);
-  CHECK(matches(offers().at("sec36_cantilever_defect map"), "such as -1/6").empty());
   CHECK(help.find("(default: build/data/sec34_impact,") != std::string::npos);
   for (const char* shown : {"(default: 1.87)", "(default: quartic)", "(default: as long as needed)",
                             "(default: standard output)", "is nan, and its reason says why"})
@@ -39,7 +38,7 @@ TEST_CASE("help and version", "[cli]") {
 TEST_CASE("a line that cannot be meant is answered in one line, and nothing is computed", "[cli]") {
   const std::string run = "sec34_impact run ", profile = "sec32_dps_profiles profile ",
                     breather = "sec32_newton_breathers breather ", kick = "sec33_mobility kick ",
-                    cantilever = "sec36_cantilever_defect ", map = cantilever + "map ";
+                    cantilever = "sec36_cantilever_defect ";
   const std::vector<std::pair<std::string, std::string>> lines{
       // Numbers and names
       {run + "--sites 2.5", "--sites: '2.5' is not a whole number (allowed: [2, 1000000])"},
@@ -63,10 +62,7 @@ TEST_CASE("a line that cannot be meant is answered in one line, and nothing is c
       {breather + "--centre site --sites 30", "--sites"},
       {breather + "--centre site --sites 9", "--sites"},
       {"sec33_mobility threshold --centre site", "--centre"},
-      {map + "--part 0/4", "--part"},
-      {map + "--folder /proc/nowhere", "--folder: cannot write to '/proc/nowhere'"},
-      {map + "--folder ''", "--folder: "},
-      {cantilever + "map --ratio 1", "--ratio: belongs to "},
+      {"sec33_mobility threshold --c 1e-4", "--c: belongs to "},
       {"sec34_impact --out /proc/nowhere", "--out: cannot write"},
       {run + "--output /proc/nowhere/x.ecsv", "--output: cannot write"},
       // Words in the wrong place
@@ -91,7 +87,7 @@ TEST_CASE("a line that cannot be meant is answered in one line, and nothing is c
       {"sec34_impact fly", "'fly': there is no such command (allowed: run)"},
       {"sec34_impact --velocity 1", "--velocity: belongs to 'run'"},
       {"sec34_impact --quik", "did you mean --quick?"},
-      {cantilever + "rum", "did you mean 'run'? (allowed: run, map)"},
+      {cantilever + "rum", "did you mean 'run'? (allowed: run)"},
       {"sec2_nonexistence run", "'run': belongs to no option, and there are no commands"},
       // Earlier names
       {run + "--onsite cubic", "--onsite: 'cubic' is not one of the allowed names none, harmonic"},
@@ -300,7 +296,7 @@ TEST_CASE("every command reports the contract's quantities, and says what they a
         {{"centre", 439.4, 0.5}, {"width", any}, {"energy_fraction", any}}},
        {"sec4_precompression_mi ring --longest 200", {}}},
       {"sec32_dps_profiles profile", "sec33_dps_stability spectrum", "sec33_floquet multipliers",
-       "sec33_mobility threshold", "sec36_cantilever_defect map", "sec35_scales scales"});
+       "sec33_mobility threshold", "sec35_scales scales"});
 }
 
 TEST_CASE("the commands agree with the chapters and with each other", "[cli]") {

@@ -23,7 +23,7 @@ at rest before the impact, with free ends and so long that nothing returns from 
 
 #include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
-#include "report/sweep.hpp"
+#include "commands/sweep.hpp"
 #include "sec34/fate.hpp"
 
 using namespace lattice;

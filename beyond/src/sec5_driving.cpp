@@ -44,7 +44,7 @@ beam lose its energy in 10 ms, the lifetime that its conclusion quotes for diato
 
 #include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
-#include "report/sweep.hpp"
+#include "commands/sweep.hpp"
 #include "sec5/driven_array.hpp"
 #include "sec5/packet_members.hpp"
 #include "sec5/solution_curve.hpp"

@@ -11,6 +11,7 @@ TEST_CASE("a line that cannot be meant is refused by what is beyond the article"
   const std::vector<std::pair<std::string, std::string>> lines{
       {map + "--part 0/4", "--part"},
       {map + "--folder ''", "--folder: "},
+      {map + "--folder /proc/nowhere", "--folder: cannot write to '/proc/nowhere'"},
       {"sec5_driving chart --part 5/4", "--part"},
       {"sec5_travelling_packets orbit --alpha 0.5", "[1.05, 4]"},
       {orbit + "--near 6 --k 1",

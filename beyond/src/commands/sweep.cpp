@@ -1,4 +1,4 @@
-#include "report/sweep.hpp"
+#include "commands/sweep.hpp"
 
 #include <algorithm>
 #include <cstdio>
