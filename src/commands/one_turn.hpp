@@ -45,8 +45,8 @@ inline double decorrelation_time(const Method& first, State<double> a, const Met
   }
 }
 
-/// The decorrelation time of two impacts whose velocities differ by a fraction `delta`. Steps that are too long part two
-/// impacts as well: those of `largest` are halved until equal steps, half of them, and both beside each other agree;
+/// The decorrelation time of two impacts whose velocities differ by a fraction `delta`. Steps that are too long part
+/// two impacts as well: those of `largest` are halved until equal steps, half of them, and both beside each other agree;
 /// nothing if none is short enough.
 inline std::optional<Estimate> decorrelation_to(const EventCorrected& largest, double velocity,
                                                 double delta, const Chain& chain, double time) {

@@ -53,8 +53,8 @@ class Front {
   double behind_ = 0;
 };
 
-/// The height of the lower of two excitations, on the first five sites and about `peak`, over the highest wave in between:
-/// both are visible if it exceeds one.
+/// The height of the lower of two excitations, on the first five sites and about `peak`, over the highest wave in
+/// between: both are visible if it exceeds one.
 double prominence(const std::vector<double>& v, std::size_t peak);
 
 }  // namespace lattice
