@@ -53,15 +53,14 @@ program stops unless both agree to $10^{-7}$.
 
 The contact time is the printed one, if this is cut off after two decimals. The largest compression is not; the article
 quotes both from other works. With the reduced mass $\mu = \frac12m$ it is $(\mu V^2/K)^{2/5}$, $K = \frac45\gamma$. A
-possible cause of the quoted 0.76 is $\gamma$ in the place of $K$, which gives $2^{-2/5}\,\delta$. The quoted contact
-time has the right constant: at given $V$ it is proportional to the compression, and with 0.76 it would be far from
-2.43.
+possible cause of the quoted 0.76 is $\gamma$ in the place of $K$, which gives $2^{-2/5}\,\delta$. At given $V$ the
+contact time is proportional to the compression, and with 0.76 it would be far from 2.43.
 
 A cradle whose strings have the length $L$ has $\tau_c^2 = L/g$. A collision of steel balls was measured to take 0.077
-ms, and this over the contact time in units of $\tau_h$ is $\tau_h$. As $\lambda^{5/2} = (L/g\tau_h^2)^{5/2}$ contains
-the fifth power of $\tau_h$, an error of one per cent in the contact time becomes five, and rounding matters. The
-article prints $L = 0.5$ m and 2.43, but no $g$; with $g = 10$ m/s² its value is found. Either way a collision is over
-long before a pendulum has moved, and breathers do not travel there.
+ms, which is the contact time. As $\lambda^{5/2} = (L/g\tau_h^2)^{5/2}$ contains the fifth power of $\tau_h$, an error
+of one per cent in the contact time becomes five, and rounding matters. The article prints $L = 0.5$ m and 2.43, but no
+$g$; with $g = 10$ m/s² its value is found. Either way a collision is over long before a pendulum has moved, and
+breathers do not travel there.
 
 | quantity | article | here |
 |---|---|---|
@@ -98,10 +97,9 @@ void report_collision(Report& report) {
 The article replaces a beam of the length $\ell$ by a spring and a point mass, with factors that it prints with two or
 three digits, so we compute them. We integrate $u'''' = x^4u$ for the deflection $u$, where $x$ is now the wavenumber
 times $\ell$, along half of the beam, from the clamped end, where $u = u' = 0$, to the middle, where $u' = 0$ by
-symmetry (cantilever.hpp), in 200 and in 400 steps. The stiffness is that against a steady push at the middle; the
-wavenumber is then $x = 0$ and the solution a cubic, which the Runge–Kutta method reproduces exactly, so that only
-rounding is left. For the frequency an independent route is $\cos x\cosh x = 1$. Two beads at the middle change the
-shape of the vibration, so that one point mass for beam and beads is an approximation, by a thousandth of the frequency.
+symmetry (cantilever.hpp), in 200 and in 400 steps. Against a steady push at the middle $x = 0$ and the solution is a
+cubic, which the Runge–Kutta method reproduces exactly. For the frequency an independent route is
+$\cos x\cosh x = 1$. One point mass for beam and beads is an approximation, by a thousandth of the frequency.
 
 | of a clamped beam | article | here |
 |---|---|---|
@@ -131,11 +129,10 @@ void report_beam(Report& report, const CantileverArray& array) {
 /**
 ## The array (figure 1) and its losses
 
-With these two parts the article's array has two times of the same order. The impact of the dimensionless chain,
-$\lambda^{5/2}$, is small: in such an array breathers can travel. The beads of an array lose their energy in some 10 ms.
-The article's conclusion compares this with the growth of an instability: a disturbance that is multiplied by
-$1+\epsilon$ in each period stays hidden if it does not grow by a factor of $e$ in that time, that is for
-$\epsilon < 0.015$. This is what $(1+\epsilon)^{10/0.15} = e$ gives with the printed period of 0.15 ms.
+In the article's array the two times are of the same order and the impact of the dimensionless chain, $\lambda^{5/2}$,
+is small: breathers can travel. The beads lose their energy in some 10 ms. The article's conclusion compares this with
+the growth of an instability: a disturbance that is multiplied by $1+\epsilon$ in each period stays hidden if it does
+not grow by a factor of $e$ in that time, $(1+\epsilon)^{10/0.15} = e$ with the printed period of 0.15 ms.
 
 | impact of 1 m/s | article | here |
 |---|---|---|
@@ -176,12 +173,10 @@ void report_array(Report& report, const CantileverArray& array) {
 /**
 ## Differences and limits
 
-Of the printed numbers one is not found, the compression 0.76; that for $\lambda^{5/2}$ of the cradle is found with
-$g = 10$ m/s² only. Hertz's coefficient needs the Young modulus of the beads,
-$\gamma = \mathcal E\sqrt{2R}/(3(1-\nu^2))$ with their radius $R$ and Poisson's ratio $\nu$; the article prints the
-symbol of the beam's, which would give a $\lambda$ far from small (exercise 3). A beam is described by one number, the
-deflection of its middle: its higher modes and its twisting are left out, and so is whatever a contact does beyond
-Hertz's static law. */
+Hertz's coefficient needs the Young modulus of the beads, $\gamma = \mathcal E\sqrt{2R}/(3(1-\nu^2))$ with their radius
+$R$ and Poisson's ratio $\nu$; the article prints the symbol of the beam's, which would give a $\lambda$ far from small
+(exercise 3). A beam is described by the deflection of its middle: its higher modes and its twisting are left out, and
+so is all that a contact does beyond Hertz's static law. */
 void reproduce(Report& report) {
   const CantileverArray array;
   report_collision(report);
@@ -196,19 +191,14 @@ void reproduce(Report& report) {
 is `cradle(g, contact_time)` (sec35/collision.hpp). Another law of contact is the third member of `Chain` in `collide`.
 
 1. *Easy.* Strike the array ten times less: `build/bin/sec35_scales scales --velocity 0.1` gives
-   `lambda` = 0.11702 and `contact_time` = 1.79796e-4. Hint: $\tau_h$ grows like $V^{-1/5}$, so that $\lambda$ falls
-   like $V^{2/5}$ only, while the impact of the dimensionless chain, $\lambda^{5/2}$, is proportional to $V$.
+   `lambda` = 0.11702 and `contact_time` = 1.79796e-4. Hint: $\tau_h$ grows like $V^{-1/5}$.
 2. *Harder.* How hard must one strike for $\lambda = 1$? `build/bin/sec35_scales scales --velocity 21.35` gives
-   `lambda` = 1.0000 and `lambda_5_2` = 1.0001. Hint: this is $\xi/\tau_c$, the unit of velocity of the chain; its
-   unit of force, in the same table, is 532 N.
+   `lambda` = 1.0000 and `lambda_5_2` = 1.0001. Hint: this is $\xi/\tau_c$, the unit of velocity of the chain.
 3. *Harder.* Give the beads the Young modulus of the beams' steel: `build/bin/sec35_scales scales` gives
    `lambda_with_beam_modulus` = 14.63. Hint: harder contacts are shorter, and breathers need long ones.
 4. *Open.* What cradle would show a travelling breather: which string, and which beads, how soft?
 
-## With your own parameters
-
-`build/bin/sec35_scales scales` prints all constants for an impact velocity of your choice (commands/all_scales.hpp);
-the formulas are in cantilever.hpp. */
+`scales` prints all constants for your own impact (commands/all_scales.hpp). */
 int main(int argc, char** argv) {
   return run({"sec35_scales", "3.5", "Scales of a cradle and of an array (section 3.5)", reproduce,
               commands<AllScales>()},

@@ -3,9 +3,9 @@
 # One impact with your own parameters
 
 `sec34_impact run --velocity 1.87 --s -0.1667 --time 587` measures a single impact in the way of section 3.4
-(sec34_impact.cpp), for any well and, with `--precompression`, for the compressed contacts of section 4. The
-speed is fitted on the way out, from site 20 to twenty sites before the far end. Over a long stretch a packet slows down as
-it sheds energy, so the value depends on the window. The command fails if a bead runs away, because then there is no packet
+(sec34_impact.cpp), for any well and, with `--precompression`, for the compressed contacts of section 4. The speed is
+fitted on the way out, from site 20 to twenty sites before the far end. Over a long stretch a packet slows down as it
+sheds energy, so the value depends on the window. The command fails if a bead runs away, because then there is no packet
 to measure, and if the motion reaches the far end, unless you choose the end yourself with `--sites`: then what it sends
 back belongs to the run, and `far_end_moved` says whether there is any.
 

@@ -19,10 +19,8 @@ Velocities velocities(const Path& smoothed, std::size_t first, std::size_t last,
   return out;
 }
 
-namespace {
-
 // Times bound the way out, sites the way back, which begins at another time for each impact
-Acceleration acceleration_of(const Path& path, double width, Leg leg) {
+static Acceleration on_leg(const Path& path, double width, Leg leg) {
   const Path p = smooth(path, width);
   std::size_t first = 0, last = 0;
   if (leg != Leg::out) {
@@ -38,13 +36,10 @@ Acceleration acceleration_of(const Path& path, double width, Leg leg) {
   return {fit_line(t, v).estimate(), bend(t, v)};
 }
 
-}  // namespace
-
 // Two steps and half the smoothing
 Acceleration acceleration_of(const Path& coarse, const Path& fine, Leg leg) {
-  const Acceleration a = acceleration_of(coarse, path_smoothing, leg),
-                     b = acceleration_of(fine, path_smoothing, leg),
-                     c = acceleration_of(fine, path_smoothing / 2, leg);
+  const Acceleration a = on_leg(coarse, path_smoothing, leg), b = on_leg(fine, path_smoothing, leg),
+                     c = on_leg(fine, path_smoothing / 2, leg);
   Acceleration out{compare(a.mean, b.mean), b.bend};
   out.mean.error += std::abs(c.mean.value - b.mean.value);
   return out;

@@ -2,9 +2,8 @@
 /**
 # The acceleration of a packet
 
-The velocity of a packet is the slope of its smoothed path over ten units of time. A line that is fitted to it
-gives the mean acceleration of the centre on a leg of the way, and `bend`, the difference between the slopes of
-the two halves of the leg relative to the whole slope, says how constant it is. */
+The velocity of a packet is the slope of its smoothed path over ten units of time, its acceleration the slope of a line
+that is fitted to these velocities on a leg of the way. */
 
 #include <vector>
 
@@ -12,16 +11,6 @@ the two halves of the leg relative to the whole slope, says how constant it is. 
 #include "lattice/numerics/estimate.hpp"
 
 namespace lattice {
-
-/// The mean acceleration on a leg of the way, and how much it changes there, both with errors.
-struct Acceleration {
-  Estimate mean, bend;  ///< site per squared unit of time; relative
-};
-
-/**
-On the way out the packet is watched from $t = 100$, when it has left the end behind, to $t = 220$; on the way
-back between sites 18 and 6; and the third leg is what lies between these two. */
-enum class Leg { back, out, between };
 
 /// Velocities of a packet at some times.
 struct Velocities {
@@ -32,14 +21,20 @@ struct Velocities {
 /// is the time between two samples.
 Velocities velocities(const Path& smoothed, std::size_t first, std::size_t last, double look);
 
-/// The acceleration on a leg, from the paths of two runs. Its error is that of the fit plus what the other step and half the
-/// smoothing change.
+/// On the way out 100 < t < 220, on the way back sites 18 to 6, and what lies between these two.
+enum class Leg { back, out, between };
+
+/// The mean acceleration (site per squared unit of time), and the slopes of both halves of the leg: their difference
+/// over the whole slope.
+struct Acceleration {
+  Estimate mean, bend;
+};
+
+/// The acceleration on a leg, from the paths of two runs. The error of the mean is that of the fit plus what the other
+/// step and half the smoothing change.
 Acceleration acceleration_of(const Path& coarse, const Path& fine, Leg leg);
 
-/**
-Neighbours in a list of accelerations may be closer than their errors. The list does not fall in modulus if no later one is
-smaller than an earlier one beyond the errors of both. */
-/// The largest fall of the modulus from one to a later one, less the errors of both.
+/// The largest fall of the modulus from one estimate of a list to a later one, less the errors of both.
 double largest_fall(const std::vector<Estimate>& list);
 
 }  // namespace lattice

@@ -4,8 +4,8 @@
 
 namespace lattice {
 
-double energy_change(const Path& path, double to) {
-  const std::size_t end = path.until(to);
+double energy_change(const Path& path) {
+  const std::size_t end = path.centre.size();
   std::size_t begin = 0;
   while (begin < end && path.centre[begin] < fit_from) ++begin;
   if (end < begin + 6) throw std::runtime_error("no packet passes site 20");
@@ -15,8 +15,7 @@ double energy_change(const Path& path, double to) {
     for (std::size_t i = from; i < until; ++i) sum += path.energy[i];
     return sum / double(until - from);
   };
-  const double first = mean(begin, half), second = mean(half, end);
-  return second / first - 1;
+  return mean(half, end) / mean(begin, half) - 1;
 }
 
 // The strongest window behind the packet, at least one width clear of it
@@ -28,14 +27,14 @@ double residue(const std::vector<double>& e, std::size_t peak) {
 }
 
 // The lower of two peaks, at the end and around the packet, over the highest wave in between
-double prominence(const std::vector<double>& v, std::size_t peak, std::size_t near) {
+double prominence(const std::vector<double>& v, std::size_t peak) {
   const auto height = [&](std::size_t from, std::size_t to) {
     double most = 0;
     for (std::size_t n = from; n < std::min(to, v.size()); ++n)
       most = std::max(most, std::abs(v[n]));
     return most;
   };
-  const std::size_t m = packet_half_width, behind = peak > m ? peak - m : 0;
+  const std::size_t near = 5, m = packet_half_width, behind = peak > m ? peak - m : 0;
   const double between = height(near + m, behind), packet = height(behind, peak + m + 1);
   return std::min(height(0, near), packet) / between;
 }

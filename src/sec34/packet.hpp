@@ -14,16 +14,12 @@ around it. */
 
 namespace lattice {
 
-/**
-A packet that lasts keeps its energy. The means over both halves of its way average out its pulsation. */
-/// Relative change of the packet's mean energy from the first half of its way to the second. Throws
-/// std::runtime_error if fewer than six samples lie beyond `fit_from`.
-double energy_change(const Path& path, double to = far_away);
+/// Relative change of the packet's mean energy from the first half of its way to the second; the means remove its
+/// pulsation. Throws std::runtime_error if fewer than six samples lie beyond `fit_from`.
+double energy_change(const Path& path);
 
-/**
-The strongest thing behind the packet is found by sliding a window of the same width: `residue` is the
-largest energy in a window that is separated from the packet's by at least its width, over that of the
-packet around `peak`. */
+/// The largest energy in a window behind the packet, at least one width clear of it, over that of the packet around
+/// `peak`.
 double residue(const std::vector<double>& e, std::size_t peak);
 
 /**
@@ -57,9 +53,8 @@ class Front {
   double behind_ = 0;
 };
 
-/**
-Two excitations at the ends of a profile are visible if each rises above everything between them. */
-/// The height of the lower one, within `near` sites of the end or about `peak`, over the highest wave in between.
-double prominence(const std::vector<double>& v, std::size_t peak, std::size_t near = 5);
+/// The height of the lower of two excitations, on the first five sites and about `peak`, over the highest wave in
+/// between: both are visible if it exceeds one.
+double prominence(const std::vector<double>& v, std::size_t peak);
 
 }  // namespace lattice
