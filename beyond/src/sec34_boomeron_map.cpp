@@ -21,6 +21,7 @@ at rest before the impact, with free ends and so long that nothing returns from 
 #include <utility>
 #include <vector>
 
+#include "lattice/numerics/line_fit.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
 #include "commands/sweep.hpp"

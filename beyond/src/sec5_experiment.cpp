@@ -491,7 +491,7 @@ Breathers around a bond or in other wells were not damped in this way; in hard w
 (`sec33_between`). */
 void report_instability(Report& report) {
   const std::size_t each = report.quick ? 8 : 1;  // of 64 members a decade
-  std::vector<Member> members(80 / each + 1);
+  std::vector<BranchMember> members(80 / each + 1);
   parallel_for("breathers", members.size(), [&](std::size_t k) {
     members[k] = member_at(Centre::site, 1 + 0.01 * std::pow(10, double(k * each) / 64));
   });
@@ -508,11 +508,11 @@ void report_instability(Report& report) {
                       estimate("lifetime_e", "the lifetime that belongs to it", "ms")});
   for (std::size_t k = report.quick ? 8 : 60; k < members.size(); k += report.quick ? 2 : 4) {
     // The branch below a member, and every second one of it
-    const Member& start = members[k];
-    const std::vector<Member> fine(members.begin(), members.begin() + std::ptrdiff_t(k) + 1);
-    std::vector<Member> coarse;
+    const BranchMember& start = members[k];
+    const std::vector<BranchMember> fine(members.begin(), members.begin() + std::ptrdiff_t(k) + 1);
+    std::vector<BranchMember> coarse;
     for (std::size_t i = 2; i <= k; i += 2) coarse.push_back(members[i]);
-    const auto shortest = [&](const std::vector<Member>& branch) {
+    const auto shortest = [&](const std::vector<BranchMember>& branch) {
       return lifetime_of_growth(branch, limit, std::numbers::e);
     };
     const Estimate found = compare(shortest(coarse), shortest(fine));
@@ -525,7 +525,7 @@ void report_instability(Report& report) {
 
     // What ten milliseconds hide, in the DpS limit and in the chain
     const double nu = units.rate(ten_ms), turn = 2 * std::numbers::pi / start.omega;
-    const Member loose = member_at(Centre::site, start.omega, false);
+    const BranchMember loose = member_at(Centre::site, start.omega, false);
     report.facts.add("epsilon", compare(loose.multiplier() - 1, start.multiplier() - 1));
     report.facts.add("shift_10ms", compare(largest_shift(coarse, limit, nu) - 1,
                                            largest_shift(fine, limit, nu) - 1));

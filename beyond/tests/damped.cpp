@@ -160,7 +160,7 @@ TEST_CASE("a sensor sees as far as the beads are fast", "[unit][arrivals]") {
 
 TEST_CASE("a shift of a breather of the DpS limit has four lifetimes", "[unit][decay]") {
   // growth = L (omega - 1), by way of kappa = sinh^2(growth T / 2), and area = (omega - 1)^4
-  std::vector<Member> members;
+  std::vector<BranchMember> members;
   for (double mu : {0.01, 0.02, 0.04, 0.08, 0.16}) {
     const double omega = 1 + mu, growth = 1e-3 * mu;
     const double half = std::sinh(growth * std::numbers::pi / omega);
@@ -170,13 +170,13 @@ TEST_CASE("a shift of a breather of the DpS limit has four lifetimes", "[unit][d
   const double grown = largest_shift(members, 1e-3, nu);
   check_close(grown, std::cosh(members.back().growth * shown), 0, 1e-4);
   check_close(lifetime_of_growth(members, 1e-3, grown), 1 / nu, 0, 1e-6);
-  for (Member& m : members) m.kappa = -m.kappa, m.growth = 0;
+  for (BranchMember& m : members) m.kappa = -m.kappa, m.growth = 0;
   CHECK(largest_shift(members, 0, nu) == 1);
   CHECK_THROWS_AS(lifetime_of_growth(members, 0, 2), std::invalid_argument);
 }
 
 TEST_CASE("the shift of a decaying breather grows and swings back", "[property][decay]") {
-  std::vector<Member> members;
+  std::vector<BranchMember> members;
   for (int k = 22; k <= 32; ++k)
     members.push_back(member_at(Centre::site, 1 + 0.01 * std::pow(10, k / 32.0)));
   // The unstable stretches of the whole branch together have the factor e with this rate
@@ -211,9 +211,9 @@ double on_line(double x, double x0, double y0, double x1, double y1) {
 }
 
 /// The square of the growth rate at ln area = a: between members, or between the limit and the first of them.
-double square_by_hand(const std::vector<Member>& members, double limit, double a) {
+double square_by_hand(const std::vector<BranchMember>& members, double limit, double a) {
   Numbers area, excess, scaled;
-  for (const Member& m : members) {
+  for (const BranchMember& m : members) {
     // cosh(sigma T) = 1 + 2 kappa
     const double sigma = std::acosh(1 + 2 * std::abs(m.kappa)) * m.omega / turn;
     area.push_back(std::log(m.area)), excess.push_back(std::log(m.omega - 1));
@@ -232,7 +232,7 @@ double square_by_hand(const std::vector<Member>& members, double limit, double a
 }
 
 /// The largest |X| in a thousand classical Runge-Kutta steps, for X'' + nu X' / 4 = sigma^2 X.
-double shift_by_hand(const std::vector<Member>& members, double limit, double nu) {
+double shift_by_hand(const std::vector<BranchMember>& members, double limit, double nu) {
   using Pair = std::array<double, 2>;
   const double h = std::log(100) / 1000 / nu, start = std::log(members.back().area);
   const auto f = [&](double t, const Pair& x) {
@@ -254,8 +254,8 @@ double shift_by_hand(const std::vector<Member>& members, double limit, double nu
 }
 
 /// Members whose growth is that of kappa, with signs.
-std::vector<Member> branch(const Numbers& kappa) {
-  std::vector<Member> out;
+std::vector<BranchMember> branch(const Numbers& kappa) {
+  std::vector<BranchMember> out;
   for (std::size_t i = 0; i < kappa.size(); ++i) {
     const double omega = 1.03 + 0.02 * double(i * i), area = std::pow(4.0, double(i)) + 0.3;
     const double sigma = std::acosh(1 + 2 * std::max(0.0, kappa[i])) * omega / turn;
@@ -270,10 +270,10 @@ TEST_CASE("one centre of a pair of breathers grows, by the rate of its multiplie
           "[unit][decay]") {
   // cosh(sigma T) = 1 + 2 kappa
   const double omega = 1.05;
-  const Member up = member_at(Centre::site, omega), down = member_at(Centre::bond, omega);
+  const BranchMember up = member_at(Centre::site, omega), down = member_at(Centre::bond, omega);
   CAPTURE(up.kappa, down.kappa);
   CHECK(up.kappa * down.kappa < 0);
-  const Member& loud = up.kappa > 0 ? up : down;
+  const BranchMember& loud = up.kappa > 0 ? up : down;
   check_close(loud.growth, std::acosh(1 + 2 * loud.kappa) * omega / turn, 0, 1e-6);
   check_close(loud.multiplier(), std::exp(loud.growth * turn / omega), 0, 1e-12);
   CHECK((up.kappa > 0 ? down : up).growth == 0);

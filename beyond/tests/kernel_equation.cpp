@@ -230,7 +230,7 @@ HalfLine small_line(std::size_t order = 2) {
 }
 
 /// What a force g(t) = (a + b t)^2 that ends at t = 10 does: X and its derivative.
-struct Parabola {
+struct ParabolicWave {
   double a = 0.3, b = 0.07, end = 10;
   double d(double t) const { return a + b * t; }
   double g(double t) const { return d(t) * d(t); }
@@ -287,7 +287,7 @@ TEST_CASE("a panel of three nodes is that of the textbook", "[unit][kernel]") {
 }
 
 TEST_CASE("the response to a parabola is known", "[unit][kernel]") {
-  const Parabola p;
+  const ParabolicWave p;
   for (std::size_t order : {2, 3}) {
     const HalfLine line = small_line(order);
     const Vector<double> f = sampled(line.t(), [&](double t) { return p.g(t); });
@@ -333,7 +333,7 @@ TEST_CASE("the response to a parabola is known", "[unit][kernel]") {
 }
 
 TEST_CASE("what is said of a wave follows from its compressions", "[unit][kernel]") {
-  const Parabola p;
+  const ParabolicWave p;
   const HalfLine line = small_line();
   const KernelWave w{square, line, sampled(line.t(), [&](double t) { return p.d(t); })};
   const double action = (std::pow(p.d(10), 4) - std::pow(p.d(0), 4)) / (2 * p.b);

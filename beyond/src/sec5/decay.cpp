@@ -10,18 +10,18 @@
 
 namespace lattice {
 
-double Member::multiplier() const {
+double BranchMember::multiplier() const {
   return std::exp(growth * 2 * std::numbers::pi / omega);
 }
 
-Member member_at(Centre centre, double omega, bool fine) {
+BranchMember member_at(Centre centre, double omega, bool fine) {
   const auto problem =
       breather_problem<double>(centre, omega, 0.0, centre == Centre::bond ? 22 : 21);
   const Orbit<double> orbit = find_breather(problem);
   EventTolerance<double> rule;
   if (!fine) rule.tolerance *= 1000;
   const auto pairs = floquet_pairs(problem.chain, orbit.start, orbit.period(), rule);
-  Member out{omega, orbit.area, pairs.pinning(), 0};
+  BranchMember out{omega, orbit.area, pairs.pinning(), 0};
   if (out.kappa > 0) out.growth = 2 * std::asinh(std::sqrt(out.kappa)) / orbit.period();
   return out;
 }
@@ -33,8 +33,8 @@ struct Stability {
   std::vector<double> area, mu, square;  ///< ln A, ln(omega - 1), (sigma/(omega - 1))^2
   double limit;
 
-  Stability(const std::vector<Member>& members, double lambda) : limit(lambda * lambda) {
-    for (const Member& m : members) {
+  Stability(const std::vector<BranchMember>& members, double lambda) : limit(lambda * lambda) {
+    for (const BranchMember& m : members) {
       const double root = std::asinh(std::sqrt(std::abs(m.kappa))) * m.omega / std::numbers::pi;
       area.push_back(std::log(m.area)), mu.push_back(std::log(m.omega - 1));
       square.push_back((m.kappa > 0 ? 1 : -1) * std::pow(root / (m.omega - 1), 2));
@@ -57,7 +57,7 @@ struct Stability {
 }  // namespace
 
 // By the classical Runge-Kutta method in nu t
-double largest_shift(const std::vector<Member>& members, double limit, double nu) {
+double largest_shift(const std::vector<BranchMember>& members, double limit, double nu) {
   const Stability stability(members, limit);
   constexpr int steps = 1000;
   const double h = std::log(100) / steps;
@@ -79,10 +79,10 @@ double largest_shift(const std::vector<Member>& members, double limit, double nu
 }
 
 // By steps of a tenth from far below, as growth need not be monotonic in the lifetime, and then by bisection
-double lifetime_of_growth(const std::vector<Member>& members, double limit, double factor) {
+double lifetime_of_growth(const std::vector<BranchMember>& members, double limit, double factor) {
   const auto shift = [&](double lifetime) { return largest_shift(members, limit, 1 / lifetime); };
   double most = 0;
-  for (const Member& m : members) most = std::max(most, m.growth);
+  for (const BranchMember& m : members) most = std::max(most, m.growth);
   double high = 0.1 / most;
   while (shift(high) < factor)
     if (high *= 1.1; !(high * most < 1e6)) throw std::invalid_argument("the branch is stable");

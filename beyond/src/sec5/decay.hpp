@@ -19,7 +19,7 @@ finds the growth of a shift in a damped chain to a tenth. */
 namespace lattice {
 
 /// A breather of the branch in linear wells, with the growth rate of its translational pair.
-struct Member {
+struct BranchMember {
   double omega = 0, area = 0;
   double kappa = 0;   ///< of the translational pair (floquet.hpp), real if positive
   double growth = 0;  ///< per unit of time, zero if the pair is on the circle
@@ -29,16 +29,16 @@ struct Member {
 
 /// The member of the branch at this frequency. `fine` takes the tightest tolerance of the flow, otherwise
 /// one that is a thousand times looser.
-Member member_at(Centre centre, double omega, bool fine = true);
+BranchMember member_at(Centre centre, double omega, bool fine = true);
 
 /**
 What is smooth along the branch is $\sigma^2/(\omega_b-1)^2$; it is taken as a straight line in $\ln\mathcal A$
 between neighbouring members, and in $\omega_b-1$ between the first one and the limit $\Lambda^2$. */
 /// The largest |X| until a hundredth of the area is left, if X begins at one and at rest with the last of
 /// `members`, in ascending order of their frequencies; `limit` is $\Lambda$.
-double largest_shift(const std::vector<Member>& members, double limit, double nu);
+double largest_shift(const std::vector<BranchMember>& members, double limit, double nu);
 
 /// The shortest lifetime 1/nu for which that is `factor`. Throws std::invalid_argument on a stable branch.
-double lifetime_of_growth(const std::vector<Member>& members, double limit, double factor);
+double lifetime_of_growth(const std::vector<BranchMember>& members, double limit, double factor);
 
 }  // namespace lattice

@@ -103,6 +103,16 @@ double Emission::rate(double duration) const {
   return double(late) / (duration / 2);
 }
 
+namespace {
+
+/// The largest modulus in a step, in which a bead turns round once at most.
+double farthest(const Quintic& x) {
+  const double ends = std::max(std::abs(x.x0), std::abs(x.x1));
+  return (x.w0 > 0) != (x.w1 > 0) ? std::max(ends, std::abs(x(x.turn()))) : ends;
+}
+
+}  // namespace
+
 // What passes the detector, and what the drive gives
 Emission drive_chain(const DrivenChain& driven, double duration, std::size_t detector,
                      double step) {
@@ -113,7 +123,7 @@ Emission drive_chain(const DrivenChain& driven, double duration, std::size_t det
   double half = 0;
   const TimeGrid grid = two_halves(duration, step);
   const double h = grid.interval();
-  Quintic<double> way{};
+  Quintic way{};
   out.budget = evolve(driven, state, grid, [&](const State<double>& now, const EnergyBudget& l) {
     const double y = now.y[detector - 1], v = now.v[detector - 1];
     const double density = (y * y + v * v) / 2;
@@ -125,7 +135,7 @@ Emission drive_chain(const DrivenChain& driven, double duration, std::size_t det
     if (now.t < (duration + h) / 2)
       half = l.work;
     else
-      out.response = std::max(out.response, way.farthest());
+      out.response = std::max(out.response, farthest(way));
     out.power = (l.work - half) / (duration / 2);
     out.far = std::max(out.far, std::abs(now.y.back()));
     return true;
