@@ -14,7 +14,7 @@ documentation. */
 #include <functional>
 #include <memory>
 
-#include "commands/any_orbit.hpp"
+#include "any_orbit.hpp"
 #include "commands/dps_strike.hpp"
 #include "commands/multipliers.hpp"
 #include "commands/one_barrier.hpp"

@@ -1,4 +1,4 @@
-#include "commands/any_orbit.hpp"
+#include "any_orbit.hpp"
 
 #include <algorithm>
 #include <cmath>
