@@ -46,8 +46,9 @@ class Rows {
   const Functions& functions() const { return *functions_; }
 
   template <class T>
-  void row(Member which, const T* x, T* out, std::size_t n) const {
-    const bool energy = which == Member::energy, force = which == Member::force;
+  void row(PotentialFunction which, const T* x, T* out, std::size_t n) const {
+    const bool energy = which == PotentialFunction::energy,
+               force = which == PotentialFunction::force;
     const char* name = energy ? "energy" : force ? "force" : "stiffness";
     const py::function& function = energy  ? functions_->energy
                                    : force ? functions_->force

@@ -48,9 +48,9 @@ struct Rows {
 
   Rows(const std::string& kind, const OwnPotential& p, std::vector<double> points)
       : what(kind), x(std::move(points)) {
-    p.row(Member::energy, x.data(), energy.at.data(), x.size());
-    p.row(Member::force, x.data(), force.at.data(), x.size());
-    p.row(Member::stiffness, x.data(), stiffness.at.data(), x.size());
+    p.row(PotentialFunction::energy, x.data(), energy.at.data(), x.size());
+    p.row(PotentialFunction::force, x.data(), force.at.data(), x.size());
+    p.row(PotentialFunction::stiffness, x.data(), stiffness.at.data(), x.size());
   }
 };
 

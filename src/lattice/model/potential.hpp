@@ -38,12 +38,12 @@ struct Parameter {
 };
 
 /// Which of the three functions.
-enum class Member { energy, force, stiffness };
+enum class PotentialFunction { energy, force, stiffness };
 
 /// A potential that is evaluated elsewhere, as by the interpreter of another language, and prefers rows of numbers.
 template <class P>
 concept TakesRows = requires(const P& p, const double* x, double* out, std::size_t n) {
-  p.row(Member::force, x, out, n);
+  p.row(PotentialFunction::force, x, out, n);
 };
 
 /// A struct with the three functions, of numbers or of rows.
@@ -56,26 +56,27 @@ concept IsPotential = TakesRows<P> || requires(const P& p, double x) {
 
 /// Writes the function `which` at a row of `n` numbers; `out` may be `x`.
 template <class P, class T>
-void row_of(const P& potential, Member which, const T* x, T* out, std::size_t n) {
+void row_of(const P& potential, PotentialFunction which, const T* x, T* out, std::size_t n) {
   if constexpr (TakesRows<P>) {
     potential.row(which, x, out, n);
   } else {
     const auto fill = [&](auto function) {
       for (std::size_t i = 0; i < n; ++i) out[i] = function(x[i]);
     };
-    if (which == Member::energy) fill([&](const T& at) { return potential.energy(at); });
-    if (which == Member::force) fill([&](const T& at) { return potential.force(at); });
-    if (which == Member::stiffness) fill([&](const T& at) { return potential.stiffness(at); });
+    if (which == PotentialFunction::energy) fill([&](const T& at) { return potential.energy(at); });
+    if (which == PotentialFunction::force) fill([&](const T& at) { return potential.force(at); });
+    if (which == PotentialFunction::stiffness)
+      fill([&](const T& at) { return potential.stiffness(at); });
   }
 }
 /// Forces at a row of `n` numbers, and stiffnesses.
 template <class P, class T>
 void forces_of(const P& potential, const T* x, T* out, std::size_t n) {
-  row_of(potential, Member::force, x, out, n);
+  row_of(potential, PotentialFunction::force, x, out, n);
 }
 template <class P, class T>
 void stiffnesses_of(const P& potential, const T* x, T* out, std::size_t n) {
-  row_of(potential, Member::stiffness, x, out, n);
+  row_of(potential, PotentialFunction::stiffness, x, out, n);
 }
 
 /**
@@ -92,7 +93,7 @@ class OwnPotential {
   explicit OwnPotential(P potential) : kept_(std::make_shared<const Of<P>>(std::move(potential))) {}
 
   template <class T>
-  void row(Member which, const T* x, T* out, std::size_t n) const {
+  void row(PotentialFunction which, const T* x, T* out, std::size_t n) const {
     if constexpr (std::is_same_v<T, double> || std::is_same_v<T, long double>)
       return kept_->row(which, x, out, n);
     throw std::logic_error(
@@ -100,15 +101,15 @@ class OwnPotential {
   }
   template <class T>
   T energy(T x) const {
-    return row(Member::energy, &x, &x, 1), x;
+    return row(PotentialFunction::energy, &x, &x, 1), x;
   }
   template <class T>
   T force(T x) const {
-    return row(Member::force, &x, &x, 1), x;
+    return row(PotentialFunction::force, &x, &x, 1), x;
   }
   template <class T>
   T stiffness(T x) const {
-    return row(Member::stiffness, &x, &x, 1), x;
+    return row(PotentialFunction::stiffness, &x, &x, 1), x;
   }
 
   /// The struct itself. Throws std::bad_variant_access if it is another one.
@@ -123,8 +124,8 @@ class OwnPotential {
   struct Rows {
     virtual ~Rows() = default;
     virtual const void* type() const = 0;
-    virtual void row(Member, const double*, double*, std::size_t) const = 0;
-    virtual void row(Member, const long double*, long double*, std::size_t) const = 0;
+    virtual void row(PotentialFunction, const double*, double*, std::size_t) const = 0;
+    virtual void row(PotentialFunction, const long double*, long double*, std::size_t) const = 0;
   };
   template <class P>
   struct Of final : Rows {
@@ -132,10 +133,11 @@ class OwnPotential {
     static constexpr char tag = 0;
     explicit Of(P p) : potential(std::move(p)) {}
     const void* type() const override { return &tag; }
-    void row(Member which, const double* x, double* out, std::size_t n) const override {
+    void row(PotentialFunction which, const double* x, double* out, std::size_t n) const override {
       row_of(potential, which, x, out, n);
     }
-    void row(Member which, const long double* x, long double* out, std::size_t n) const override {
+    void row(PotentialFunction which, const long double* x, long double* out,
+             std::size_t n) const override {
       row_of(potential, which, x, out, n);
     }
   };
