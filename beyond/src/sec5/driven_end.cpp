@@ -206,6 +206,12 @@ bool Emission::lasts(double duration, double silence) const {
   return !passages.empty() && passages.back() + silence > duration;
 }
 
+/// The largest modulus in a step, in which the motion turns round once at most.
+static double farthest(const Quintic& x) {
+  const double ends = std::max(std::abs(x.x0), std::abs(x.x1));
+  return (x.w0 > 0) != (x.w1 > 0) ? std::max(ends, std::abs(x(x.turn()))) : ends;
+}
+
 // What passes the detector, and what the drive gives
 Emission drive_chain(const DrivenChain& driven, double duration, std::size_t detector, double step,
                      std::size_t enough, double silence) {
@@ -219,7 +225,7 @@ Emission drive_chain(const DrivenChain& driven, double duration, std::size_t det
   TimeGrid grid = time_grid(duration / 2, std::min(0.4, 5 * step), step);
   grid.duration = duration, grid.samples *= 2;
   const double h = grid.interval();
-  Quintic<double> way{};
+  Quintic way{};
   out.budget = evolve(driven, state, grid, [&](const State<double>& now, const EnergyBudget& l) {
     const double y = now.y[detector - 1], v = now.v[detector - 1];
     const double density = (y * y + v * v) / 2;
@@ -231,7 +237,7 @@ Emission drive_chain(const DrivenChain& driven, double duration, std::size_t det
     if (now.t < (duration + h) / 2)
       half = l.work;
     else
-      out.response = std::max(out.response, way.farthest());
+      out.response = std::max(out.response, farthest(way));
     out.power = (l.work - half) / (duration / 2);
     out.far = std::max(out.far, std::abs(now.y.back()));
     const double heard = out.passages.empty() ? 0 : out.passages.back();
