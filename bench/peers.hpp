@@ -136,10 +136,11 @@ Score own(const Problem& p, const Stepper& stepper, bool windowed) {
     work = evolve(stepper, p.chain, s, p.time, p.sample, std::ref(judge)).work;
   } else {
     Window all{0, p.chain.sites};
+    const lattice::Advance advance = lattice::Method(stepper).on(p.chain);
     for (double t = 0; t < p.time - 1e-9; t = s.t) {
       const double next = std::min(t + p.sample, p.time);
       const auto steps = std::size_t(std::ceil((next - t) / stepper.step));
-      work += stepper.advance(p.chain, s, all, (next - t) / double(steps), steps);
+      work += advance(s, all, (next - t) / double(steps), steps);
       s.t = next;
       judge(s);
     }

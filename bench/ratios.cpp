@@ -40,8 +40,8 @@ void find_reference(Problem& p) {
   State<double> s = p.start;
   Window window = waking(p.chain, s);
   const std::size_t steps = 102400;
-  EventCorrected{0, nystrom(blanes_moan_6_14())}.advance(p.chain, s, window,
-                                                         p.compare_at / double(steps), steps);
+  const Method method = EventCorrected{0, nystrom(blanes_moan_6_14())};
+  method.on(p.chain)(s, window, p.compare_at / double(steps), steps);
   p.reference = s.y;
 }
 
