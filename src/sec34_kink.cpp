@@ -212,7 +212,7 @@ We follow impacts of up to $v_0 = 6$ until $t = 2000$, with two steps, and the b
 
 | impacts from 2 to 6 | article | here |
 |---|---|---|
-| largest displacement, over $v_0t$ | no blow-up | [0.868672](num:sec34_kink.no_blowup_pendulum_way) |
+| largest displacement, over $v_0t$ | no blow-up | [0.868672 ± 5e-8](num:sec34_kink.no_blowup_pendulum_way) |
 | drift of the energy, relative | | [2e-9 ± 3e-8](num:sec34_kink.no_blowup_pendulum_drift) |
 
 The largest displacement belongs to a bead which has been thrown off and goes on over well after well. */
