@@ -26,8 +26,8 @@ and large starts end (c); energy and mean force of a localized state (d, e). Dra
 #include <vector>
 
 #include "lattice/diagnostics/observe.hpp"
-#include "lattice/gsl/reference.hpp"
 #include "lattice/gsl/random.hpp"
+#include "lattice/gsl/reference.hpp"
 #include "lattice/integrators/event_corrected.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/orbits/breather.hpp"

@@ -414,6 +414,7 @@ Table map_of_defects(const ScatteringSetup& setup, bool quick) {
                       "definition without a defect"),
              estimate("net_near", arriving), estimate("net_transmitted", arriving),
              number("budget", "sum of the three shares less one")}};
+  // A row for each radius: the defect's constants, its shares, and the budget
   const auto row = [&](double ratio) {
     const Fractions f = fractions(setup, ratio);
     const CantileverArray& array = setup.blow.array;

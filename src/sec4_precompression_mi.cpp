@@ -288,13 +288,14 @@ void report_rings(Report& report) {
   const RingPair &linear = pairs[0], &soft = pairs[1], &hard = pairs[2];
   facts.add("agree_s_minus_1_6", soft.agree);
   const auto add = [&](const RingPair& pair, const std::string& name) {
-    if (std::isnan(pair.gathered.value)) return;
-    const Formed packet = formed(pair.packet[0], pair.packet[1]);
+    const bool there = !std::isnan(pair.gathered.value);  // in a quick run not all are
+    const Formed packet = there ? formed(pair.packet[0], pair.packet[1]) : Formed{};
+    const auto known = [&](const Estimate& e) { return there ? e : undefined; };
     facts.add("gathered" + name, pair.gathered);
     facts.add("packet_width" + name, pair.width(), "site");
-    facts.add("formed_peak_over_mean" + name, packet.peak_over_mean);
-    facts.add("formed_width" + name, packet.width, "site");
-    facts.add("formed_speed" + name, packet.speed, "site per unit of time");
+    facts.add("formed_peak_over_mean" + name, known(packet.peak_over_mean));
+    facts.add("formed_width" + name, known(packet.width), "site");
+    facts.add("formed_speed" + name, known(packet.speed), "site per unit of time");
   };
   add(soft, "_s_minus_1_6"), add(hard, "_s_1"), add(linear, "_s_0");
 

@@ -21,10 +21,10 @@ at rest before the impact, with free ends and so long that nothing returns from 
 #include <utility>
 #include <vector>
 
+#include "commands/sweep.hpp"
 #include "lattice/numerics/line_fit.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
-#include "commands/sweep.hpp"
 #include "sec34/fate.hpp"
 
 using namespace lattice;

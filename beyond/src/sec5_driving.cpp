@@ -42,9 +42,9 @@ beam lose its energy in 10 ms, the lifetime that its conclusion quotes for diato
 #include <string>
 #include <vector>
 
+#include "commands/sweep.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
-#include "commands/sweep.hpp"
 #include "sec5/driven_array.hpp"
 #include "sec5/packet_members.hpp"
 #include "sec5/solution_curve.hpp"

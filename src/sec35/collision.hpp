@@ -19,6 +19,7 @@ struct Collision {
   double contact_time, compression;
 };
 
+/// Both from the conservation of energy, in closed form.
 inline Collision collision_by_energy() {
   const double x = std::pow(0.625, 0.4);
   const double quadrature = 0.4 * std::sqrt(std::numbers::pi) * std::tgamma(0.4) / std::tgamma(0.9);

@@ -144,6 +144,7 @@ struct Method {
 /// The grid of a run: the coarsest that suits the method's step, then its halvings.
 TimeGrid time_grid(const Method& method, double duration, Every every);
 
+/// What sees the states of a run; it may end the run by returning false.
 using Look = Observer<State<double>>;
 
 /// Carries a state forward over the time `duration` and shows it to `look` at the start and after every sample. Stops
