@@ -446,7 +446,8 @@ energy, say, change the line of `missing`.
    `equal_frequency` = 3.59543777e-11. Hint: $1-\cos y = \frac12y^2-\frac1{24}y^4+\dots$, and the amplitude of the
    breather is a hundredth.
 2. *Easy.* Next to a zero: `build/bin/sec32_barrier barrier --omega 1.01462` gives `equal_area` = -1.86531e-17, some two
-   hundred times the modulus of `equal_frequency`. Which of the two decides where the breather rests?
+   hundred times the modulus of `equal_frequency`. Which of the two decides where the breather rests? Hint: a breather
+   that moves keeps its action.
 3. *Harder.* Contacts whose force grows with the square of the overlap:
    `build/bin/sec32_barrier barrier --omega 1.001 --contact power --alpha 2` gives `equal_area` = -1.994595e-13. Divide
    it by `equal_frequency`: what becomes of the factor $-\delta/5$? Hint: with the exponent $\alpha$ the DpS scaling is

@@ -292,6 +292,7 @@ void reproduce(Report& report) {
 well needs a period of its own in `count_wells`. The figure reads columns by name.
 
 1. *Easy.* Does the kink need the whole chain? `build/bin/sec34_kink run --velocity 5 --sites 30` gives `moved` = 30.
+   Hint: it is there after a few beads.
 2. *Easy.* Which quartic well is most like a pendulum?
    `build/bin/sec34_impact run --well pendulum --velocity 1 --time 400` gives `speed` = 0.1817, and
    `build/bin/sec34_impact run --s -1/6 --velocity 1 --time 400` gives `speed` = 0.1814. Hint: expand $\sin y$.
