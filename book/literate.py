@@ -573,7 +573,7 @@ class Bind(SphinxTransform):
             return nodes.Text(found.astext())
         number = self.book.numbers[id]
         text, known = found.astext(), number.shown
-        if text not in ("", known, number.shown_in_table):
+        if text not in ("", known, number.shown_in_prose, number.shown_in_table):
             say.warning(f"{id} is stale: {text} stands here, {known} is locked (make refresh)", location=found)
         if id in self.book.stale:
             say.warning(f"{id} is stale: computed is another value than {known}, which is locked (make lock)", location=found)
