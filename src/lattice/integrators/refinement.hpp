@@ -109,8 +109,8 @@ Run run_of(const Result& result) {
   return {};
 }
 
-/// Throws std::logic_error for one run made twice, with equal numbers of steps and equal bits at the end: whoever
-/// made them has ignored the halvings of the method.
+/// Throws std::logic_error for one run made twice, with equal numbers of steps and equal bits at the end: then
+/// the halvings of the method were ignored.
 template <class Result>
 void refuse_same_run(const Result& a, const Result& b) {
   if constexpr (requires { a.run.steps, a.end.y; })

@@ -3,8 +3,8 @@
 # IEEE arithmetic, or none
 
 A compiler that may reorder sums, forget infinities or multiply by a reciprocal computes another chain, with errors that
-no two resolutions show. CMakeLists.txt refuses such options for what it builds. Whoever compiles against the installed
-library has a command line of their own, so that the headers refuse them too: each includes this one, by itself or
+no two resolutions show. CMakeLists.txt refuses such options for what it builds. A user of the installed library
+has a command line of their own, so that the headers refuse them too: each includes this one, by itself or
 through others. GCC has a macro for each part of `-ffast-math`, Clang for few of them but for the whole. */
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || \

@@ -2,7 +2,7 @@
 /**
 # How far a computation is
 
-A long loop says where it is by a `Progress` that lives as long as the loop. Whoever wants to show it
+A long loop says where it is by a `Progress` that lives as long as the loop. To show it, a program
 (report/heartbeat.hpp) makes a `Watch` and brings a clock; without one a `Progress` does nothing. No result depends on
 it. */
 
