@@ -11,10 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "check.hpp"
 #include "commands/phonon_band.hpp"
-#include "conditions.hpp"
-#include "dps_deviation.hpp"
 #include "lattice/dps/dps_impact.hpp"
 #include "lattice/impact/turning.hpp"
 #include "lattice/numerics/parallel.hpp"
@@ -28,6 +25,9 @@
 #include "sec35/collision.hpp"
 #include "sec4/exact_waves.hpp"
 #include "sec4/packets.hpp"
+#include "support/check.hpp"
+#include "support/conditions.hpp"
+#include "support/dps_deviation.hpp"
 
 using namespace lattice;
 

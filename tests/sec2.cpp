@@ -2,10 +2,10 @@
 
 #include <numbers>
 
-#include "check.hpp"
 #include "lattice/gsl/random.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "sec2/searches.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <numbers>
 
-#include "check.hpp"
 #include "lattice/algebra/eigenvalues.hpp"
 #include "lattice/orbits/floquet.hpp"
-#include "run.hpp"
+#include "support/check.hpp"
+#include "support/run.hpp"
 
 using namespace lattice;
 

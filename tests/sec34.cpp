@@ -5,13 +5,13 @@
 
 #include <complex>
 
-#include "check.hpp"
-#include "estimates.hpp"
 #include "lattice/impact/impact.hpp"
 #include "sec3/branches.hpp"
 #include "sec33/dps_motion.hpp"
 #include "sec33/exchange.hpp"
 #include "sec4/phonons.hpp"
+#include "support/check.hpp"
+#include "support/estimates.hpp"
 
 using namespace lattice;
 

@@ -4,16 +4,16 @@
 #include <filesystem>
 #include <functional>
 
-#include "check.hpp"
 #include "commands/compressed_impact.hpp"
 #include "commands/phonon_band.hpp"
 #include "lattice/algebra/eigenvalues.hpp"
 #include "lattice/gsl/random.hpp"
 #include "lattice/gsl/reference.hpp"
 #include "lattice/impact/impact.hpp"
-#include "run.hpp"
 #include "sec4/exact_waves.hpp"
 #include "sec4/packets.hpp"
+#include "support/check.hpp"
+#include "support/run.hpp"
 
 using namespace lattice;
 using std::numbers::pi;

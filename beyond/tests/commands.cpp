@@ -5,8 +5,8 @@
 #include <atomic>
 #include <filesystem>
 
-#include "check.hpp"
-#include "run.hpp"
+#include "support/check.hpp"
+#include "support/run.hpp"
 
 using namespace lattice;
 namespace fs = std::filesystem;

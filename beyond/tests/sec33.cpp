@@ -2,9 +2,9 @@
 
 #include "sec33/held.hpp"
 
-#include "check.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "sec33/exchange.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 

@@ -1,8 +1,8 @@
 // The breather of a light defect.
 
-#include "check.hpp"
 #include "lattice/integrators/event_corrected.hpp"
 #include "sec36/defect_mode.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 

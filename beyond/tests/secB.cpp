@@ -1,8 +1,13 @@
 // Contacts of any exponent: which static DpS breather is stable, both ends of the exponents, and travelling breathers.
 
-#include "secB/exponents.hpp"
-#include "check.hpp"
 #include "commands/dps_orbit.hpp"
+#include "lattice/impact/impact.hpp"
+#include "lattice/integrators/event_corrected.hpp"
+#include "secB/alternating.hpp"
+#include "secB/dimer_wave.hpp"
+#include "secB/exponents.hpp"
+#include "secB/solitary_wave.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 
@@ -102,4 +107,93 @@ TEST_CASE("travelling breathers of other exponents", "[property][dps][exponents]
   // The equation that is left out, at an angle where it is not satisfied
   const auto [off, other] = follow_dps_member(2, 0.5, 1e-12);
   check_close(off.residuals(other.x)[0], other.V * std::sin(0.25), 0, 1e-7);
+}
+
+namespace {
+
+/// A half of an even function at any point of its grid.
+double at(const std::vector<double>& half, long j) {
+  const auto k = std::size_t(std::abs(j));
+  return k < half.size() ? half[k] : 0;
+}
+
+}  // namespace
+
+TEST_CASE("the solitary wave solves its equation of motion", "[unit][solitary]") {
+  for (double alpha : {1.5, 1.25, 3.0}) {
+    CAPTURE(alpha);
+    const SolitaryWave w = solitary_wave(alpha, 16, 8);
+    // Sums in the place of integrals: the tent over the force is the overlap, up to the square of h
+    const auto missed = [&](std::size_t points) {
+      const SolitaryWave fine = solitary_wave(alpha, points, 8);
+      const long m = long(points);
+      double sum = 0;
+      for (long k = -m; k <= m; ++k)
+        sum += (1 - double(std::labs(k)) / double(m)) / double(m) *
+               std::pow(at(fine.overlap, 3 + k), alpha);
+      return sum - fine.overlap[3];
+    };
+    CHECK(std::abs(missed(16)) < 2e-2);
+    CHECK(std::abs(missed(32)) < 0.5 * std::abs(missed(16)));
+    // 2 K = (alpha + 1) U, and no digit depends on the grid
+    check_close(w.kinetic_share(), (alpha + 1) / (alpha + 3), 1e-12);
+    check_close(solitary_wave(alpha, 32, 8).velocity[0], w.velocity[0], 1e-10);
+  }
+  CHECK(solitary_wave(3, 16, 8).width(0.5) < solitary_wave(1.5, 16, 8).width(0.5));
+}
+
+TEST_CASE("a struck chain carries that wave", "[unit][solitary]") {
+  const SolitaryWave w = solitary_wave(1.5, 16, 6);
+  State<double> state = struck(90, 1);
+  std::vector<double> t, a, b;
+  evolve(EventCorrected{0.05}, Chain{90, None{}}, state, 95, 0.05, [&](const State<double>& now) {
+    t.push_back(now.t), a.push_back(now.v[39]), b.push_back(now.v[59]);
+  });
+  const auto crest = [&](const std::vector<double>& v) {
+    return std::size_t(std::max_element(v.begin(), v.end()) - v.begin());
+  };
+  const double speed = 20 / (t[crest(b)] - t[crest(a)]);
+  check_close(speed, std::pow(b[crest(b)] / w.velocity[0], 0.2), 0, 3e-3);
+  // From the crest on, in sites, the run and the wave
+  const double step = 0.05 * speed * 16;
+  for (long k : {5L, 10L, 20L, 30L}) {
+    const double x = double(k) * step, low = std::floor(x), rest = x - low;
+    const double wave =
+        (1 - rest) * at(w.velocity, long(low)) + rest * at(w.velocity, long(low) + 1);
+    check_close(b[crest(b) + std::size_t(k)] / b[crest(b)], wave / w.velocity[0], 2e-2);
+  }
+}
+
+TEST_CASE("dimer waves leave both beads equally displaced and at rest", "[unit][solitary]") {
+  const DimerWave w = dimer_wave(passing_pulse(0.155, 40));
+  const auto n = long(w.force.size()), middle = n / 2;
+  const double h = w.period / 40;
+  const auto G = [&](long j) {
+    return j >= -middle && j <= middle ? w.force[std::size_t(j + middle)] : 0;
+  };
+  double X = 0, V = 0, Z = 0, U = 0, most = 0;
+  for (long j = -middle; j <= middle; ++j) {
+    if (j % 20 == 0 && std::abs(j) < 80) check_close(G(j), Hertz{0}.force(Z - X), 4e-3);
+    V += h * (G(-j) - G(j)), U += h / w.mass_ratio * (G(j) - G(40 - j));
+    X += h * V, Z += h * U;
+    most = std::max(most, V);
+  }
+  CHECK(most > 0.3);
+  check_close(V, 0, 1e-6);
+  check_close(U, 0, 1e-5);
+  check_close(X, Z, 0, 5e-3);
+  CHECK_THROWS_AS(dimer_wave(passing_pulse(0.25, 40)), std::runtime_error);
+}
+
+TEST_CASE("the pulse of alternating contacts keeps its energy where it should",
+          "[unit][solitary]") {
+  CHECK(TwoExponents{1.5, 1.5, 1e-6}.strength_ratio() == 1);
+  check_close(TwoExponents{1.5, 2, 1e-6}.strength_ratio(), 1.2e-3, 0, 1e-12);
+  const auto loss = [](double second) {
+    return loss_per_site({1.5, second, 1.62697e-6}, 41, 71, 1e-9);
+  };
+  CHECK(loss(1.56) > 1e-3);
+  CHECK(std::abs(loss(1.635)) < 1e-5);
+  CHECK(loss(1.66) > loss(1.65));
+  CHECK(std::abs(loss_per_site({1.5, 1.5, 1e-6}, 41, 71, 1e-9)) < 1e-5);
 }

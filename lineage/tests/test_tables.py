@@ -40,7 +40,7 @@ class Tables(unittest.TestCase):
             ecsv.read("nowhere.ecsv")
 
     def test_numbers_are_those_of_the_other_reader(self):
-        """As tests/table.cpp asks of src/report/table.cpp: no blanks, no underscores, nothing too large."""
+        """As tests/report/table.cpp asks of src/report/table.cpp: no blanks, no underscores, nothing too large."""
         real, whole = ecsv.Column("x", "float64"), ecsv.Column("k", "int64")
         for text, number in [("031", 31), ("+31", 31), ("3.1e+01", 31), (".5", 0.5), ("-5e-324", -5e-324), ("0e9", 0)]:
             self.assertEqual(ecsv.value_of(text, real), number)

@@ -4,11 +4,11 @@
 
 #include <functional>
 
-#include "check.hpp"
-#include "estimates.hpp"
 #include "lattice/diagnostics/pulse.hpp"
 #include "lattice/dps/dps_impact.hpp"
 #include "lattice/impact/impact.hpp"
+#include "support/check.hpp"
+#include "support/estimates.hpp"
 
 using namespace lattice;
 

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <numbers>
 
-#include "check.hpp"
 #include "commands/dps_strike.hpp"
-#include "dps_run.hpp"
 #include "lattice/model/contact.hpp"
 #include "lattice/quadruple/extended.hpp"
 #include "lattice/standing/spectrum.hpp"
-#include "run.hpp"
+#include "support/check.hpp"
+#include "support/dps_run.hpp"
+#include "support/run.hpp"
 
 using namespace lattice;
 

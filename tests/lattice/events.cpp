@@ -3,7 +3,7 @@
 
 #include "lattice/events/event_driven.hpp"
 
-#include "check.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <string>
 
-#include "check.hpp"
 #include "commands/one_turn.hpp"
 #include "lattice/impact/impact.hpp"
 #include "lattice/impact/turning.hpp"
-#include "run.hpp"
 #include "sec34/acceleration.hpp"
+#include "support/check.hpp"
+#include "support/run.hpp"
 
 using namespace lattice;
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "check.hpp"
 #include "lattice/integrators/refinement.hpp"
 #include "lattice/numerics/parallel.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 

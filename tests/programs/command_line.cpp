@@ -4,8 +4,8 @@
 #include <fstream>
 #include <vector>
 
-#include "check.hpp"
-#include "commands.hpp"
+#include "support/check.hpp"
+#include "support/commands.hpp"
 
 using namespace lattice;
 namespace fs = std::filesystem;

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "check.hpp"
-#include "commands.hpp"
+#include "support/check.hpp"
+#include "support/commands.hpp"
 
 using namespace lattice;
 namespace fs = std::filesystem;

@@ -6,9 +6,9 @@
 #include <regex>
 #include <vector>
 
-#include "check.hpp"
 #include "report/table.hpp"
-#include "run.hpp"
+#include "support/check.hpp"
+#include "support/run.hpp"
 
 using namespace lattice;
 namespace fs = std::filesystem;

@@ -6,7 +6,7 @@
 
 COUNT is how often runs are killed, at random moments. Every fault is a function; what is asked of it stands in the
 table of CONTRIBUTING.md. A line is printed for each, and one that starts with `skipped` where a machine cannot
-show it. What needs no program of ours is in tests/make.sh and lineage/tests."""
+show it. What needs no program of ours is in make.sh and lineage/tests."""
 
 import contextlib
 import os

@@ -1,5 +1,5 @@
 # Installs the library to a fresh folder, builds examples/ against it and runs what was built.
-include(${CMAKE_CURRENT_LIST_DIR}/../tools/files_in.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/../../tools/files_in.cmake)
 set(place ${BUILD}/install-test)
 if(place MATCHES "[][*?]")  # which the build may have, and a prefix may not
   string(MD5 place ${BUILD})

@@ -94,10 +94,10 @@ said() { grep -q -- "$1" "$scratch/out" || fail "$2"; }
 ran() { [ "$(cut -d' ' -f1 "$STUB_LOG" | tr '\n' ' ')" = "$1" ] || fail "$2"; }
 called() { grep -q -- "$1" "$STUB_LOG" || fail "$2"; }
 
-# What a caller happens to export decides about no test (tests/alone.sh).
+# What a caller happens to export decides about no test (tests/support/alone.sh).
 env MAKEFLAGS=k CXX=/none CXXFLAGS=-ffast-math LC_ALL=de_DE.UTF-8 TMPDIR=/none SLURM_JOB_ID=7 CTEST_ARGS=-N QUICK=1 \
-  sh "$root/tests/alone.sh" env | grep -vE '^(PATH|HOME|TMPDIR|LC_ALL|LATTICE_SLACK)=|^PWD=' > "$scratch/out" &&
-  fail "tests/alone.sh lets something through"
+  sh "$root/tests/support/alone.sh" env | grep -vE '^(PATH|HOME|TMPDIR|LC_ALL|LATTICE_SLACK)=|^PWD=' > "$scratch/out" &&
+  fail "tests/support/alone.sh lets something through"
 
 # Every program runs once, the dearest first, and again only if its bytes are others.
 run all-data

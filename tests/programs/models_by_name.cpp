@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "check_potential.hpp"
 #include "lattice/gsl/reference.hpp"
 #include "lattice/impact/impact.hpp"
 #include "lattice/orbits/breather.hpp"
-#include "run.hpp"
 #include "sec4/packets.hpp"
+#include "support/check_potential.hpp"
+#include "support/run.hpp"
 
 using namespace lattice;
 

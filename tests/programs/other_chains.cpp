@@ -7,7 +7,7 @@
 #include "commands/one_breather.hpp"
 #include "lattice/algebra/eigenvalues.hpp"
 #include "lattice/orbits/breather.hpp"
-#include "run.hpp"
+#include "support/run.hpp"
 
 using namespace lattice;
 

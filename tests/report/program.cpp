@@ -9,10 +9,10 @@
 #include <set>
 #include <thread>
 
-#include "check.hpp"
 #include "lattice/gsl/reference.hpp"
 #include "report/command_line.hpp"
 #include "report/heartbeat.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <utility>
 
-#include "check.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "check.hpp"
-#include "run.hpp"
+#include "support/check.hpp"
+#include "support/run.hpp"
 
 using namespace lattice;
 

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "check.hpp"
 #include "lattice/model/contact.hpp"
 #include "lattice/model/potential_names.hpp"
 #include "lattice/model/well.hpp"
+#include "support/check.hpp"
 
 /// Central difference with one Richardson step: error of order h^4.
 template <class F>

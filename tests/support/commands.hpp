@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "run.hpp"
+#include "support/run.hpp"
 
 /// The lines of a text that match, by what their first group matches.
 inline std::vector<std::smatch> matches(const std::string& text, const char* pattern) {

@@ -1,8 +1,8 @@
 #pragma once
 // What tests of estimates share.
 
-#include "check.hpp"
-#include "conditions.hpp"
+#include "support/check.hpp"
+#include "support/conditions.hpp"
 
 /// Passes if value and error are the expected ones.
 inline void check_estimate(const lattice::Estimate& e, double value, double error,

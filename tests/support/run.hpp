@@ -11,8 +11,8 @@
 #include <sstream>
 #include <string>
 
-#include "check.hpp"
 #include "report/table.hpp"
+#include "support/check.hpp"
 
 /// One word for the shell, whatever characters a path has.
 inline std::string word(const std::filesystem::path& path) {

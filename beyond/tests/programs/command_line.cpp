@@ -1,8 +1,8 @@
 // The programs of volume two as a reader meets them.
 
-#include "commands.hpp"
+#include "support/commands.hpp"
 
-#include "check.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 

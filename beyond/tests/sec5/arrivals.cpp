@@ -6,12 +6,12 @@
 #include <array>
 #include <numbers>
 
-#include "check.hpp"
 #include "lattice/diagnostics/observe.hpp"
 #include "lattice/dps/evolve.hpp"
 #include "lattice/impact/impact.hpp"
 #include "sec5/arrivals.hpp"
 #include "sec5/decay.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 

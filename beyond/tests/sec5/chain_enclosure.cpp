@@ -7,12 +7,12 @@
 
 #include <Eigen/LU>
 
-#include "check.hpp"
 #include "lattice/algebra/dense.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
 #include "lattice/orbits/shooting.hpp"
 #include "sec5/chain_enclosure.hpp"
 #include "sec5/circle.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 

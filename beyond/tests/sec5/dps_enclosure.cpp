@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <map>
 
-#include "check.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
 #include "lattice/standing/spectrum.hpp"
 #include "sec5/chain_enclosure.hpp"
 #include "sec5/dps_enclosure.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 

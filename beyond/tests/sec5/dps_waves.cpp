@@ -4,11 +4,11 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "check.hpp"
 #include "lattice/integrators/event_corrected.hpp"
 #include "lattice/standing/stationary.hpp"
 #include "sec5/dps_tracks.hpp"
 #include "sec5/dps_waves.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 using std::numbers::pi;

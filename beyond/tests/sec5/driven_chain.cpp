@@ -5,7 +5,6 @@
 #include <complex>
 #include <numbers>
 
-#include "check.hpp"
 #include "lattice/impact/impact.hpp"
 #include "lattice/model/cantilever.hpp"
 #include "lattice/model/dps.hpp"
@@ -14,6 +13,7 @@
 #include "sec5/packet_members.hpp"
 #include "sec5/solution_curve.hpp"
 #include "sec5/travelling.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 

@@ -7,11 +7,11 @@
 
 #include <boost/numeric/interval.hpp>
 
-#include "check.hpp"
 #include "lattice/quadruple/extended.hpp"
 #include "sec5/circle.hpp"
 #include "sec5/contraction.hpp"
 #include "sec5/counted.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 

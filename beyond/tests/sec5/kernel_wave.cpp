@@ -5,12 +5,12 @@
 
 #include <Eigen/LU>
 
-#include "check.hpp"
 #include "lattice/orbits/shooting.hpp"
 #include "report/table.hpp"
 #include "sec5/kernel_wave.hpp"
 #include "sec5/quotient.hpp"
 #include "sec5/travelling.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 

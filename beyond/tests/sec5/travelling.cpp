@@ -2,8 +2,8 @@
 // they leave behind, their stability, and their limit of small amplitude.
 
 #include "sec5/travelling.hpp"
-#include "check.hpp"
 #include "sec5/dps_travelling.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 

@@ -10,10 +10,10 @@
 
 #include <Eigen/LU>
 
-#include "check.hpp"
 #include "lattice/algebra/dense.hpp"
 #include "lattice/orbits/shooting.hpp"
 #include "sec5/kernel_wave.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 

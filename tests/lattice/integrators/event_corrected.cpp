@@ -3,11 +3,11 @@
 
 #include <random>
 
-#include "check.hpp"
 #include "lattice/events/event_driven.hpp"
 #include "lattice/gsl/reference.hpp"
 #include "lattice/impact/impact.hpp"
 #include "lattice/integrators/refinement.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 

@@ -10,12 +10,12 @@
 #include <tuple>
 #include <utility>
 
-#include "check.hpp"
 #include "lattice/impact/impact.hpp"
 #include "lattice/model/potential_names.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "report/table.hpp"
-#include "run.hpp"
+#include "support/check.hpp"
+#include "support/run.hpp"
 
 using namespace lattice;
 

@@ -3,13 +3,13 @@
 
 #include <complex>
 
-#include "check.hpp"
 #include "lattice/algebra/dense.hpp"
 #include "lattice/events/event_driven.hpp"
 #include "lattice/impact/impact.hpp"
 #include "lattice/integrators/schemes.hpp"
 #include "lattice/model/dps.hpp"
 #include "lattice/numerics/line_fit.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 

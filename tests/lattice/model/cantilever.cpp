@@ -6,11 +6,11 @@
 #include <map>
 #include <numbers>
 
-#include "check.hpp"
 #include "commands/all_scales.hpp"
-#include "run.hpp"
 #include "sec3/array_impact.hpp"
 #include "sec35/collision.hpp"
+#include "support/check.hpp"
+#include "support/run.hpp"
 
 using namespace lattice;
 namespace fs = std::filesystem;

@@ -4,13 +4,13 @@
 
 #include <random>
 
-#include "check.hpp"
 #include "lattice/events/event_driven.hpp"
 #include "lattice/impact/impact.hpp"
 #include "lattice/integrators/integrate.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/quadruple_orbits/orbits.hpp"
 #include "sec3/breather_like.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 

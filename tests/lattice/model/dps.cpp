@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <numbers>
 
-#include "check.hpp"
-#include "dps_deviation.hpp"
-#include "estimates.hpp"
 #include "lattice/events/event_driven.hpp"
 #include "lattice/impact/impact.hpp"
 #include "lattice/numerics/line_fit.hpp"
+#include "support/check.hpp"
+#include "support/dps_deviation.hpp"
+#include "support/estimates.hpp"
 
 using namespace lattice;
 

@@ -1,7 +1,7 @@
 // A well that the library does not know, as in CONTRIBUTING.md: named in a list, struck and refined.
 
-#include "check_potential.hpp"
 #include "lattice/impact/impact.hpp"
+#include "support/check_potential.hpp"
 
 using namespace lattice;
 

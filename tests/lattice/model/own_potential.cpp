@@ -2,8 +2,8 @@
 
 #include <functional>
 
-#include "check_potential.hpp"
 #include "lattice/model/chain.hpp"
+#include "support/check_potential.hpp"
 
 using namespace lattice;
 

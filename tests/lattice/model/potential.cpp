@@ -1,6 +1,6 @@
 // Each potential: force and stiffness are the derivatives they claim to be, and known values.
 
-#include "check_potential.hpp"
+#include "support/check_potential.hpp"
 
 using namespace lattice;
 

@@ -1,7 +1,7 @@
 // Periodic orbits: residuals, symmetries, quadratic convergence, branches, folds, precisions, barriers.
 
-#include "check.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 

@@ -3,13 +3,13 @@
 
 #include "lattice/orbits/floquet.hpp"
 
-#include "check.hpp"
 #include "commands/exchanges.hpp"
 #include "commands/multipliers.hpp"
 #include "lattice/algebra/eigenvalues.hpp"
 #include "lattice/gsl/random.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "sec33/exchange.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 

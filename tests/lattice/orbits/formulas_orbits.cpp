@@ -1,9 +1,9 @@
 // Orbits against what defines them, on short chains: the second half of formulas.cpp.
 
-#include "check.hpp"
 #include "commands/one_barrier.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/standing/stationary.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 

@@ -1,11 +1,11 @@
 // Periodic orbits beyond the static breathers of a uniform chain: defects, rings, travelling orbits, and
 // what Newton's method refuses.
 
-#include "check.hpp"
 #include "lattice/gsl/random.hpp"
 #include "lattice/model/potential_names.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "sec3/branches.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "check.hpp"
-#include "dps_run.hpp"
 #include "lattice/gsl/random.hpp"
+#include "support/check.hpp"
+#include "support/dps_run.hpp"
 
 using namespace lattice;
 

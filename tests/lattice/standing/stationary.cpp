@@ -4,11 +4,11 @@
 
 #include <complex>
 
-#include "check.hpp"
 #include "lattice/dps/dps_impact.hpp"
 #include "lattice/model/dps.hpp"
 #include "lattice/quadruple/extended.hpp"
 #include "sec3/continuum.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 

@@ -6,11 +6,11 @@
 # Argument: the steps (all without); PROGRAMS='sec34_kink' takes only these for the first. Ends with 77 where no cluster can be started.
 set -eu
 unset CDPATH
-cd "$(dirname "$0")/../.."
+cd "$(dirname "$0")/../../.."
 steps=${1:-1 2 3}
 PATH=$PATH:/usr/sbin
 scratch=$(mktemp -d)
-cluster="sh tests/slurm/cluster.sh"
+cluster="sh tests/programs/slurm/cluster.sh"
 finish() { $cluster stop "$scratch/cluster"; rm -rf "$scratch"; rm -rf "build/turning-$SIDE"; }
 export SIDE="${SIDE:-24}"
 trap finish EXIT
