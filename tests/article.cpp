@@ -1,5 +1,5 @@
 // The article's numbers, computed with the library, in the order of the article. Nothing is read and nothing has to be
-// made before: `build/bin/tests "[article]"`. Every line says what is printed, how far off we may be, and whether we
+// made before: `make test T=article`. Every line says what is printed, how far off we may be, and whether we
 // expect agreement or not; one that fails says what we got and how well we know it.
 
 #include <algorithm>
