@@ -1,12 +1,12 @@
-// Kicking a breather: the kick itself, the breather that drifts, and what linear theory says of both.
+// Kicks, the breather that drifts, and what linear theory says of both; pairs near an exchange, and noise that moves.
 
-#include "sec33/kick_threshold.hpp"
-
-#include <algorithm>
 #include <numbers>
 
 #include "lattice/algebra/eigenvalues.hpp"
 #include "lattice/orbits/floquet.hpp"
+#include "sec33/dps_motion.hpp"
+#include "sec33/exchange.hpp"
+#include "sec33/kick_threshold.hpp"
 #include "support/check.hpp"
 
 using namespace lattice;
@@ -25,7 +25,7 @@ KickedPath follow(const RestingBreather& at, double c, double time, double step 
                   });
 }
 
-/// A path through given places, at given times or once in a unit of time.
+/// A path through given places, at given times or all at one.
 KickedPath path_of(std::vector<double> X, std::vector<double> t = {}) {
   KickedPath path;
   t.resize(X.size());
@@ -40,6 +40,26 @@ Pinning pinning_of(const RestingBreather& at) {
 void check_matrix(const Matrix<double>& found, const Matrix<double>& expected, double absolute) {
   REQUIRE((found.rows() == expected.rows() && found.cols() == expected.cols()));
   check_close((found - expected).cwiseAbs().maxCoeff(), 0, absolute);
+}
+
+/// Breathers of three sites, of which the first `moving` pass a site, as both tolerances say.
+NoiseTrials breathers(std::size_t count, std::size_t moving, double time = 4) {
+  NoiseTrials list(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    list[k].fine.sites = {3, 3};
+    list[k].fine.t = {0, time};
+    list[k].fine.X = {0, k < moving ? 1.4 : 0.4};
+    list[k].coarse = list[k].fine;
+  }
+  return list;
+}
+
+/// The pairs on 31 sites: that of `second` beside the pinning pair, all others at the edge.
+std::vector<Pair> pairs_with(std::complex<double> second) {
+  const double edge = -std::pow(std::sin(M_PI / 1.1), 2);
+  std::vector<Pair> all{{1e-8, 1e-12}, {second, 1e-12}};
+  while (all.size() + 1 < 31) all.push_back({edge, 1e-12});
+  return all;
 }
 
 }  // namespace
@@ -133,6 +153,43 @@ TEST_CASE("two speeds on the hill lead to the threshold", "[unit][kick]") {
   const auto speed = [](double c) { return 3 * std::sqrt(c * c - 4); };
   check_close(threshold_from(2.1, speed(2.1), 2.4, speed(2.4)), 2, 1e-14);
   CHECK_THROWS_AS(threshold_from(2.1, 3, 2.4, 3.1), std::invalid_argument);  // too flat
+}
+
+TEST_CASE("a control that moves later, and a trial that is torn", "[unit]") {
+  const auto later = [](const auto& controls) { return delay_of(controls, breathers(16, 16, 1)); };
+  const auto is = [](const Delay& d, double share, double ratio) {
+    return d.later.value == share && std::abs(d.ratio.value - ratio) < 1e-12;
+  };
+  CHECK(is(later(breathers(16, 16, 4)), 1, 4));
+  CHECK(is(later(breathers(16, 16, 1)), 0, 1));
+  CHECK(later(breathers(16, 0, 9)).ratio.value > 9);  // none moves: the end of the run counts
+  auto some = breathers(16, 16, 4);
+  for (std::size_t k = 0; k < 5; ++k) some[k].fine.t[1] = some[k].coarse.t[1] = 1;
+  CHECK(is(later(some), 11.0 / 16, 4));
+  auto one = breathers(16, 16);
+  CHECK(torn(one) == 0);
+  one[3].coarse.X = {0, 0.9};
+  CHECK(torn(one) == 1);
+  one[2].fine.sites[1] = 7;
+  CHECK(largest_spread(one).value == 7.0 / 3);
+}
+
+TEST_CASE("four multipliers near one, and pairs that leave the circle", "[unit]") {
+  CHECK(off_circle(pairs_with(-0.013)) == 0);
+  CHECK(at_edge(pairs_with(-0.013), 1.1) == 56);
+  CHECK(off_circle(pairs_with(0.013)) == 1);
+  CHECK(off_circle(pairs_with({-0.5, 0.1})) == 1);
+  CHECK(off_circle(pairs_with(-1.013)) == 1);  // beyond -1
+  CHECK(from_one(pairs_with(-0.013)[1]).value > 0.1);
+  CHECK(from_one(pairs_with(-1e-4)[1]).value < 0.1);
+  // The larger multiplier counts, beyond +1 as beyond -1 and off the axis
+  const std::vector<Pair> pairs{{0.25, 1e-12}, {-1.25, 1e-12}, {{-0.5, 0.1}, 1e-12}, {-0.5, 1e-12}};
+  check_close(excess(pairs).value, 0.5 + std::sqrt(1.25), 1e-14);
+  check_close(excess({pairs[0]}).value, 0.5 + std::sqrt(1.25), 1e-14);
+  check_close(excess(pairs, 1).value, 0.5 + std::sqrt(1.25), 1e-14);
+  CHECK(excess(pairs, 2).value > 0.1);
+  CHECK(excess(pairs, 3).value < 1e-15);
+  check_close(from_one(pairs[0]).value, 0.5 + std::sqrt(1.25), 1e-14);
 }
 
 TEST_CASE("a kick and the path after it by hand", "[unit][kick]") {
