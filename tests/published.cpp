@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "lattice/integrators/integrate.hpp"
 #include "report/table.hpp"
 #include "report/verdict.hpp"
 #include "support/check.hpp"
@@ -90,4 +91,24 @@ TEST_CASE("no number of a program is without an error unless it is exact", "[pub
         CHECK((error[i] > 0 || std::isnan(value[i])));
     }
   }
+}
+
+TEST_CASE("the ring of figure 26 starts from the phonon of Eq. (39), and arrives", "[published]") {
+  const Table table = read(DATA_DIR "/sec4_precompression_mi/modulated_ring.ecsv");
+  const auto start = table.numbers("y_start"), end = table.numbers("y");
+  REQUIRE(start.size() == 200);
+  const double q = M_PI / 4, v1 = 1.5 * std::sqrt(0.5),
+               omega = std::sqrt(1 + 2 * v1 * (1 - std::cos(q)));
+  const Fact round = read_facts(DATA_DIR).at("sec4_precompression_mi.splitting_round");
+  check_close(round.value, 200 * omega / (v1 * std::sin(q)), 1e-10);
+  State<double> state(200);
+  for (std::size_t i = 0; i < 200; ++i) {
+    const double n = double(i + 1), size = 0.15 * (1 + 0.01 * std::cos(M_PI * n / 100));
+    state.y[i] = size * std::sin(q * n), state.v[i] = -omega * size * std::cos(q * n);
+    check_close(start[i], state.y[i], 1e-14);
+  }
+  // Another splitting and another step come to the same state
+  const Chain ring{200, Quartic{-1.0 / 6}, CompressedHertz{0.5}, Ends::periodic};
+  evolve(Splitting{blanes_moan_6(), 0.1}, ring, state, 6619, 6619);
+  for (std::size_t i = 0; i < 200; ++i) check_close(end[i], state.y[i], 1e-5);
 }
