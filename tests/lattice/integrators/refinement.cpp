@@ -404,3 +404,21 @@ TEST_CASE("the number of workers is a choice without influence", "[unit][accurac
   CHECK(workers() > 1);
   set_threads(0);
 }
+
+TEST_CASE("no number of a program is without an error unless it is exact",
+          "[published][accuracy]") {
+  for (const auto& folder : std::filesystem::directory_iterator(DATA_DIR)) {
+    const auto file = folder.path() / "facts.ecsv";
+    if (!std::filesystem::exists(file)) continue;
+    const Table t = read(file);
+    const auto label = t.texts("quantity"), kind = t.texts("kind");
+    const auto value = t.numbers("value"), error = t.numbers("error");
+    for (std::size_t i = 0; i < kind.size(); ++i) {
+      CAPTURE(file.string(), label[i], error[i], kind[i]);
+      if (kind[i] == "exact")
+        CHECK(error[i] == 0);
+      else
+        CHECK((error[i] > 0 || std::isnan(value[i])));
+    }
+  }
+}
