@@ -100,17 +100,19 @@ inline std::string body(const std::string& text) {
 /// The rows that a command prints; it must succeed.
 inline std::string rows(const std::string& command) {
   const Result answer = call(command);
-  CAPTURE(command, answer.errors);
-  REQUIRE(answer.code == 0);
+  table_of(answer);
   return body(answer.output);
 }
 
-/// A command must be refused: exit code 2, no table, and one line that contains `what`.
-inline void check_refused(const std::string& command, const std::string& what) {
-  const Result answer = call(command);
-  CAPTURE(command, answer.errors);
+/// An answer must be a refusal: exit code 2, no table, and one line that contains `what`.
+inline void check_refused(const Result& answer, const std::string& what) {
+  CAPTURE(answer.errors);
   CHECK(answer.code == 2);
   CHECK(answer.error_lines() == 1);
   CHECK(answer.output.empty());
   CHECK(answer.errors.find(what) != std::string::npos);
+}
+inline void check_refused(const std::string& command, const std::string& what) {
+  CAPTURE(command);
+  check_refused(call(command), what);
 }
