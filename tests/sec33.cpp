@@ -116,7 +116,7 @@ TEST_CASE("hill and trough have opposite curvatures of one size", "[property][ki
 TEST_CASE("a breather swings at the frequency of linear theory", "[published][kick]") {
   const RestingBreather at = breather(Centre::bond, 1.1);
   const double omega = std::sqrt(pinning_of(at).frequency2);
-  const KickedPath path = follow(at, 2e-6, 8 / omega, 0.15);
+  const KickedPath path = follow(at, 2e-6, 8 / omega, 0.3);
   REQUIRE(mobility_of(path) == Mobility::pinned);
   std::size_t top = 0;
   for (std::size_t k = 0; k < path.centre.size(); ++k)
