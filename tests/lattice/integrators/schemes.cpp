@@ -2,6 +2,7 @@
 
 #include "lattice/integrators/schemes.hpp"
 
+#include "lattice/events/event_driven.hpp"
 #include "lattice/gsl/reference.hpp"
 #include "lattice/impact/impact.hpp"
 #include "lattice/integrators/refinement.hpp"
