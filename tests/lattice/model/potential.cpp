@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "lattice/impact/impact.hpp"
+#include "lattice/orbits/breather.hpp"
 #include "support/check_potential.hpp"
 
 using namespace lattice;
@@ -122,6 +123,11 @@ TEST_CASE("a well and a contact are what they were made from", "[unit][model]") 
   CHECK(std::holds_alternative<Hertz>(simplest(Contact{PowerContact{1.5, 0}})));
   CHECK(std::get<CompressedHertz>(simplest(Contact{PowerContact{1.5, 0.3}})).d == 0.3);
   CHECK(std::holds_alternative<PowerContact>(simplest(Contact{PowerContact{2, 0}})));
+}
+
+TEST_CASE("breathers begin only in wells of frequency one", "[unit][model]") {
+  CHECK_THROWS_AS(breather_problem(Centre::site, 1.1, None{}, 31), std::invalid_argument);
+  CHECK_NOTHROW(breather_problem(Centre::site, 1.1, Pendulum{}, 31));
 }
 
 namespace {
