@@ -32,9 +32,9 @@ TEST_CASE("the DpS equation by hand", "[unit][dps]") {
     Dps{a.size() / 2, end}(0, a.data(), da.data());
     return da;
   };
-  const double r = 1 / (2 * tau_0());
+  const double r = 1 / (2 * tau_0()), m = std::sqrt(5.0) * r;  // |3 + 4 i|^(1/2)
   check_all(rate({0, -1, 0, 0}, Ends::free), {r, 0, -r, 0});
-  check_all(rate({0, -1, 0, 0}, Ends::fixed), {2 * r, 0, -r, 0});
+  check_all(rate({3, 4, 0, 0}, Ends::fixed), {-8 * m, 6 * m, 4 * m, -3 * m});
   check_close(norm(Field{{3, 4}, 1}), 26, 1e-14);
   check_all(density(Field{{3, 4}, 1}), {25, 1});
   const auto still = dps_state(Field{{1, 2}}, 0.25, 0),
