@@ -3,10 +3,9 @@
 
 #include "lattice/events/event_driven.hpp"
 
-#include <random>
-
 #include "lattice/impact/impact.hpp"
 #include "support/check.hpp"
+#include "support/states.hpp"
 
 using namespace lattice;
 
@@ -21,14 +20,6 @@ State<T> carried(const Chain& chain, const State<double>& start, double time,
   std::copy(start.v.begin(), start.v.end(), s.v.begin());
   const FlowReport<T> report = flow(chain, s, T(time), EventTolerance<T>{}, tangent);
   CHECK(double(report.error) < 1e-10);
-  return s;
-}
-
-State<double> shaken(std::size_t sites, double size) {
-  std::mt19937_64 bits(17);
-  State<double> s(sites);
-  for (auto* x : {&s.y, &s.v})
-    for (double& value : *x) value = size * (double(bits() >> 11) * 0x1p-52 - 1);
   return s;
 }
 
@@ -128,8 +119,7 @@ void check_graze(const Chain& chain, const State<double>& turn, double gap) {
 
   Tangent<double> tangent(2, 4);
   const auto with = carried(chain, start, 2, &tangent), alone = carried(chain, start, 2);
-  State<double> aware = start;
-  evolve(EventCorrected{0.05}, chain, aware, 2, 2);
+  const auto aware = after(EventCorrected{0.05}, chain, start, 2);
   for (std::size_t i = 0; i < 16; ++i)
     check_close(tangent.entries[i], double(fine.entries[i]), 1e-12);
   for (int n : {0, 1}) {

@@ -11,16 +11,11 @@
 #include "lattice/integrators/impulse.hpp"
 #include "lattice/integrators/refinement.hpp"
 #include "support/check.hpp"
+#include "support/states.hpp"
 
 using namespace lattice;
 
 namespace {
-
-State<double> after(const Method& method, const Chain& chain, State<double> s, double time) {
-  s.t = 0;
-  evolve(method, chain, s, time, time);
-  return s;
-}
 
 State<double> event_driven(const Chain& chain, State<double> s, double time) {
   flow(chain, s, time);
@@ -49,14 +44,6 @@ EventCorrected corrected(double h) {
 }
 EventCorrected uncorrected(double h) {
   return {h, dormand_prince_6(), 1e300};
-}
-
-State<double> random_state(std::size_t sites, double size, unsigned seed) {
-  std::mt19937_64 bits(seed);
-  State<double> s(sites);
-  for (auto* x : {&s.y, &s.v})
-    for (double& value : *x) value = size * (double(bits() >> 11) * 0x1p-52 - 1);
-  return s;
 }
 
 }  // namespace
@@ -150,8 +137,8 @@ TEST_CASE("three families agree on the same problems", "[property][contact]") {
                 1e-8);
   };
   compare({30, Quartic{1}}, struck(30, 1.9), 15);
-  compare({12, Quartic{-0.1}, CompressedHertz{0.3}, Ends::fixed}, random_state(12, 0.6, 5), 10);
-  compare({12, Pendulum{}, {}, Ends::periodic}, random_state(12, 1, 7), 10);
+  compare({12, Quartic{-0.1}, CompressedHertz{0.3}, Ends::fixed}, shaken(12, 0.6, 5), 10);
+  compare({12, Pendulum{}, {}, Ends::periodic}, shaken(12, 1, 7), 10);
   // At this step the run errs by 5e-12. With a wrong sign in the correction of the positions or of the
   // stages' shift it errs by 3e-9 or 1e-10.
   for (double d : {0.0, 0.3}) {
@@ -185,7 +172,7 @@ TEST_CASE("a windowed run has the bits of the full run", "[property][window]") {
 TEST_CASE("contact-aware runs are symmetric, conserve energy and can be reversed",
           "[property][contact]") {
   const Chain chain{31, Quartic{1}};
-  const auto start = random_state(31, 0.8, 11);
+  const auto start = shaken(31, 0.8, 11);
   State<double> mirrored(31);
   for (std::size_t n = 0; n < 31; ++n) {
     mirrored.y[n] = -start.y[30 - n];

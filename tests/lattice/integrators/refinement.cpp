@@ -2,12 +2,12 @@
 
 #include "lattice/integrators/refinement.hpp"
 
-#include <random>
 #include <tuple>
 
 #include "lattice/impact/impact.hpp"
 #include "lattice/model/potential_names.hpp"
 #include "support/check.hpp"
+#include "support/states.hpp"
 
 using namespace lattice;
 
@@ -144,8 +144,7 @@ TEST_CASE("a refinement gives up when halvings cannot help any more", "[unit][ac
 
 TEST_CASE("a tolerance is met and reported, or refused with its history", "[property][contact]") {
   const Chain chain{60, Quartic{1}};
-  State<double> exact = struck(60, 1.9);
-  evolve(EventCorrected{0.004}, chain, exact, 20, 20);
+  const auto exact = after(EventCorrected{0.004}, chain, struck(60, 1.9), 20);
   for (double tolerance : {1e-3, 1e-5, 1e-7, 1e-9}) {
     auto s = struck(60, 1.9);
     const Run run = evolve(Converged{tolerance}, chain, s, 20, 5);
@@ -154,10 +153,7 @@ TEST_CASE("a tolerance is met and reported, or refused with its history", "[prop
     CHECK(distance(s, exact) <= run.error);
   }
   // Chaos forbids any
-  std::mt19937_64 bits(13);
-  State<double> chaotic(20);
-  for (double& v : chaotic.v) v = 1.5 * (double(bits() >> 11) * 0x1p-52 - 1);
-  const auto message = evolved({20, Quartic{1}}, chaotic, 1000, 1000);
+  const auto message = evolved({20, Quartic{1}}, shaken(20, 1.5), 1000, 1000);
   CHECK(message.find("step 0.1:") != std::string::npos);
 }
 

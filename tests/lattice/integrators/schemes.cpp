@@ -7,18 +7,9 @@
 #include "lattice/impact/impact.hpp"
 #include "lattice/integrators/refinement.hpp"
 #include "support/check.hpp"
+#include "support/states.hpp"
 
 using namespace lattice;
-
-namespace {
-
-State<double> after(const Method& method, const Chain& chain, State<double> s, double time) {
-  s.t = 0;
-  evolve(method, chain, s, time, time);
-  return s;
-}
-
-}  // namespace
 
 TEST_CASE("coefficients of the schemes satisfy their order conditions", "[unit][formulas]") {
   for (const Scheme& scheme : {verlet(), blanes_moan_4(), blanes_moan_6(), blanes_moan_6_14()}) {

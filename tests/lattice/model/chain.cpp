@@ -2,29 +2,17 @@
 
 #include "lattice/model/chain.hpp"
 
-#include <random>
-
 #include "lattice/events/event_driven.hpp"
 #include "lattice/impact/impact.hpp"
-#include "lattice/integrators/integrate.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/quadruple_orbits/orbits.hpp"
 #include "sec3/breather_like.hpp"
 #include "support/check.hpp"
+#include "support/states.hpp"
 
 using namespace lattice;
 
 namespace {
-
-/// Displacements of size one, some contacts closed and some open; the same on every machine.
-template <class T = double>
-State<T> shaken(std::size_t sites) {
-  std::mt19937_64 bits(1);
-  State<T> s(sites);
-  for (auto* x : {&s.y, &s.v})
-    for (T& value : *x) value = T(double(bits() >> 11) * 0x1p-52 - 1);
-  return s;
-}
 
 /// Chains of twelve beads with all ends, plain and varied.
 template <class Check>
@@ -145,28 +133,6 @@ TEST_CASE("runs of a varied chain agree in every scalar", "[property][chain]") {
       CHECK(narrow[n] != shaken(12).y[n]);
     }
   });
-}
-
-TEST_CASE("every contact exists where its end says so", "[unit][chain]") {
-  const double q[] = {1, 3, 7};
-  const Chain open{.sites = 3}, wall{.sites = 3, .ends = Ends::fixed},
-      ring{.sites = 3, .ends = Ends::periodic, .eta = {5, 1, 1, 7}};
-  for (std::size_t i : {1, 2})
-    for (const Chain& chain : {open, wall, ring}) {
-      CHECK((chain.pushes(i) && touches(chain, i)));
-      CHECK(stretch(chain, q, i) == q[i] - q[i - 1]);
-    }
-  for (std::size_t i : {0, 3}) {
-    CHECK_FALSE(open.pushes(i));
-    CHECK_FALSE(touches(open, i));
-    CHECK((wall.pushes(i) && touches(wall, i)));
-    CHECK(ring.pushes(i));
-    CHECK(touches(ring, i) == (i == 3));
-    CHECK(ring.eta_of(i) == 7);
-    CHECK(stretch(ring, q, i) == 1 - 7);
-  }
-  CHECK(stretch(wall, q, 0) == 1);   // the first bead moves away from the left wall
-  CHECK(stretch(wall, q, 3) == -7);  // the last one into the right wall
 }
 
 TEST_CASE("chains longer than a block of the loops, whatever they are made of", "[unit][chain]") {
