@@ -1,5 +1,5 @@
-// The event-driven flow: its look-out, errors, beads that just touch or part, and its tangent map, also where sites do not
-// sit in a well of curvature one: no well, the top of a hill, heavy and light beads, precompressed contacts.
+// The event-driven flow: its look-out, errors, beads that just touch or part, and its tangent map, also where sites do
+// not sit in a well of curvature one: no well, the top of a hill, heavy and light beads, precompressed contacts.
 
 #include "lattice/events/event_driven.hpp"
 
@@ -103,9 +103,9 @@ TEST_CASE("tiny contacts in a tail are neither missed nor looped on", "[property
 
 namespace {
 
-/// Two beads reach `turn`, where both rest and their overlap, of the size `gap`, turns round near zero, after one unit of
-/// time, and leave it as they came. The truth is computed without any look-out: since the instant is known, a run with
-/// 64-bit mantissas ends there and another one begins.
+/// Two beads reach `turn`, where both rest and are `gap` from parting or touching, after one unit of time, and leave it
+/// as they came. The truth is computed without any look-out: since the instant is known, a run with 64-bit mantissas
+/// ends there and another one begins.
 void check_graze(const Chain& chain, const State<double>& turn, double gap) {
   CAPTURE(gap);
   const auto past = carried<long double>(chain, turn, 1);

@@ -94,7 +94,7 @@ TEST_CASE("the header does not record a parameter that the well lacks", "[cli][m
 
 TEST_CASE("a packet turns round in the well that was named", "[cli][model]") {
   // In the program's own well, s = 1, it turns at site 20
-  CHECK(quantity(call("sec34_boomeron run --time 200 --well quartic --s 1.2"), "apex_site") < 10);
+  CHECK(quantity(call("sec34_boomeron run --time 300 --well quartic --s 1.2"), "apex_site") < 10);
   CHECK(call(boomeron + "--s 300").code == 0);
 }
 

@@ -206,8 +206,8 @@ struct Stiff {
   }
 };
 
-/// A light bead that swings from the phase `f` on and meets a heavy one near its turning point, where the overlap reaches
-/// less than A - 1, for a time of less than 2 sqrt(2 (A - 1)).
+/// A light bead that swings from the phase `f` on and meets a heavy one near its turning point, where the overlap
+/// reaches less than A - 1, for a time of less than 2 sqrt(2 (A - 1)).
 Stiff swing(double eta, double A, double f) {
   return {{1, 1e6}, eta, {A * std::cos(f), 1}, {-A * std::sin(f), 0}, 6};
 }

@@ -1,5 +1,5 @@
-// Wells and contacts: force and stiffness are the derivatives they claim to be, known values, names. One's own are checked
-// when they are made: what is wrong is refused, what is right passes.
+// Wells and contacts: force and stiffness are the derivatives they claim to be, known values, names. One's own are
+// checked when they are made: what is wrong is refused, what is right passes.
 
 #include <functional>
 #include <vector>
