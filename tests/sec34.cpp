@@ -5,6 +5,7 @@
 
 #include <complex>
 
+#include "commands/one_turn.hpp"
 #include "lattice/impact/impact.hpp"
 #include "sec3/branches.hpp"
 #include "sec33/dps_motion.hpp"
@@ -249,4 +250,46 @@ TEST_CASE("a packet's energy changes from the mean of one half of its way to tha
     (k < 3 ? first : second) += path.energy.back() / (k < 3 ? 3 : 4);
   }
   check_close(energy_change(path), second / first - 1, 1e-13);
+}
+
+TEST_CASE("velocities of a packet are the slopes of its path", "[unit][boomeron]") {
+  Path path;
+  for (int i = 0; i < 400; ++i) {
+    const double t = path_sampling * i;
+    path.add(t, 3 + 0.4 * t - 0.01 * t * t);
+  }
+  const auto [t, v] = velocities(path, 0, path.t.size(), path_sampling);
+  REQUIRE(t.size() > 10);
+  for (std::size_t k = 0; k < t.size(); ++k) check_close(v[k], 0.4 - 0.02 * t[k], 1e-12);
+}
+
+TEST_CASE("runs decorrelate the later the less they differ", "[unit][boomeron]") {
+  const Chain chain{60, Quartic{1}};
+  const EventCorrected method{0.1};
+  const auto time = [&](double delta) {
+    return decorrelation_time(method, struck(60, 1.9), method, struck(60, 1.9 * (1 + delta)), chain,
+                              300);
+  };
+  CHECK(std::isinf(time(0)));
+  CHECK(time(1) == 0);
+  CHECK(time(3e-2) < time(3e-3));
+  CHECK(time(3e-3) < 300);
+}
+
+// In chains of a length of their own; the times of parting are those of an extrapolating integrator elsewhere, which
+// looks every two units too
+TEST_CASE("two impacts part because they differ, not because of the step", "[property][boomeron]") {
+  const struct {
+    double velocity, s, time;
+    std::size_t sites;
+    double when;
+  } rows[] = {{25.5, 0.0491, 100, 80, 290}, {1.22, 5.34, 100, 80, 364}};
+  for (const auto& [velocity, s, time, sites, when] : rows) {
+    CAPTURE(velocity, s);
+    const OneTurn one{
+        .velocity = velocity, .time = time, .sites = sites, .like = {.well = Quartic{s}}};
+    const Table t = one.table();
+    check_close(t.numbers("value")[3], when, 1e-9);
+    CHECK(t.numbers("error")[3] <= 4.1);
+  }
 }

@@ -107,10 +107,7 @@ TEST_CASE("a pinning pair on the circle does not make a breather stable", "[prop
   // True moduli by a program of its own: eighty-bit numbers, extrapolated midpoint rule from event to event
   struct {
     double omega, s, modulus, known;
-  } const cases[] = {{3, 10, 1.0468009382067568, 0},
-                     {1.9, -1 / 6., 1.2862005642672, 1e-12},
-                     {1.91, -1 / 6., 1.843417022224, 1e-11},
-                     {2.5, 1, 1.0301029405398695, 0}};
+  } const cases[] = {{3, 10, 1.0468009382067568, 0}, {1.9, -1 / 6., 1.2862005642672, 1e-12}};
   for (const auto& [omega, s, modulus, known] : cases) {
     Multipliers command;
     command.omega_b = omega, command.well = Quartic{s};
