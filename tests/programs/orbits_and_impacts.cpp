@@ -1,4 +1,4 @@
-// Programs of breathers and impacts: that their options reach the chain, the contract of an impact, and what is refused.
+// Programs of breathers and impacts: that options reach the chain, the contract of an impact, and what is refused.
 
 #include "commands/multipliers.hpp"
 #include "commands/one_breather.hpp"

@@ -5,7 +5,8 @@
 
 #include "lattice/orbits/shooting.hpp"
 
-/// Largest difference from the start after one period and, on a ring, a shift back by `shift` sites; over the amplitude.
+/// Largest difference from the start after one period and, on a ring, a shift back by `shift` sites, over the
+/// amplitude.
 inline double return_error(const lattice::Shooting<double>& problem,
                            const lattice::Orbit<double>& orbit, long shift = 0) {
   lattice::State<double> end = orbit.start;

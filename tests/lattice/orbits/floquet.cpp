@@ -1,5 +1,4 @@
-// Floquet multipliers against formulas, the monodromy matrix of the whole period and the blocks of the symmetries, and what
-// they do in wrong hands.
+// Floquet multipliers against formulas, the matrix of the whole period and the blocks of the symmetries, and their errors.
 
 #include "lattice/orbits/floquet.hpp"
 

@@ -1,5 +1,5 @@
-// Small motions about stationary DpS states: the contact matrix against the full linearisation, the margin to instability,
-// scaling, and what the pinning pair does in time.
+// Small motions about stationary DpS states: the contact matrix against the full linearisation, the margin to
+// instability, scaling, and what the pinning pair does in time.
 
 #include "lattice/standing/spectrum.hpp"
 
