@@ -1,4 +1,4 @@
-// Floquet multipliers against formulas, the matrix of the whole period and the blocks of the symmetries, and their errors.
+// Floquet multipliers against formulas, the matrix of the whole period and the blocks of symmetries, and their errors.
 
 #include "lattice/orbits/floquet.hpp"
 
