@@ -1,5 +1,11 @@
 // Kicks, the breather that drifts, and what linear theory says of both; pairs near an exchange, and noise that moves.
 
+#include <algorithm>
+#include <numbers>
+
+#include "commands/exchanges.hpp"
+#include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/orbits/floquet.hpp"
 #include "sec33/dps_motion.hpp"
 #include "sec33/exchange.hpp"
 #include "sec33/kick_threshold.hpp"
@@ -223,4 +229,72 @@ TEST_CASE("inverse iteration finds the eigenvector of the nearest eigenvalue", "
   };
   CHECK((near(4) - Eigen::Vector3d(1, 0, 3) / std::sqrt(10.)).norm() < 1e-12);
   CHECK((near(1) - Eigen::Vector3d(1, 0, 0)).norm() < 1e-12);
+}
+
+TEST_CASE("what is read from a run of a DpS breather", "[unit][dps]") {
+  DpsRun run;
+  run.t = {0, 1, 2, 3}, run.X = {0, -0.25, -0.75, 0.5};
+  check_close(run.reaches(0.5), 1.5, 1e-15);
+  CHECK(std::isnan(run.reaches(0.8)));
+  // Three leave, at 1, 2 and 3; of four the median counts the one that stays as never
+  NoiseTrials trials(4);
+  for (std::size_t k = 0; k < 4; ++k) {
+    trials[k].fine.t = {0, double(k + 1)};
+    trials[k].fine.X = {0, k < 3 ? 0.5 + 1e-12 : 0.4};
+    trials[k].coarse = trials[k].fine;
+  }
+  CHECK(passing(trials, 0.5).value == 3);
+  CHECK(passing(trials, 0.5, 2.5).value == 2);
+  CHECK(passing(trials, 0.5).is_exact);
+  check_close(median_departure(trials, 9).value, 3, 1e-9);
+  CHECK(median_departure(trials, 2.5).value == HUGE_VAL);
+  trials[1].coarse.X[1] = 0.4;
+  CHECK(passing(trials, 0.5).error == 1);
+}
+
+TEST_CASE("an exchange is found between two frequencies and nowhere else", "[property][floquet]") {
+  const Cut cut{false, 0};
+  const Orbit<double> near = find_breather(problem_at(Centre::site, {1.07, 0}));
+  const Exchange found = exchange<double>(Centre::site, cut, 1.07, 1.08, near);
+  check_close(found.place.value, 1.07503529, 5e-8 + found.place.error);
+  CHECK(found.place.error < 1e-6);
+  CHECK_THROWS_AS(exchange<double>(Centre::site, cut, 1.08, 1.09, near), NoBranch);
+}
+
+TEST_CASE("exchanges near the end of a family are found one by one", "[property][floquet]") {
+  // Near the fold kappa turns within a step; by a program of its own, in 113 bits where a value is given
+  const InWells all = exchanges_in_wells(Centre::site, 1.9);
+  CHECK(all.places.size() == 14);
+  for (double s : {-0.1124255782044, -0.1672073123952, -0.1700711611364})
+    CHECK(std::count_if(all.places.begin(), all.places.end(), [&](const Estimate& e) {
+            return std::abs(e.value - s) < 3 * e.error + 1e-13 && e.error < 1e-9;
+          }) == 1);
+  for (const auto& [low, high] : {std::pair{-0.1733, -0.172}, {-0.1742, -0.1733}})
+    CHECK(std::count_if(all.places.begin(), all.places.end(),
+                        [&, low = low, high = high](const Estimate& e) {
+                          return e.value - e.error > low && e.value + e.error < high;
+                        }) == 1);
+}
+
+TEST_CASE("two exchanges between neighbouring wells are found", "[property][exchange]") {
+  const double omega_b = 1.3265;
+  const auto kappa = [&](double s) {
+    Orbit<double> orbit = find_breather(problem_at(Centre::site, {omega_b, 0}));
+    return quick_kappa(Centre::site, {omega_b, s}, orbit);
+  };
+  const auto found = exchanges_in_wells(Centre::site, omega_b);
+  CHECK((found.from == -1 && found.to == 1));
+  REQUIRE(found.places.size() == 2);
+  CHECK(kappa(0) * kappa(0.05) > 0);  // at the neighbours nothing is seen
+  for (const Estimate& e : found.places) {
+    CHECK((e.value > 0 && e.value < 0.05));
+    CHECK(kappa(e.value - 1e-5) * kappa(e.value + 1e-5) < 0);
+  }
+  // Whichever end of the bracket comes first; kappa, in extended precision, vanishes there
+  const Orbit<double> linear = find_breather(problem_at(Centre::site, {1.5, 0}));
+  for (const auto& [low, high] : {std::pair{-0.25, -0.2}, {-0.2, -0.25}}) {
+    const Estimate place = exchange<double>(Centre::site, {true, 1.5}, low, high, linear).place;
+    check_close(place.value, -0.202052324796, 3 * place.error);
+    CHECK(place.error < 1e-6);
+  }
 }

@@ -1,5 +1,8 @@
 // What is measured of packets after an impact: energy, width, tail, acceleration.
 
+#include <complex>
+
+#include "commands/one_turn.hpp"
 #include "lattice/dps/dps_impact.hpp"
 #include "lattice/impact/impact.hpp"
 #include "sec34/acceleration.hpp"
@@ -77,4 +80,46 @@ TEST_CASE("forces rise though two of them are alike", "[unit]") {
   CHECK(largest_fall({{-1, 0.1}, {-0.95, 0.1}, {-2, 0.1}, {-3, 0.2}}) < 0);
   check_close(largest_fall({{-1, 0.1}, {-3, 0.1}, {-2, 0.1}, {-4, 0.1}}), 0.8, 1e-14);
   CHECK(largest_fall({{-3, 0.1}, {-2, 0.1}, {-1, 0.1}}) > 0);
+}
+
+TEST_CASE("velocities of a packet are the slopes of its path", "[unit][boomeron]") {
+  Path path;
+  for (int i = 0; i < 400; ++i) {
+    const double t = path_sampling * i;
+    path.add(t, 3 + 0.4 * t - 0.01 * t * t);
+  }
+  const auto [t, v] = velocities(path, 0, path.t.size(), path_sampling);
+  REQUIRE(t.size() > 10);
+  for (std::size_t k = 0; k < t.size(); ++k) check_close(v[k], 0.4 - 0.02 * t[k], 1e-12);
+}
+
+TEST_CASE("runs decorrelate the later the less they differ", "[unit][boomeron]") {
+  const Chain chain{60, Quartic{1}};
+  const EventCorrected method{0.1};
+  const auto time = [&](double delta) {
+    return decorrelation_time(method, struck(60, 1.9), method, struck(60, 1.9 * (1 + delta)), chain,
+                              300);
+  };
+  CHECK(std::isinf(time(0)));
+  CHECK(time(1) == 0);
+  CHECK(time(3e-2) < time(3e-3));
+  CHECK(time(3e-3) < 300);
+}
+
+// In chains of a length of their own; the times of parting are those of an extrapolating integrator elsewhere, which
+// looks every two units too
+TEST_CASE("two impacts part because they differ, not because of the step", "[property][boomeron]") {
+  const struct {
+    double velocity, s, time;
+    std::size_t sites;
+    double when;
+  } rows[] = {{25.5, 0.0491, 100, 80, 290}, {1.22, 5.34, 100, 80, 364}, {50, 0.01, 200, 120, 730}};
+  for (const auto& [velocity, s, time, sites, when] : rows) {
+    CAPTURE(velocity, s);
+    const OneTurn one{
+        .velocity = velocity, .time = time, .sites = sites, .like = {.well = Quartic{s}}};
+    const Table t = one.table();
+    check_close(t.numbers("value")[3], when, 1e-9);
+    CHECK(t.numbers("error")[3] <= 4.1);
+  }
 }

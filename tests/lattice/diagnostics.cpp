@@ -1,7 +1,8 @@
-// Packet tracking, centres and fits on densities made by hand.
+// Windows, centres, fits, smoothed paths and pushes, on densities and paths made by hand.
 
 #include "lattice/diagnostics/path.hpp"
 
+#include <array>
 #include <functional>
 
 #include "lattice/diagnostics/pulse.hpp"
@@ -11,80 +12,6 @@
 #include "support/estimates.hpp"
 
 using namespace lattice;
-
-TEST_CASE("the tracker takes the front-most packet, not the largest", "[unit][observe]") {
-  std::vector<double> e(100, 0);
-  e[2] = 10;                            // surface mode
-  e[40] = 3, e[41] = 2;                 // slow packet
-  e[69] = 0.5, e[70] = 1, e[71] = 0.5;  // front
-  e[90] = 1e-9;                         // dust
-  REQUIRE(front_packet(e));
-  CHECK(*front_packet(e) == 70);
-  check_close(energy_centre(e, 70), 71, 1e-12);
-  check_close(window_sum(e, 70), 2, 1e-12);
-  CHECK_FALSE(front_packet(std::vector<double>(10, 0.0)).has_value());
-}
-
-TEST_CASE("windows are cut at the ends of the chain", "[unit][observe]") {
-  const std::vector<double> e{1, 2, 3};
-  check_close(window_sum(e, 0), 6, 1e-15);
-  check_close(window_sum(e, 2, 1), 5, 1e-15);
-  check_close(energy_centre(e, 1), (1 + 4 + 9) / 6.0, 1e-15);
-}
-
-TEST_CASE("a line is recovered with its error", "[unit][observe]") {
-  const Line exact = fit_line({0, 1, 2, 3}, {1, 3, 5, 7});
-  check_close(exact.slope, 2, 1e-14);
-  check_close(exact.intercept, 1, 1e-14);
-  check_close(exact.slope_error, 0, 1e-14);
-  // Residuals +-1 about slope 0: sum of squares 4, two degrees of freedom, sum (t - mean)^2 = 5.
-  check_close(fit_line({0, 1, 2, 3}, {1, -1, -1, 1}).slope_error, std::sqrt(4 / 2.0 / 5), 1e-14);
-  CHECK_THROWS_AS(fit_line({0, 1}, {0, 1}), std::invalid_argument);
-}
-
-TEST_CASE("participation counts sites", "[unit][observe]") {
-  check_close(participation({0, 1, 1, 1, 0}), 3, 1e-14);
-  check_close(participation({0, 7, 0}), 1, 1e-14);
-}
-
-TEST_CASE("the highest peak is found between samples", "[unit][observe]") {
-  Path path;
-  for (int k = 0; k < 20; ++k) {
-    const double t = 0.2 * k;
-    path.add(t, {0, 1 + std::cos(2 * (t - 1.05)), 0}, 1);
-  }
-  const Estimate highest = path.largest_peak(0, 10);
-  check_close(highest.value, 2, 2e-4);
-  check_close(highest.value, 2, highest.error);
-}
-
-TEST_CASE("a packet is eleven sites wide, as below Eq. (24)", "[unit][observe]") {
-  const std::vector<double> flat(100, 1.0);
-  CHECK(window_sum(flat, 50) == 11);
-  CHECK(energy_centre(flat, 50) == 51);
-  // A second peak six sites away is another packet, one five sites away is not
-  std::vector<double> e(100, 0);
-  e[50] = 1, e[56] = 0.5;
-  CHECK(*front_packet(e) == 56);
-  e[56] = 0, e[55] = 0.5;
-  CHECK(*front_packet(e) == 50);
-}
-
-TEST_CASE("a packet holds a hundredth of the energy", "[unit][observe]") {
-  std::vector<double> e(100, 0);
-  e[20] = 1;
-  for (const auto& [ahead, where] : {std::pair(0.0102, 70U), {0.0100, 20U}}) {
-    e[70] = ahead;
-    CHECK(*front_packet(e) == where);
-  }
-}
-
-TEST_CASE("the strongest site is looked for outside of the first five", "[unit][observe]") {
-  CHECK(strongest_site({9, 9, 9, 9, 9, 1, 3, 2}) == 7);
-  CHECK(strongest_site({9, 8, 7}, 1) == 2);
-  CHECK_FALSE(strongest_site({1, 2, 3, 4, 5}));
-  CHECK_FALSE(strongest_site({1, 2, 3, 4, 5, 0, 0}));
-}
 
 namespace {
 
@@ -106,24 +33,8 @@ double near_sum(const Numbers& e, std::size_t peak, int m, std::function<double(
   return sum;
 }
 
-double window_by_hand(const Numbers& e, std::size_t peak, int m = 5) {
+double window_by_hand(const Numbers& e, std::size_t peak, int m) {
   return near_sum(e, peak, m, [](int) { return 1.0; });
-}
-
-double centre_by_hand(const Numbers& e, std::size_t peak, int m = 5) {
-  return near_sum(e, peak, m, [](int n) { return n + 1.0; }) / window_by_hand(e, peak, m);
-}
-
-/// The same numbers to ten digits.
-void check_all(const Numbers& value, const Numbers& expected, double absolute = 1e-10) {
-  REQUIRE(value.size() == expected.size());
-  std::size_t worst = 0;
-  for (std::size_t i = 0; i < value.size(); ++i)
-    if (!(std::abs(value[i] - expected[i]) <= std::abs(value[worst] - expected[worst])) &&
-        std::isfinite(value[worst]))
-      worst = i;
-  CAPTURE(worst);
-  check_close(value[worst], expected[worst], absolute);
 }
 
 }  // namespace
@@ -133,9 +44,8 @@ TEST_CASE("windows, centres and the foremost packet by plain sums", "[unit][obse
     Numbers e = dust(23, 0.7 * k);
     for (double& x : e) x = x * x * x * x;
     if (k % 3 == 1) std::fill(e.end() - 1 - k / 2, e.end(), 0.0);
+    const double total = window_by_hand(e, 11, 11);
     for (int m : {0, 1, 2, 5}) {
-      double total = 0;
-      for (double x : e) total += x;
       for (double share : {0.01, 0.2, 0.35}) {
         std::optional<std::size_t> first;
         for (std::size_t n = e.size(); n-- > 0 && !first;) {
@@ -147,9 +57,10 @@ TEST_CASE("windows, centres and the foremost packet by plain sums", "[unit][obse
         CHECK(front_packet(e, share, std::size_t(m)) == first);
       }
       for (std::size_t n = 0; n < e.size(); ++n) {
-        check_close(window_sum(e, n, std::size_t(m)), window_by_hand(e, n, m), 1e-14);
-        if (window_by_hand(e, n, m) > 0)
-          check_close(energy_centre(e, n, std::size_t(m)), centre_by_hand(e, n, m), 1e-12);
+        const double window = window_by_hand(e, n, m);
+        check_close(window_sum(e, n, std::size_t(m)), window, 1e-14);
+        const double moment = near_sum(e, n, m, [](int site) { return site + 1.0; });
+        if (window > 0) check_close(energy_centre(e, n, std::size_t(m)), moment / window, 1e-12);
       }
     }
   }
@@ -158,7 +69,43 @@ TEST_CASE("windows, centres and the foremost packet by plain sums", "[unit][obse
   CHECK(front_packet({3, 0, 0, 1}, 0.25, 0) == 3);
   CHECK(front_packet({0, 0, 1, 1, 0}, 0.1, 1) == 2);
   CHECK_FALSE(front_packet({1, 1, 1}, 0.9, 0));
+  CHECK_FALSE(front_packet(Numbers(10, 0.0)));
   check_close(participation({1, 2, 0, 4}), 49.0 / 21, 1e-14);
+}
+
+TEST_CASE("a packet is eleven sites wide, as below Eq. (24), with a hundredth of the energy",
+          "[unit][observe]") {
+  const Numbers flat(100, 1.0);
+  CHECK(window_sum(flat, 50) == 11);
+  CHECK(energy_centre(flat, 50) == 51);
+  // A second peak six sites away is another packet, one five sites away is not
+  Numbers e(100, 0);
+  e[50] = 1, e[56] = 0.5;
+  CHECK(*front_packet(e) == 56);
+  e[56] = 0, e[55] = 0.5;
+  CHECK(*front_packet(e) == 50);
+  e[55] = 0;
+  for (const auto& [ahead, where] : {std::pair(0.0102, 90U), {0.0100, 50U}}) {
+    e[90] = ahead;
+    CHECK(*front_packet(e) == where);
+  }
+}
+
+TEST_CASE("the strongest site is looked for outside of the first five", "[unit][observe]") {
+  CHECK(strongest_site({9, 9, 9, 9, 9, 1, 3, 2}) == 7);
+  CHECK(strongest_site({9, 8, 7}, 1) == 2);
+  CHECK_FALSE(strongest_site({1, 2, 3, 4, 5}));
+  CHECK_FALSE(strongest_site({1, 2, 3, 4, 5, 0, 0}));
+}
+
+TEST_CASE("a line is recovered with its error", "[unit][observe]") {
+  const Line exact = fit_line({0, 1, 2, 3}, {1, 3, 5, 7});
+  check_close(exact.slope, 2, 1e-14);
+  check_close(exact.intercept, 1, 1e-14);
+  check_close(exact.slope_error, 0, 1e-14);
+  // Residuals +-1 about slope 0: sum of squares 4, two degrees of freedom, sum (t - mean)^2 = 5.
+  check_close(fit_line({0, 1, 2, 3}, {1, -1, -1, 1}).slope_error, std::sqrt(4 / 2.0 / 5), 1e-14);
+  CHECK_THROWS_AS(fit_line({0, 1}, {0, 1}), std::invalid_argument);
 }
 
 TEST_CASE("a path is read between its samples", "[unit][observe]") {
@@ -172,21 +119,24 @@ TEST_CASE("a path is read between its samples", "[unit][observe]") {
   CHECK_FALSE(path.line(13, 19));
   check_close(path.energy_at(13), 5 - 2.0 / 3, 1e-14);
   check_close(path.energy_at(20), 2 + 6 / 5.0, 1e-14);
-  CHECK_THROWS_AS(path.energy_at(9), std::runtime_error);
-  CHECK_THROWS_AS(path.energy_at(24), std::runtime_error);
+  for (double beside : {9.0, 24.0}) CHECK_THROWS_AS(path.energy_at(beside), std::runtime_error);
   // Passes 13 at 8/3; 3 later, at 17/3, it is at 15 + 4 * 5/6
   check_close(path.travelled(13, 3), 15 + 10 / 3.0 - 13, 1e-13);
   check_close(path.travelled(12, 8), 22 - 12, 1e-13);
   CHECK_THROWS_AS(path.travelled(13, 7.4), std::runtime_error);
   CHECK_THROWS_AS(path.travelled(9, 2), std::runtime_error);
   CHECK_THROWS_AS(path.travelled(24, 2), std::runtime_error);
+}
+
+TEST_CASE("the largest peak is found between samples", "[unit][observe]") {
+  const Path path{{0, 2, 4, 6, 8, 10}, {10, 12, 15, 19, 24, 22}, {}, {1, 4, 5, 2, 7, 3}};
   // Peaks through (4, 5, 2), at 15 - 7/8, and through (2, 7, 3), which is beyond what counts
   const double first = 5 + 1 / 8.0, second = 7 + 1 / 72.0;
   check_close(path.largest_peak(0, 99).value, second, 1e-13);
   check_close(path.largest_peak(0, 20).value, first, 1e-13);
   check_close(path.largest_peak(14, 20).value, first, 1e-13);
-  check_close(path.largest_peak(14, 20).error, (first - 5) / 3,
-              1e-13);  // 1 and 7 beside it: no wider top
+  // 1 and 7 beside it: no wider top
+  check_close(path.largest_peak(14, 20).error, (first - 5) / 3, 1e-13);
   // The wider parabola leaves 3 at the first maximum, and makes 3 + 1/40 of 3 + 1/48 at the second
   const Path pair{{0, 1, 2, 3, 4, 5, 6, 7, 8, 9},
                   {1, 2, 3, 4, 5, 6, 7, 8, 9, 10},
@@ -194,20 +144,60 @@ TEST_CASE("a path is read between its samples", "[unit][observe]") {
                   {0, 2, 3, 2, 0, 1, 2.5, 3, 2, 0}};
   check_estimate(pair.largest_peak(0, 6), 3, 0);
   check_estimate(pair.largest_peak(0, 9), 3 + 1 / 48.0, (1 / 40.0 - 1 / 48.0) / 3);
-  CHECK(std::isnan(
-      path.largest_peak(14.2, 20).value));  // lies at 14.125, and what follows is its flank
-  CHECK(std::isnan(path.largest_peak(12, 13).value));  // only a flank
+  // Lies at 14.125, and what follows is its flank; only a flank; nothing
+  CHECK(std::isnan(path.largest_peak(14.2, 20).value));
+  CHECK(std::isnan(path.largest_peak(12, 13).value));
   CHECK(std::isnan(path.largest_peak(30, 40).value));
-  // Over the last site only, from 9 to 10
-  check_close(packet_amplitude({{0, 1, 2, 3, 4}, {8, 8.5, 9, 9.5, 10}, {}, {1, 9, 1, 4, 1}}).value,
-              2, 1e-14);
-  // The last two sites, and no maximum
-  check_close(
-      packet_amplitude({{0, 1, 2, 3, 4}, {8, 8.5, 9, 9.6, 10.2}, {}, {1, 2, 4, 3, 5}}).value,
-      std::sqrt(4 + 1 / 24.0), 1e-14);
-  CHECK(std::isnan(packet_amplitude({{0, 1, 2}, {8, 8.5, 9}, {}, {1, 2, 4}}).value));
-  Path flat{{0, 1, 2, 3}, {1, 2, 3, 4}, {1, 1, 1, 1}, {2, 2, 2, 2}};
+  const Path flat{{0, 1, 2, 3}, {1, 2, 3, 4}, {1, 1, 1, 1}, {2, 2, 2, 2}};
   CHECK(flat.largest_peak(0, 9).value == 2);
+  // Over the last site only, from 9 to 10; the last two sites; and no maximum
+  const auto amplitude = [](const Numbers& centre, const Numbers& peak) {
+    const Numbers t{0, 1, 2, 3, 4};
+    return packet_amplitude({{t.begin(), t.begin() + long(peak.size())}, centre, {}, peak}).value;
+  };
+  check_close(amplitude({8, 8.5, 9, 9.5, 10}, {1, 9, 1, 4, 1}), 2, 1e-14);
+  check_close(amplitude({8, 8.5, 9, 9.6, 10.2}, {1, 2, 4, 3, 5}), std::sqrt(4 + 1 / 24.0), 1e-14);
+  CHECK(std::isnan(amplitude({8, 8.5, 9}, {1, 2, 4})));
+}
+
+TEST_CASE("a path is smoothed, and vertices are found, by hand", "[unit][turning]") {
+  Path path;
+  path.centre = dust(30, 0.2), path.energy = dust(30, 0.9);
+  for (int i = 0; i < 30; ++i) path.t.push_back(3 + 0.5 * i);
+  // Four samples on either side, with the width 5 of the weight
+  const Path smoothed = smooth(path, 4.3);
+  REQUIRE(smoothed.t.size() == 22);
+  for (std::size_t i = 0; i < 22; ++i) {
+    double sum = 0, x = 0, y = 0;
+    for (std::size_t k = 0; k <= 8; ++k) {
+      const double weight = std::pow(std::cos(M_PI * (double(k) - 4) / 10), 2);
+      sum += weight, x += weight * path.centre[i + k], y += weight * path.energy[i + k];
+    }
+    check_close(smoothed.t[i], path.t[i + 4], 1e-10);
+    check_close(smoothed.centre[i], x / sum, 1e-10);
+    check_close(smoothed.energy[i], y / sum, 1e-10);
+  }
+  Path three{{0, 1, 2}, {1, 2, 3}, {1, 1, 1}, {}};
+  CHECK(smooth(three, 1).t.size() == 1);
+  three.t.pop_back();
+  CHECK_THROWS_AS(smooth(three, 1), std::invalid_argument);
+
+  // Vertices: an inner one, one that is no extremum, one just at the bound, a straight line, both ends
+  const Path way{{0, 2, 4, 6, 8, 10, 12}, {1, 5, 4, 2, 1, 0, 0}, {}, {}};
+  const std::vector<std::array<double, 3>> known{{1, 5 + 2.25 / 10, 2 + 2 * 0.3},
+                                                 {2, 4, 4},
+                                                 {3, 2, 6},
+                                                 {4, 1, 8},
+                                                 {5, 0 - 0.125, 11},
+                                                 {0, 1, 0},
+                                                 {6, 0, 12}};
+  for (const auto& [i, site, time] : known) {
+    CAPTURE(i);
+    check_close(vertex(way, std::size_t(i)).site, site, 1e-14);
+    check_close(vertex(way, std::size_t(i)).time, time, 1e-14);
+  }
+  CHECK_FALSE(Moment{}.found());
+  CHECK(std::isnan(Moment{}.site));
 }
 
 TEST_CASE("a train of pushes by hand", "[unit][pulse]") {
@@ -231,8 +221,8 @@ TEST_CASE("a train of pushes by hand", "[unit][pulse]") {
   CHECK_FALSE(strongest_push(t, {0, 6, 1, 1, 5, 4, 4, 4.5, 3}));  // the first one
   CHECK_FALSE(strongest_push(t, {0, 3, 1, 1, 5, 4, 4, 6, 3}));    // the last one
   CHECK_FALSE(strongest_push({0, 1, 2, 3, 4}, {0, 1, 0, 2, 0}));
-  check_all(upward_crossings({0, 2, 4, 6, 8}, {0, 1, 2, -1, 1}, 1), {2, 8});
-  check_all(upward_crossings({0, 2, 4}, {-1, 3, 0}), {0.5});
+  CHECK(upward_crossings({0, 2, 4, 6, 8}, {0, 1, 2, -1, 1}, 1) == Numbers{2, 8});
+  CHECK(upward_crossings({0, 2, 4}, {-1, 3, 0}) == Numbers{0.5});
   // From the upward passage of 1 at 1 to the last downward one at 11
   check_close(time_above({0, 2, 4, 8, 10, 12}, {0, 2, 0, 3, 2, 0}, 1), 10, 1e-14);
   CHECK(time_above({0, 1}, {0, 2}, 1) == 0);

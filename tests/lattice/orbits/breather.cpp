@@ -1,7 +1,15 @@
-// Periodic orbits: residuals, symmetries, quadratic convergence, branches, folds, precisions, barriers.
+// Breathers: that they return, their guess, the length of their chain, other chains, barriers.
 
-#include "lattice/orbits/breather_pairs.hpp"
+#include "lattice/orbits/breather.hpp"
+
+#include <numbers>
+
+#include "commands/one_barrier.hpp"
+#include "commands/one_breather.hpp"
+#include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/model/potential_names.hpp"
 #include "support/check.hpp"
+#include "support/return_error.hpp"
 
 using namespace lattice;
 
@@ -9,57 +17,91 @@ namespace {
 
 using Problem = Shooting<double>;
 
-double farthest_apart(const State<double>& a, const State<double>& b, double sign = 1) {
-  double d = 0;
-  for (std::size_t n = 0; n < a.y.size(); ++n)
-    d = std::max({d, std::abs(a.y[n] - sign * b.y[n]), std::abs(a.v[n] - sign * b.v[n])});
-  return d;
+/// Masses 1 and r in turn, one in the middle of an odd number, and `defect` there.
+std::vector<double> masses(std::size_t sites, double r, double defect = 1) {
+  std::vector<double> mass(sites, 1);
+  for (std::size_t n = 0; n < sites; ++n)
+    if ((n + sites / 2) % 2 != 0) mass[n] = r;
+  mass[sites / 2] = defect;
+  return mass;
 }
 
-State<double> mirrored(State<double> s) {
-  std::reverse(s.y.begin(), s.y.end());
-  std::reverse(s.v.begin(), s.v.end());
-  return s;
+OneBreather asked(double omega, const Contact& contact = {}, const std::vector<double>& mass = {}) {
+  OneBreather out;
+  out.omega_b = omega;
+  out.like.contact = contact;
+  out.like.sites = mass.size();
+  if (!mass.empty()) vary(out.like, mass, {});
+  return out;
 }
 
-State<double> after(const Shooting<double>& p, State<double> s, double time) {
-  flow(p.chain, s, time);
-  return s;
+/// Largest difference after one period from the start, over the amplitude, by a leapfrog of `steps` steps through
+/// linear wells and contacts of the exponent `alpha` under the compression `d`, written once more.
+double missed(const Fitted& found, double alpha, double d, int steps) {
+  const std::vector<double>& start = found.orbit.start.y;
+  const std::size_t sites = start.size();
+  std::vector<double> mass = found.problem.chain.mass, y = start, v(sites);
+  mass.resize(sites, 1);
+  const auto push = [&](std::size_t n) {  // of bead n - 1 and bead n
+    const double r = n == 0 || n == sites ? 0 : y[n] - y[n - 1];
+    return std::pow(std::max(d - r, 0.0), alpha) - std::pow(d, alpha);
+  };
+  const double h = found.orbit.period() / steps;
+  for (int k = 0; k < steps; ++k) {
+    for (std::size_t n = 0; n < sites; ++n) y[n] += h / 2 * v[n];
+    for (std::size_t n = 0; n < sites; ++n) v[n] += h * (push(n) - push(n + 1) - y[n]) / mass[n];
+    for (std::size_t n = 0; n < sites; ++n) y[n] += h / 2 * v[n];
+  }
+  double miss = 0;
+  for (std::size_t n = 0; n < sites; ++n)
+    miss = std::max({miss, std::abs(y[n] - start[n]), std::abs(v[n])});
+  return miss / found.orbit.amplitude;
 }
+
+/// A contact that pushes like `k` times a sphere and stiffens when it is squeezed.
+struct Layer {
+  double k = 1, exponent = 1.5;
+  double opening() const { return 0; }
+  static double overlap(double r) { return std::max(-r, 0.0); }
+  double energy(double r) const {
+    return k * (0.4 * std::pow(overlap(r), 2.5) + std::pow(overlap(r), 3.5));
+  }
+  double force(double r) const {
+    return k * (std::pow(overlap(r), 1.5) + 3.5 * std::pow(overlap(r), 2.5));
+  }
+  double stiffness(double r) const {
+    return k * (1.5 * std::pow(overlap(r), 0.5) + 8.75 * std::pow(overlap(r), 1.5));
+  }
+};
+
+/// Springs of frequency one that are stiffer on one side, or that lose digits near rest; a hill between two wells.
+struct Toda {
+  double energy(double y) const { return std::expm1(-y) + y; }
+  double force(double y) const { return std::expm1(-y); }
+  double stiffness(double y) const { return std::exp(-y); }
+};
+struct Naive {
+  double energy(double y) const { return (std::exp(y) + std::exp(-y)) / 2 - 1; }
+  double force(double y) const { return (std::exp(-y) - std::exp(y)) / 2; }
+  double stiffness(double y) const { return std::cosh(y); }
+};
+struct Hill {
+  double energy(double y) const { return y * y * (y * y / 2 - 1) / 2; }
+  double force(double y) const { return y * (1 - y * y); }
+  double stiffness(double y) const { return 3 * y * y - 1; }
+};
 
 }  // namespace
 
 TEST_CASE("a breather returns after its period", "[property][periodic]") {
-  for (Centre centre : {Centre::site, Centre::bond})
-    for (double s : {-1.0 / 6, 0.0, 1.0})
-      for (double omega : {1.003, 1.1, 1.5}) {
-        CAPTURE(int(centre), s, omega);
-        const auto p = problem_of(centre, omega, s);
-        const Orbit<double> o = find_breather(p);
-        CHECK(farthest_apart(after(p, o.start, p.period()), o.start) < 4e-13 * o.amplitude);
-        CHECK(o.residual() < 2e-13);
-      }
-}
-
-TEST_CASE("at omega_b = 1.1 the residual is at most 1e-13", "[published][periodic]") {
-  const auto p = problem_of(Centre::site, 1.1);
-  const Orbit<double> o = find_breather(p);
-  CHECK(o.residual() < 1e-13);
-  CHECK(farthest_apart(after(p, o.start, p.period()), o.start) < 1e-13 * o.amplitude);
-}
-
-TEST_CASE("symmetries hold at all times", "[property][periodic]") {
-  for (double omega : {1.1, 1.6}) {
-    const auto site = problem_of(Centre::site, omega), bond = problem_of(Centre::bond, omega);
-    const auto a = find_breather(site), b = find_breather(bond);
-    for (double part : {0.13, 0.37, 0.81}) {
-      const State<double> now = after(site, a.start, part * site.period());
-      const State<double> later = after(site, now, site.period() / 2);
-      CHECK(farthest_apart(now, mirrored(later), -1) < 1e-12 * a.amplitude);
-      const State<double> then = after(bond, b.start, part * bond.period());
-      CHECK(farthest_apart(then, mirrored(then), -1) < 1e-12 * b.amplitude);
+  for (Centre centre : both_centres)
+    for (const auto& [omega, s] : {std::pair{1.003, 0.0}, {1.1, -1.0 / 6}, {1.5, 1.0}}) {
+      CAPTURE(int(centre), s, omega);
+      const auto p = problem_of(centre, omega, s);
+      const Orbit<double> o = find_breather(p);
+      CHECK(return_error(p, o) < 4e-13);
+      CHECK(o.residual() < 2e-13);
     }
-  }
 }
 
 TEST_CASE("the two phases of a bond-centred breather are half a period apart",
@@ -68,140 +110,230 @@ TEST_CASE("the two phases of a bond-centred breather are half a period apart",
   const auto pressed = find_breather(p), stretched = find_breather(p, Phase::stretched);
   CHECK(pressed.start.y[15] > 0);
   CHECK(stretched.start.y[15] < 0);
-  CHECK(farthest_apart(after(p, pressed.start, p.period() / 2), stretched.start) <
-        1e-12 * pressed.amplitude);
+  State<double> later = pressed.start;
+  flow(p.chain, later, p.period() / 2);
+  CHECK(largest_difference(later, stretched.start) < 1e-12 * pressed.amplitude);
   check_close(pressed.energy, stretched.energy, 0, 1e-12);
   check_close(pressed.area, stretched.area, 0, 1e-12);
 }
 
-TEST_CASE("Newton's method converges quadratically", "[convergence][periodic]") {
-  for (Centre centre : {Centre::site, Centre::bond}) {
-    const History history = find_breather(problem_of(centre, 1.1)).history;
-    REQUIRE(history.size() >= 4);
-    CHECK(history.size() <= 7);
-    for (std::size_t k = 1; k + 1 < history.size() && history[k + 1].residual > 1e-12; ++k) {
-      CAPTURE(k, history[k].residual, history[k + 1].residual);
-      CHECK(history[k + 1].residual < 30 * history[k].residual * history[k].residual);
+TEST_CASE("breathers of other chains return by another integrator", "[property][chains]") {
+  struct Other {
+    double omega, alpha, d = 0, r = 1, defect = 1;
+    bool at_bond = false;
+  };
+  for (const Other& o : {Other{1.2, 1.2},
+                         {1.2, 3, 0, 1, 1, true},
+                         {1.32, 1.5, 1e-3},
+                         {1.2, 1.5, 1e-4, 1, 1, true},
+                         {1.3, 1.5, 0, 0.8},
+                         {1.2, 1.5, 0, 1.5},
+                         {1.3, 1.5, 0, 0.9, 1.2},
+                         {1.5, 1.7, 1e-3, 0.9}}) {
+    CAPTURE(o.omega, o.alpha, o.d, o.r, o.defect, o.at_bond);
+    OneBreather one =
+        asked(o.omega, PowerContact{o.alpha, o.d},
+              o.r == 1 && o.defect == 1 ? std::vector<double>{} : masses(31, o.r, o.defect));
+    if (o.at_bond) one.centre = Centre::bond;
+    const Fitted found = one.find();
+    const auto& y = found.orbit.start.y;
+    if (o.d == 0) CHECK(std::abs(y[y.size() / 2]) > 1e3 * std::abs(y.front()));
+    const double coarse = missed(found, o.alpha, o.d, 1000),
+                 fine = missed(found, o.alpha, o.d, 4000);
+    CAPTURE(coarse, fine);
+    CHECK(fine < 1e-5);
+    CHECK(fine < coarse / 12);
+  }
+  // Masses that are all one, told one by one, are those of equal beads
+  const auto plain = asked(1.3).find(), same = asked(1.3, {}, masses(31, 1)).find();
+  check_close(same.orbit.energy, plain.orbit.energy, 0, 1e-12);
+  CHECK(sup<double>(same.orbit.x - plain.orbit.x) < 1e-12 * plain.orbit.amplitude);
+}
+
+TEST_CASE("contacts of any exponent have breathers of the size that is guessed",
+          "[property][orbits]") {
+  for (Centre centre : both_centres) {
+    const std::size_t sites = sites_of(centre, Length::shortest);
+    for (const Contact& contact :
+         {Contact(PowerContact{1.2}), Contact(PowerContact{3}), Contact(PowerContact{6}),
+          Contact(Layer{}), Contact(Layer{10})}) {
+      Problem problem = breather_problem(centre, 1.05, 0, sites);
+      problem.chain.contact = contact;
+      CAPTURE(contact.exponent());
+      const Orbit<double> orbit = find_breather(problem);
+      const auto guess = ansatz(centre, 1.05, sites, Phase::compressed, contact);
+      check_close(orbit.amplitude / largest(guess), 1, 0.3);
+      CHECK(return_error(problem, orbit) < 1e-11);
     }
+    // A power that is no root: the guess is that of the article's contacts
+    const auto spheres = ansatz(centre, 1.05, sites);
+    const auto same = ansatz(centre, 1.05, sites, Phase::compressed, PowerContact{1.5});
+    CHECK(largest_difference(spheres, same) < 1e-14 * largest(spheres));
+  }
+  // With alpha = 2 the envelope is cos^4(x/2)/9, and the first harmonic of the force is 4/(3 pi)
+  const auto guess = ansatz(Centre::bond, 1.1, 8, Phase::compressed, PowerContact{2});
+  check_close(guess.y[3], 0.15 * M_PI * (1 + std::pow(std::cos(0.5), 4)) / 9, 1e-14);
+  CHECK_THROWS_AS(ansatz(Centre::site, 1.05, 21, Phase::compressed, PowerContact{1}),
+                  std::invalid_argument);
+}
+
+// Values of a program of its own that follows the breather of harmonic wells in s without a break
+TEST_CASE("between steep contacts a hard well has the breather of the harmonic one",
+          "[property][chains]") {
+  struct {
+    Centre centre;
+    double omega, s, alpha, amplitude, energy;
+  } const rows[] = {{Centre::bond, 1.001, 5, 2.9, 0.0150951177668, 0.000229875300978},
+                    {Centre::site, 1.01, 3, 3, 0.0760185322418, 0.00312077634279},
+                    {Centre::bond, 1.0301, 8.117, 2.543, 0.0613860022410, 0.00405195871356}};
+  for (const auto& [centre, omega, s, alpha, amplitude, energy] : rows) {
+    CAPTURE(omega, s, alpha);
+    OneBreather one = asked(omega, PowerContact{alpha});
+    one.centre = centre, one.well = Quartic{s};
+    const Orbit<double> orbit = one.find().orbit;
+    check_close(orbit.amplitude, amplitude, 0, 1e-11);
+    check_close(orbit.energy, energy, 0, 1e-11);
   }
 }
 
-TEST_CASE("the derivatives of the equations are exact", "[unit][periodic]") {
-  for (Centre centre : {Centre::site, Centre::bond}) {
-    const auto p = problem_of(centre, 1.1, 0.5);
-    const Orbit<double> o = find_breather(p);
-    const Evaluation<double> here = p.evaluate(o.x, {});
-    // The equations have derivatives of order 3/2 only, so the difference quotient errs by h^{1/2}.
-    const double h = 1e-8 * o.amplitude;
-    for (Eigen::Index k : {o.x.size() / 2, o.x.size() / 2 + 1})
-      CHECK(sup<double>(slope_along(p, o.x, k, h) - here.jacobian.col(k)) < 3e-5);
-    auto faster = p, slower = p;
-    faster.omega += 1e-6;
-    slower.omega -= 1e-6;
-    const Vector<double> slope =
-        (faster.evaluate(o.x, {}, false).residual - slower.evaluate(o.x, {}, false).residual) /
-        2e-6;
-    CHECK(sup<double>(slope + p.period() / p.omega * here.residual_period) < 1e-7 * o.amplitude);
-  }
-}
-
-TEST_CASE("along a branch dE = dA / T, and the energy's derivative is exact",
-          "[property][periodic]") {
-  for (Centre centre : {Centre::site, Centre::bond})
-    for (double omega : {1.02, 1.1, 1.4}) {
-      const double h = 1e-4 * (omega - 1);
-      const auto up = find_breather(problem_of(centre, omega + h));
-      const auto down = find_breather(problem_of(centre, omega - h));
-      const auto here = find_breather(problem_of(centre, omega));
-      CAPTURE(int(centre), omega);
-      check_close((up.energy - down.energy) / (2 * h), here.energy_omega, 0, 1e-6);
-      check_close((up.energy - down.energy) / (up.area - down.area),
-                  1 / problem_of(centre, omega).period(), 0, 1e-6);
-    }
-}
-
-TEST_CASE("the area is the integral of twice the kinetic energy", "[unit][periodic]") {
-  // A single bead: y = a cos t with the area pi a^2 over 2 pi.
-  Chain chain;
-  chain.sites = 1;
-  State<double> s(1);
-  s.y[0] = 0.3;
-  check_close(flow(chain, s, 2 * pi<double>()).area, pi<double>() * 0.09, 1e-13);
-}
-
-TEST_CASE("a breather does not depend on how it was reached", "[property][periodic]") {
-  for (Centre centre : {Centre::site, Centre::bond}) {
-    const auto p = problem_of(centre, 1.1, 0.5);
-    const Orbit<double> direct = find_breather(p);
-    const auto low = problem_of(centre, 1.03, 0.5), linear = problem_of(centre, 1.1, 0);
-    Branch rising(low, along_omega<double>(), find_breather(low), 1);
-    Branch hardening(linear, along_s<double>(), find_breather(linear), 1);
-    for (const Orbit<double>& other : {rising.orbit_at(1.1), hardening.orbit_at(0.5)}) {
-      CHECK(sup<double>(other.x - direct.x) < 1e-12 * direct.amplitude);
-      check_close(other.energy, direct.energy, 0, 1e-12);
-    }
-  }
-}
-
-TEST_CASE("a branch passes its fold", "[property][periodic]") {
-  const auto p = problem_of(Centre::bond, 1.2, -1);
-  Branch branch(p, along_omega<double>(), find_breather(p), 1);
-  const double fold = branch.fold();
-  CHECK(branch.slope() < 0);
-  CHECK(fold > 1.6);
-  CHECK(fold < 1.65);
-  CHECK_THROWS_AS(find_breather(problem_of(Centre::bond, fold + 0.01, -1)), NoBranch);
-  CHECK_NOTHROW(find_breather(problem_of(Centre::bond, fold - 0.01, -1)));
-}
-
-TEST_CASE("failure comes with its history", "[unit][periodic]") {
-  const auto p = problem_of(Centre::site, 1.1);
-  NewtonRule<double> hasty;
-  hasty.most_steps = 2;
-  try {
-    newton(p, p.reduce(ansatz(Centre::site, 1.1, 31)), hasty);
-    FAIL("two iterations are not enough");
-  } catch (const NewtonFailed& error) {
-    CHECK(error.history.size() == 3);
-    CHECK(std::string(error.what()).find("e-0") != std::string::npos);
-  }
+TEST_CASE("what has no breather is refused in one line", "[unit][chains]") {
+  const auto in = [](const Well& well) {
+    return refusal<std::invalid_argument>([&] { breather_problem(Centre::site, 1.1, well, 21); });
+  };
+  CHECK(in(Toda{}) == "a breather with a centre needs wells with W(-y) = W(y)");
+  CHECK(in(Naive{}) == digits_hint);
+  for_each_potential<Well>([&](const auto& well) {
+    if (well.stiffness(0.0) == 1) CHECK(in(OwnWell(well)) == "");
+  });
   CHECK_THROWS_AS(breather_problem(Centre::site, 1.1, 0, 30), std::invalid_argument);
   CHECK_THROWS_AS(breather_problem(Centre::bond, 1.1, 0, 31), std::invalid_argument);
+  const auto said = [](const OneBreather& one) { return refusal([&] { one.find(); }); };
+  std::vector<double> odd = masses(31, 1);
+  odd[3] = 2;
+  check_line(said(asked(1.2, {}, odd)), "must be symmetric about the centre");
+  check_line(said(asked(1.2, {}, masses(30, 1))), "another centre");
+  OneBreather ring = asked(1.2), shorter = asked(1.3, CompressedHertz{1e-3});
+  ring.like.ends = Ends::periodic;
+  check_line(said(ring), "free ends");
+  shorter.sites = 9;
+  check_line(said(shorter), "--sites: 9 cannot hold this breather's tail");
+  check_line(said(asked(1.2, CompressedHertz{1e-2})), "[1, 1.26491]");
+  check_line(said(asked(1.1, CompressedHertz{1e-4}, masses(31, 0.8))), "] and [1.1");
+  // Where a path ends there is a history
+  const std::string lost = said(asked(1.1, {}, masses(31, 1, 10)));
+  CHECK(lost.find("the path to this chain ends after") != std::string::npos);
+  CHECK(lost.find("relative residuals") != std::string::npos);
 }
 
-TEST_CASE("double and extended precision agree", "[convergence][periodic]") {
-  for (Centre centre : {Centre::site, Centre::bond}) {
-    const auto p = problem_of(centre, 1.1);
-    const Orbit<double> o = find_breather(p);
-    const auto wide = newton(in_precision<long double>(p), o);
-    check_close(o.energy, double(wide.energy), 0, 1e-12);
-    check_close(o.area, double(wide.area), 0, 1e-12);
-    CHECK(wide.residual() < 1e-15);
+TEST_CASE("the discrete gradient, its direction, and how many sites a tail needs",
+          "[unit][orbits]") {
+  const Vector<double> g = gradient({1, 2, 4, 8, 16});
+  CHECK(g == (Vector<double>(5) << 0, 3, 6, 12, 0).finished());
+  check_close(alignment(g, -2 * g), 1, 1e-15);
+  check_close(alignment(Vector<double>::Unit(5, 1), Vector<double>(g)), 3 / std::sqrt(189.0),
+              1e-15);
+  // A tail of which the power 3/2 is below the precision times (omega^2 - 1) times the amplitude
+  Orbit<double> orbit;
+  orbit.omega = 1.5, orbit.amplitude = 0.8;
+  const double bound = 1e-6 * 1.25 * 0.8, edge = std::pow(bound, 2.0 / 3);
+  const auto needed = [&](std::vector<double> y) {
+    orbit.start.y = std::move(y);
+    return sites_needed(orbit, 1e-6);
+  };
+  const double weak = 0.99 * edge, strong = 1.01 * edge;
+  CHECK(needed({0, 0, weak, strong, 1, -1, -strong, -weak, 0, 0}) == 6);
+  CHECK(needed({0, weak, weak, 1, -1, -strong, -weak, 0}) == 6);  // both ends have to be weak
+  CHECK(needed({0, weak, strong, 1, -1, -weak, -weak, 0}) == 6);
+  CHECK(needed({0, strong, 1, -1, -strong, 0}) == 6);
+  CHECK(needed({0, 0, 0, 0, 0, 0, 0, 0}) == 4);
+  CHECK(needed({0, 0, 0, 0, 0, 0, 0}) == 3);
+}
+
+TEST_CASE("a breather far up its branch is the same on chains that are shorter or longer",
+          "[property][orbits]") {
+  const double omega = 1.15;
+  REQUIRE(omega > direct_up_to);
+  const auto middle = [](const Fitted& f) { return f.orbit.start.y[f.problem.chain.sites / 2]; };
+  for (Centre centre : both_centres) {
+    const std::size_t odd = centre == Centre::site;
+    const auto fitted = [&](std::size_t sites) {
+      return fit_chain(centre, omega, Harmonic{}, sites, 16 + odd, 1e-10, Phase::compressed);
+    };
+    const Fitted usual = fitted(0), longer = fitted(40 + odd);
+    CHECK(usual.problem.chain.sites == 16 + odd);
+    CHECK(longer.problem.chain.sites == 40 + odd);
+    check_close(longer.orbit.energy, usual.orbit.energy, 0, 1e-9);
+    check_close(middle(longer), middle(usual), 0, 1e-9);
+    CHECK_THROWS_AS(fitted(4 + odd), ShortChain);
   }
 }
 
-TEST_CASE("every site of the tail is known to relative accuracy", "[convergence][periodic]") {
-  const auto p = problem_of(Centre::site, 1.1);
-  const Orbit<double> o = find_breather(p);
-  NewtonRule<double> scaled;
-  scaled.scaled = true;
-  scaled.events.floor = 0;
-  NewtonRule<long double> wide;
-  wide.scaled = true;
-  wide.events.floor = 0;
-  const auto a = newton(p, o, scaled);
-  const auto b = newton(in_precision<long double>(p), o, wide);
-  for (std::size_t n = 15; n < 29; ++n) check_close(a.start.y[n], double(b.start.y[n]), 0, 1e-9);
-  CHECK(std::abs(a.start.y[28]) < 1e-130);
-  CHECK(std::abs(a.start.y[28]) > 0);
+TEST_CASE("the linear tail is long enough, and falls at the rate of the band",
+          "[property][chains]") {
+  OneBreather chosen = asked(1.3, CompressedHertz{1e-3});
+  const auto found = chosen.find();
+  chosen.sites = found.problem.chain.sites + 20;
+  const auto longer = chosen.find();
+  // Twenty more sites change nothing, as the wider type sees it
+  const auto wide = [](const Fitted& one) {
+    return newton(in_precision<Wide>(one.problem), one.orbit, rule<Wide>(0));
+  };
+  const Orbit<Wide> a = wide(found), b = wide(longer);
+  check_close(double(a.energy - b.energy), 0, 1e-15 * double(b.energy));
+  check_close(double(a.amplitude - b.amplitude), 0, 1e-15 * double(b.amplitude));
+  // A push k y of a last bead is felt: five sites less and the breather is another one
+  Problem shorter = found.problem;
+  shorter.chain = lengthened(shorter.chain, 11);
+  shorter.symmetry = centred(Centre::site, 11);
+  const Orbit<double> cut = newton(shorter, shorter.reduce(resized(found.orbit.start, 11)));
+  CHECK(std::abs(cut.energy - found.orbit.energy) > 1e-12 * found.orbit.energy);
+  // Half a period later the mirror image has the other sign: half the sum has no constant part
+  const double rho = PhononBands(found.problem.chain).decay(1.3);
+  check_close(std::cosh(rho), 0.69 / (3 * std::sqrt(1e-3)) - 1, 0, 1e-12);
+  const auto& y = longer.orbit.start.y;
+  const std::size_t middle = y.size() / 2;
+  const auto odd = [&](std::size_t n) { return std::abs(y[middle + n] + y[middle - n]); };
+  check_close(std::log(odd(8) / odd(9)), rho, 0, 1e-4);
+}
+
+TEST_CASE("bands end at eigenvalues of a ring", "[unit][chains]") {
+  for (const double r : {1.0, 0.8, 2.5}) {
+    const std::size_t sites = 40;
+    Chain chain{sites, Harmonic{}, CompressedHertz{0.02}, Ends::periodic};
+    vary(chain, masses(sites, r), {});
+    const PhononBands bands(chain);
+    const Hessian<double> h = linearise(chain, std::vector<double>(sites));
+    Matrix<double> m = Matrix<double>::Zero(sites, sites);
+    for (std::size_t i = 0; i < sites; ++i) {
+      const std::size_t next = (i + 1) % sites;
+      m(Eigen::Index(i), Eigen::Index(i)) = h.diagonal[i] / chain.mass[i];
+      m(Eigen::Index(i), Eigen::Index(next)) = h.off[i] / chain.mass[i];
+      m(Eigen::Index(next), Eigen::Index(i)) = h.off[i] / chain.mass[next];
+    }
+    std::vector<double> all;
+    for (const auto& z : eigenvalues_of(m)) all.push_back(std::sqrt(z.real()));
+    std::sort(all.begin(), all.end());
+    check_close(all.front(), bands.edge(false, false), 1e-12);
+    check_close(all[sites / 2 - 1], bands.edge(false, true), 1e-12);
+    check_close(all[sites / 2], bands.edge(true, true), 1e-12);
+    check_close(all.back(), bands.top(), 1e-12);
+    CHECK(bands.decay(bands.top() * 1.001) > 0);
+    CHECK(bands.decay((bands.top() + bands.edge(true, true)) / 2) == 0);
+    CHECK(bands.to_text().find("] and [") ==
+          (r == 1 ? std::string::npos : bands.to_text().find(']')));
+  }
+  const auto on_a_hill = [] { PhononBands(Chain{9, Hill{}, CompressedHertz{0.02}}); };
+  check_line(refusal<std::invalid_argument>(on_a_hill), "does not rest stably");
 }
 
 TEST_CASE("barriers agree with an independent computation", "[published][periodic]") {
   // Quadruple precision, another implementation of Newton's method: see the chapter's claims.
   const struct {
     double omega, s, expected;
-  } rows[] = {{1.1, 0, 1.62422471641e-11}, {1.01, 0, 2.704657e-15}, {1.5, 0, 6.83194e-9},
-              {1.9, 0, 1.41073e-6},        {2.0, 0, -2.15054e-6},   {1.1, 0.2, -7.6413e-12}};
+  } rows[] = {{1.1, 0, 1.62422471641e-11},
+              {1.01, 0, 2.704657e-15},
+              {2.0, 0, -2.15054e-6},
+              {1.1, 0.2, -7.6413e-12}};
   for (const auto& [omega, s, expected] : rows) {
     CAPTURE(omega, s);
     const auto ps = problem_of(Centre::site, omega, s), pb = problem_of(Centre::bond, omega, s);
@@ -214,18 +346,43 @@ TEST_CASE("barriers agree with an independent computation", "[published][periodi
   }
 }
 
-TEST_CASE("near omega_b = 1 the barrier at equal area follows the scaling law",
-          "[convergence][periodic]") {
-  double before = 1;
-  for (double omega : {1.004, 1.002, 1.001}) {
-    const auto ps = problem_of(Centre::site, omega), pb = problem_of(Centre::bond, omega);
-    const auto gap = barrier(ps, find_breather(ps), find_breather(pb));
-    const double off = gap.equal_area / gap.equal_frequency / (-(omega - 1) / 5) - 1;
-    CAPTURE(omega, off);
-    CHECK(std::abs(off) < 0.8 * before);
-    before = std::abs(off);
+TEST_CASE("barriers of other wells and contacts", "[property][chains]") {
+  const auto found = [](const ChosenBreather& one) {
+    OneBarrier command;
+    static_cast<ChosenBreather&>(command) = one;
+    return command.find();
+  };
+  // At equal area, by breathers whose frequency a program of its own changed until the areas were equal
+  struct {
+    double omega, s, alpha, gap, known;
+  } const cases[] = {{2, 10, 1.5, 0.0588436529162, 1e-12},
+                     {1.0035344741615633, 0, 2.8123385152184204, -2.86308885458e-08, 1e-18}};
+  for (const auto& [omega, s, alpha, gap, known] : cases) {
+    OneBreather one = asked(omega);
+    if (alpha != 1.5) one = asked(omega, PowerContact{alpha});
+    one.well = Quartic{s};
+    CAPTURE(omega, s, alpha);
+    const Estimate area = found(one).equal_area;
+    check_close(area.value, gap, known + area.error);
+    CHECK(area.error < 1e-7 * std::abs(gap));
   }
-  CHECK(before < 0.03);
+  // Near omega_b = 1 the phase of an orbit is rounded by more than its energy
+  const Estimate weak = found(asked(1.00024)).equal_frequency;
+  check_close(weak.value, 4.20579818087e-21, weak.error);
+  // At equal frequency it is the difference of two energies
+  for (OneBreather one : {asked(1.2, PowerContact{2}), asked(1.35, CompressedHertz{1e-3})}) {
+    const Estimate gap = found(one).equal_frequency;
+    Wide energy[2];
+    for (int k : {0, 1}) {
+      one.centre = both_centres[k];
+      const Fitted at = one.find();
+      energy[k] = newton(in_precision<Wide>(at.problem), at.orbit, rule<Wide>(0)).energy;
+    }
+    const double error = 1e-15 * double(energy[0]);
+    check_close(gap.value, double(energy[0] - energy[1]), error);
+    CHECK(error < 1e-2 * std::abs(gap.value));
+    CHECK(gap.error < 1e-6 * std::abs(gap.value));
+  }
 }
 
 TEST_CASE("a zero of the barrier does not depend on the pairs around it",
