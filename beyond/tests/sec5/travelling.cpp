@@ -104,50 +104,6 @@ TEST_CASE("an exact orbit leaves nothing behind, its neighbours on the family do
   check_close(std::abs(all_equations(family.back())[0]), expected / 2, 1e-12);
 }
 
-TEST_CASE("where V vanishes the family passes through an orbit of type II",
-          "[convergence][travelling]") {
-  const auto family = follow_family(first_orbit(1), 0.89 * 2 * pi<double>(), 0.07);
-  std::vector<Orbit<double>> found;
-  for (std::size_t i = 1; i < family.size(); ++i)
-    if (velocity_sum(family[i - 1]) * velocity_sum(family[i]) < 0)
-      found.push_back(type_two(family[i - 1], family[i]));
-  REQUIRE(found.size() == 1);
-  const Orbit<double>& orbit = found[0];
-  check_close(shift_time(orbit) / (2 * pi<double>()), 0.89740655032, 0, 1e-9);
-  CHECK(std::abs(velocity_sum(orbit)) < 1e-12);
-  const auto wide = newton(
-      in_precision<long double>(with_free_time(travelling_problem(shift_time(orbit)))), orbit);
-  check_close(double(shift_time(wide)), shift_time(orbit), 0, 1e-10);
-  CHECK(left_behind(orbit, 20) < 1e-10);
-}
-
-TEST_CASE("the phase is held in one orbit and grows in the other", "[property][travelling]") {
-  for (int sign : {1, -1}) {
-    const auto all = multipliers_of(
-        shifted_map(type_one<double>(1).chain, first_orbit(sign).start, 2 * pi<double>()));
-    const double kappa = phase_kappa(all);
-    CAPTURE(sign, kappa);
-    check_close(kappa, sign > 0 ? -8.888e-11 : 8.888e-11, 5e-13);
-    CHECK(std::abs(all[4]) < 0.9);  // everything else is left behind
-    CHECK(std::abs(all[3]) > 0.999);
-  }
-}
-
-TEST_CASE("a branch in s folds, and says where", "[property][travelling]") {
-  const auto problem = with_free_time(type_one<double>(1));
-  const Orbit<double> start = newton(problem, with_time(first_orbit(1).x, 2 * pi<double>()));
-  const auto branch = [&] {
-    return Branch(problem, along_s<double>(), start, 1, {},
-                  {.first = 0.02, .least = 1e-6, .most = 0.1});
-  };
-  check_close(branch().fold(), 0.010302, 0, 1e-3);
-  CHECK_THROWS_AS(branch().orbit_at(1), NoBranch);
-  const Orbit<double> soft =
-      Branch(problem, along_s<double>(), start, -1, {}, {.first = 0.02, .least = 1e-6, .most = 0.1})
-          .orbit_at(-0.1);
-  CHECK(shift_time(soft) > 2 * pi<double>() * 1.01);
-}
-
 TEST_CASE("the DpS equation has its own orbit of type I, the limit of the chain's",
           "[convergence][travelling]") {
   DpsTravelling problem;
@@ -169,12 +125,6 @@ TEST_CASE("the DpS equation has its own orbit of type I, the limit of the chain'
   check_close(problem.residuals(next.x)[0], next.V * std::sin(0.15), 0, 1e-8);
 }
 
-namespace {
-
-using Complex = std::complex<double>;
-
-}  // namespace
-
 TEST_CASE("equations of a travelling breather of the DpS equation", "[unit][travelling]") {
   DpsTravelling problem;
   CHECK((problem.half_length == 8 && problem.phase == 0 &&
@@ -190,8 +140,8 @@ TEST_CASE("equations of a travelling breather of the DpS equation", "[unit][trav
     evolve_dps(Dps{8}, a, pi<double>(), 1, 1e-13, [](double, const Field&) {});
     Vector<double> out(8);
     for (int n = 1; n <= 4; ++n) {
-      const Complex w = std::polar(1.0, -0.35) * a[std::size_t(3 + n)],
-                    v = std::polar(1.0, -0.35) * a[std::size_t(4 - n)];
+      const std::complex<double> w = std::polar(1.0, -0.35) * a[std::size_t(3 + n)],
+                                 v = std::polar(1.0, -0.35) * a[std::size_t(4 - n)];
       out[2 * n - 2] = (w + v).real(), out[2 * n - 1] = (w - v).imag();
     }
     return out;
@@ -258,15 +208,6 @@ TEST_CASE("unfolding undoes folding", "[unit][travelling]") {
   CHECK(state.y[9] == 0);
   state.t = 10;
   CHECK(problem.reduce(state) == x);
-}
-
-TEST_CASE("equations and unknowns of a reversible orbit fit the chain", "[unit][travelling]") {
-  const Symmetry s = travelling_reversible(4, true);
-  for (const Combination& unknown : s.unknowns)
-    for (const Term& term : unknown) CHECK(term.index < 2 * s.sites);
-  for (const Equation& equation : s.equations) REQUIRE_FALSE(equation.end.empty());
-  CHECK(s.equations.size() == 10);
-  CHECK(s.unknowns.size() == 9);
 }
 
 TEST_CASE("the derivative with respect to a free period is exact", "[unit][travelling]") {
