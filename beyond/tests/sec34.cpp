@@ -84,16 +84,6 @@ TEST_CASE("a cut packet goes on as GSL says", "[unit][wake]") {
   check_close(path.centre.back() + 80, last.centre.back(), 1e-4);
 }
 
-TEST_CASE("inside the packet there is a breather", "[unit][wake]") {
-  const std::vector<Inside> rows = gauge({}, 0.1, 161);
-  REQUIRE(rows.size() == 8);
-  for (std::size_t k = 5; k < rows.size(); ++k) {
-    check_close(rows[k].omega, 1.68, 0.02);
-    check_close(rows[k].area, 6, 0.4);
-    check_close(rows[k].t, 20 * double(k) + 10, 0.2);
-  }
-}
-
 TEST_CASE("hard wells turn the packet, linear and soft ones do not", "[property][boomeron]") {
   CHECK(outcome_of(2, 1, 40, 0).fate == Fate::turns);
   CHECK(outcome_of(2, 0, 40, 0).fate == Fate::escapes);

@@ -17,26 +17,6 @@ using namespace lattice;
 
 namespace {
 
-/// An impact on a damped chain, and what it shows of pushes and of the centre.
-Arrivals packet_arrivals(const DrivenChain& driven, double velocity, double duration, double step) {
-  const std::size_t contacts = driven.chain.sites - 1;
-  State<double> state = struck(driven.chain.sites, velocity);
-  const TimeGrid grid = time_grid(duration, step, step);
-  std::vector<Maxima> push(contacts);
-  Arrivals out;
-  evolve(driven, state, grid, [&](const State<double>& now, const EnergyBudget&) {
-    for (std::size_t n = 0; n < contacts; ++n) {
-      const double overlap = std::max(now.y[n] - now.y[n + 1], 0.0);
-      push[n].add(now.t, overlap * std::sqrt(overlap), grid.step());
-    }
-    const auto e = energy_density(driven.chain, now);
-    out.centres.push_back({now.t, energy_centre(e, 0, e.size())});
-    return true;
-  });
-  for (const Maxima& m : push) out.add(arrival(m.all, {}));
-  return out;
-}
-
 /// The energy centre of a damped chain, averaged over about eight periods each time.
 std::vector<double> centres(const Chain& chain, State<double> state, double nu, double duration) {
   std::vector<double> out;
@@ -133,31 +113,19 @@ TEST_CASE("a DpS field with friction is one without at the slow clock", "[proper
   CHECK(apart(1.001 * slow_clock(nu, t)) > 1e-4);
 }
 
-TEST_CASE("the slow clock of a weak packet needs the weight of a push", "[property][arrivals]") {
-  // Ten lifetimes; the undamped run goes on beyond four
-  const double velocity = 0.01, life = 80, nu = 1 / life, t = 10 * life;
-  const auto free = packet_arrivals({Chain{40}}, velocity, 5 * life, 0.2);
-  const auto lossy = packet_arrivals({Chain{40}, {nu, 0}}, velocity, 13 * life, 0.2);
-  const auto law = slowed(free, nu);
-  const double s = slow_clock(nu, t), way = travelled_after(lossy, t).sites;
-  CAPTURE(way, travelled_after(law, t).sites, travelled_after(free, s).sites,
-          centre_after(lossy, t));
-  check_close(travelled_after(law, t).sites, way, 0, 0.02);
-  check_close(centre_after(law, t), centre_after(lossy, t), 0, 0.01);
-  check_close(centre_after(law, t), centre_after(free, s), 0, 2e-3);
-  CHECK(travelled_after(free, s).sites < 0.8 * way);         // the clock alone
-  CHECK(travelled_after(free, 4 * life).sites < 0.9 * way);  // is no bound of the way
-  // and another rate is not confirmed
-  CHECK(std::abs(centre_after(slowed(free, 1.1 * nu), t) / centre_after(lossy, t) - 1) > 0.03);
-  CHECK_THROWS_AS(centre_after(free, t), std::out_of_range);
-}
-
 TEST_CASE("a sensor sees as far as the beads are fast", "[unit][arrivals]") {
   Arrivals j;
   for (double v : {1.0, 0.1, 0.01}) j.contacts.push_back({1, 1, v, true});
   check_close(seen_until(j, 0.05), 2 + std::log10(2), 1e-9);  // beyond the second bead
   check_close(seen_until(j, 1e-3), 3, 0);
   check_close(seen_until(j, 2), 0, 0);
+}
+
+TEST_CASE("a centre between two looks is on a straight line", "[unit][arrivals]") {
+  Arrivals j;
+  j.centres = {{1, 4}, {2, 5}, {4, 9}};
+  check_close(centre_after(j, 2.5), 6, 1e-14);
+  for (double outside : {0.9, 4.1}) CHECK_THROWS_AS(centre_after(j, outside), std::out_of_range);
 }
 
 TEST_CASE("the shift of a decaying breather grows and swings back", "[property][decay]") {

@@ -61,28 +61,6 @@ TEST_CASE("a plane wave solves the DpS equation on a ring", "[unit][dps_waves]")
   }
 }
 
-TEST_CASE("a marginal side band grows in proportion to time", "[property][dps_waves]") {
-  const ModulatedWave quarter{8, 2, 4};
-  for (double until : {100.0, 400.0}) {
-    Field field(8);
-    for (std::size_t n = 0; n < 8; ++n)
-      field[n] =
-          std::polar(1.0, pi / 2 * double(n)) * std::complex<double>(1, n % 2 ? -1e-7 : 1e-7);
-    evolve_dps(Dps{8, Ends::periodic}, field, until, 1, 1e-12, [](double, const Field&) {});
-    check_close(std::sqrt(wave_share(field, 3 * pi / 2)) / 1e-7,
-                std::hypot(1, quarter.wave().drift(pi) * until), 0, 1e-5);
-  }
-}
-
-TEST_CASE("side bands grow in runs of the DpS equation", "[property][dps_waves]") {
-  for (const ModulatedWave& wave : {ModulatedWave{16, 6, 2}, {34, 9, 17}}) {
-    const WaveRates seen = run_in_dps(wave, 1e-11);
-    check_close(seen.growth, wave.growth(), 0, 1e-6);
-    check_close(seen.frequency, wave.wave().frequency(), 0, 1e-9);
-  }
-  CHECK_THROWS_AS((ModulatedWave{8, 1, 1}.start(1e-7)), std::invalid_argument);
-}
-
 TEST_CASE("a run of the chain close to one of its waves grows with it", "[property][dps_waves]") {
   const ModulatedWave three{12, 4, 2};
   const WaveRates run = run_in_chain(three, 1e-3, 0.2), own = chain_rates(three, 1e-3, 16);

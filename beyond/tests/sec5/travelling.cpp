@@ -77,18 +77,10 @@ TEST_CASE("an impact's packet becomes an exact orbit in a few steps", "[converge
 
 TEST_CASE("both orbits with one oscillation a site", "[convergence][travelling]") {
   const double energies[]{0.180833513579908, 0.180833513658335};
-  for (int sign : {1, -1}) {
-    const Orbit<double>& orbit = first_orbit(sign);
-    check_close(orbit.energy, energies[sign < 0], 0, 2e-13);
-    const Orbit<long double> wide = newton(type_one<long double>(1), orbit);
-    CHECK(wide.residual() < 1e-16);
-    check_close(double(wide.energy), energies[sign < 0], 0, 1e-14);
-    // A longer chain has the same orbit.
-    const Orbit<double> longer = TypeOneOrbits(sign, 9).orbit_at(1);
-    check_close(longer.energy, orbit.energy, 0, 1e-12);
-  }
+  for (int sign : {1, -1}) check_close(first_orbit(sign).energy, energies[sign < 0], 0, 2e-13);
   check_close(shift_time(first_orbit(1)), 2 * pi<double>(), 0, 1e-15);
-  CHECK(first_orbit(-1).energy > first_orbit(1).energy);
+  // A longer chain has the same orbit
+  check_close(TypeOneOrbits(1, 9).orbit_at(1).energy, energies[0], 0, 1e-12);
 }
 
 TEST_CASE("an exact orbit leaves nothing behind, its neighbours on the family do",
