@@ -1,5 +1,5 @@
-// The proof for the breathers of the DpS equation: it holds what is known otherwise, each of its bounds follows from its
-// formula, and it fails where something is wrong.
+// The proof for the breathers of the DpS equation: it holds what is known otherwise, each of its bounds follows from
+// its formula, and it fails where something is wrong.
 
 #include <algorithm>
 #include <map>

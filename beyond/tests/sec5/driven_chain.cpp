@@ -332,17 +332,14 @@ TEST_CASE("units of the array", "[unit][driven]") {
 }
 
 TEST_CASE("an array whose far end moves is too short for its drive", "[unit][driven]") {
-  for (const auto& [amplitude, lifetime] :
-       {std::pair{100.0, 10.0}, {200.0, 1000.0}, {60.0, 1000.0}}) {
-    DrivenArray array;
-    array.duration = 20, array.amplitude = amplitude, array.lifetime = lifetime;
-    const auto whole = array.quantities();
-    array.beads = 25;
-    CHECK(array.run(0.04).far > 1e-9);
-    const auto lengthened = array.quantities();
-    for (std::size_t i = 0; i < 4; ++i)
-      check_close(lengthened[i].value.value, whole[i].value.value, 1e-12, 1e-9);
-    array.amplitude = 0.001, array.beads = 25;
-    CHECK(array.run(0.04).far < 1e-9);
-  }
+  DrivenArray array;
+  array.duration = 20, array.amplitude = 200, array.lifetime = 1000;
+  const auto whole = array.quantities();
+  array.beads = 25;
+  CHECK(array.run(0.04).far > 1e-9);
+  const auto lengthened = array.quantities();
+  for (std::size_t i = 0; i < 4; ++i)
+    check_close(lengthened[i].value.value, whole[i].value.value, 1e-12, 1e-9);
+  array.amplitude = 0.001;
+  CHECK(array.run(0.04).far < 1e-9);
 }

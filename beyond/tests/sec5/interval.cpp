@@ -1,4 +1,5 @@
-// Intervals hold what they should: against four-fold precision, beside Boost's, and in long sums.
+// Intervals hold what they should: against four-fold precision, beside Boost's, and in long sums; the lemma of
+// contraction, cosines (circle) and eigenvalues (counted) that are made of them.
 
 #include "sec5/interval.hpp"
 
@@ -89,20 +90,10 @@ TEST_CASE("a million operations hold the exact result", "[property]") {
   CHECK(unsound<Long>(100000) == 0);
 }
 
-TEST_CASE("intervals are not wider than a few units of the last place", "[unit]") {
+TEST_CASE("a quotient is narrow, and nothing is concluded from overflow or a division by zero",
+          "[unit]") {
   const Number third = Number(1) / Number(3);
-  CHECK(third.lower < third.upper);
-  CHECK(third.upper - third.lower <= 3e-16);
-  Random random;
-  for (int i = 0; i < 10000; ++i) {
-    const Number x(std::abs(random.number()));
-    const Number s = root(x), c = cube_root(x);
-    CHECK(s.upper - s.lower <= 2e-15 * s.lower);
-    CHECK(c.upper - c.lower <= 4e-15 * c.lower);
-  }
-}
-
-TEST_CASE("nothing is concluded from overflow or from a division by zero", "[unit]") {
+  CHECK((0 < third.upper - third.lower && third.upper - third.lower <= 3e-16));
   const Number everything = Number::all();
   for (const Number& x :
        {Number(largest) + Number(largest), Number(largest) * Number(2), Number(1) / Number(-1, 1),

@@ -1,5 +1,5 @@
-// Exact travelling breathers: the sum that selects their speeds, the equations, orbits of both types, what
-// they leave behind, their stability, and their limit of small amplitude.
+// Exact travelling breathers: the sum that selects their speeds, the equations, orbits of type I, what they leave
+// behind, the flow over a shift, and their limit of small amplitude.
 
 #include "sec5/travelling.hpp"
 #include "sec5/dps_travelling.hpp"
@@ -185,21 +185,6 @@ TEST_CASE("the flow over a shift and its multipliers", "[unit][travelling]") {
   check_close(
       phase_kappa<double>({{3, 0}, {1, 0.5}, {0.4, 0}, {1.25, 0}, {1, -0.5}, {0.75, 0}, {-1, 0}}),
       kappa, 1e-15);
-}
-
-TEST_CASE("unfolding undoes folding", "[unit][travelling]") {
-  Shooting<double> problem = breather_problem(Centre::site, 1.1, 0, 10 + 1);
-  problem.chain.sites = 10;
-  problem.symmetry = travelling_reversible(4, true);
-  Vector<double> x(10);
-  x << 1, 2, 3, 4, 5, 6, 7, 8, 9, 10;
-  State<double> state = problem.expand(x);
-  CHECK(state.y[4] == 0);
-  CHECK(state.y[3] == -state.y[5]);
-  CHECK(state.v[3] == state.v[5]);
-  CHECK(state.y[9] == 0);
-  state.t = 10;
-  CHECK(problem.reduce(state) == x);
 }
 
 TEST_CASE("the derivative with respect to a free period is exact", "[unit][travelling]") {

@@ -85,31 +85,30 @@ bool proved(const CubicLine& guess, const WaveProof& proof) {
 
 }  // namespace
 
-TEST_CASE("integrals of cells against Simpson's rule", "[unit][kernel]") {
+TEST_CASE("integrals of cells in which a contact opens, against sums of midpoints",
+          "[unit][kernel]") {
   const Sample& s = shared();
   const double h = two_pi / double(s.guess.per_turn);
-  std::size_t crossing = 0, first_crossing = 0;
-  for (std::size_t p = 0; p < s.guess.cell.size(); p += 1) {
+  std::size_t crossing = 0;
+  for (std::size_t p = 0; p < s.guess.cell.size(); ++p) {
     const Interval<double> range = value(s.guess.cell[p], Interval<double>(0, 1));
-    const bool zero = range.lower < 0 && range.upper > 1e-6;
-    if (zero && crossing++ == 0) first_crossing = p;
-    if (!zero && p % 97) continue;
+    if (range.lower >= 0 || range.upper <= 1e-6) continue;
+    ++crossing;
     const CellIntegrals found = integrate(s.guess, p, s.angles);
     double c = 0, sine = 0, work = 0;
-    const int n = zero ? 40000 : 400;
+    const int n = 40000;
     for (int i = 0; i < n; ++i) {
       const double t = h * (double(p) + (i + 0.5) / n), f = force_of(at(s.guess, t));
       c += f * std::cos(t) * h / n, sine += f * std::sin(t) * h / n;
       work += f * at(s.guess, t) * h / n;
     }
-    CAPTURE(p, zero);
+    CAPTURE(p);
     check_close(found.cosine.middle(), c, 1e-13 + 1e-6 * h * h * h);
     check_close(found.sine.middle(), sine, 1e-13 + 1e-6 * h * h * h);
     check_close(found.action.middle(), work, 1e-13 + 1e-6 * h * h * h);
     CHECK(found.cosine.radius() < 1e-14);
   }
   CHECK(crossing > 5);
-  CHECK(first_crossing > 0);
 }
 
 TEST_CASE("the image of the guess is its convolution with the kernel", "[unit][kernel]") {
