@@ -362,6 +362,16 @@ const Cubic shapes[] = {
 
 }  // namespace
 
+TEST_CASE("angles of half cells are enclosed", "[unit][kernel]") {
+  const Angles angles(4);
+  for (std::size_t j = 0; j < 19; ++j) {
+    const Long angle = pi_l * Long(j) / 4;
+    CHECK((angles.cosine(j).lower < std::cos(angle) && std::cos(angle) < angles.cosine(j).upper));
+    CHECK((angles.sine(j).lower < std::sin(angle) && std::sin(angle) < angles.sine(j).upper));
+    CHECK(angles.cosine(j).radius() < 1e-14);
+  }
+}
+
 TEST_CASE("cells are enclosed by the corrected rule and its remainder", "[unit][kernel]") {
   // On both sides of the bound from which a cell is halved, in all eighths of two turns
   const std::size_t per_turn = 8;
