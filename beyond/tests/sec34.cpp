@@ -64,15 +64,6 @@ TEST_CASE("the changes of a budget cancel", "[unit][wake]") {
   }
 }
 
-TEST_CASE("waves close behind a packet bring it back early", "[property][wake]") {
-  const LateFate with = late_fate({.velocity = 1.84, .behind = 15}, 0.1, 1500, 150),
-                 without = late_fate({.velocity = 1.84, .behind = 6}, 0.1, 1500, 150);
-  CHECK(with.late == Late::returns);
-  check_close(with.furthest, 27.97, 0.1);
-  CHECK(without.late == Late::goes_on);
-  CHECK(without.furthest > 40);
-}
-
 TEST_CASE("a wave that reaches an end is no result", "[unit][wake]") {
   CHECK_THROWS_AS(follow_without({.s = 0}, 0.1, 120, 20), std::runtime_error);
 }
@@ -93,29 +84,10 @@ TEST_CASE("a cut packet goes on as GSL says", "[unit][wake]") {
   check_close(path.centre.back() + 80, last.centre.back(), 1e-4);
 }
 
-TEST_CASE("inside the packet there is a breather", "[unit][wake]") {
-  const std::vector<Inside> rows = gauge({}, 0.1, 161);
-  REQUIRE(rows.size() == 8);
-  for (std::size_t k = 5; k < rows.size(); ++k) {
-    check_close(rows[k].omega, 1.68, 0.02);
-    check_close(rows[k].area, 6, 0.4);
-    check_close(rows[k].t, 20 * double(k) + 10, 0.2);
-  }
-}
-
 TEST_CASE("hard wells turn the packet, linear and soft ones do not", "[property][boomeron]") {
   CHECK(outcome_of(2, 1, 40, 0).fate == Fate::turns);
   CHECK(outcome_of(2, 0, 40, 0).fate == Fate::escapes);
   CHECK(outcome_of(2, 0.005, 40, 0).fate == Fate::escapes);
   CHECK(outcome_of(0.5, 1, 30, 0).fate == Fate::escapes);
   CHECK(outcome_of(3, 20, 30, 0).fate == Fate::stays);
-}
-
-TEST_CASE("at small amplitude only s v0^(3/2) counts", "[property][boomeron]") {
-  const auto apex = [](double velocity, double chi) {
-    return outcome_of(velocity, chi / (velocity * std::sqrt(velocity)), 40, 0).apex;
-  };
-  const double small = apex(0.002, 1.3), smaller = apex(0.001, 1.3);
-  check_close(small, smaller, 0, 0.1);
-  CHECK(std::abs(apex(0.2, 1.3) - small) > 0.3 * small);
 }

@@ -17,26 +17,6 @@ using namespace lattice;
 
 namespace {
 
-/// An impact on a damped chain, and what it shows of pushes and of the centre.
-Arrivals packet_arrivals(const DrivenChain& driven, double velocity, double duration, double step) {
-  const std::size_t contacts = driven.chain.sites - 1;
-  State<double> state = struck(driven.chain.sites, velocity);
-  const TimeGrid grid = time_grid(duration, step, step);
-  std::vector<Maxima> push(contacts);
-  Arrivals out;
-  evolve(driven, state, grid, [&](const State<double>& now, const EnergyBudget&) {
-    for (std::size_t n = 0; n < contacts; ++n) {
-      const double overlap = std::max(now.y[n] - now.y[n + 1], 0.0);
-      push[n].add(now.t, overlap * std::sqrt(overlap), grid.step());
-    }
-    const auto e = energy_density(driven.chain, now);
-    out.centres.push_back({now.t, energy_centre(e, 0, e.size())});
-    return true;
-  });
-  for (const Maxima& m : push) out.add(arrival(m.all, {}));
-  return out;
-}
-
 /// The energy centre of a damped chain, averaged over about eight periods each time.
 std::vector<double> centres(const Chain& chain, State<double> state, double nu, double duration) {
   std::vector<double> out;
@@ -105,9 +85,11 @@ TEST_CASE("equal rates of single sites are one rate", "[unit][damped]") {
 
 TEST_CASE("a DpS field with friction is one without at the slow clock", "[property][arrivals]") {
   const double nu = 0.1, t = 40;
-  check_close(true_time(nu, slow_clock(nu, t)), t, 1e-9);
-  check_close(slow_clock(0, 5), 5, 0);
-  CHECK(std::isinf(true_time(0.1, 40.1)));
+  check_close(slow_clock(nu, t), 4 / nu * (1 - std::exp(-nu * t / 4)), 1e-13);
+  check_close(true_time(nu, slow_clock(nu, t)), t, 1e-11);
+  for (double none : {0.0, -1.0}) CHECK((slow_clock(none, t) == t && true_time(none, t) == t));
+  CHECK(std::isinf(true_time(0.5, 8)));
+  CHECK(std::isfinite(true_time(0.5, 7.999)));
   const Dps dps{16};
   const auto after = [&](double rate, double time) {
     Field field(16);
@@ -131,25 +113,6 @@ TEST_CASE("a DpS field with friction is one without at the slow clock", "[proper
   CHECK(apart(1.001 * slow_clock(nu, t)) > 1e-4);
 }
 
-TEST_CASE("the slow clock of a weak packet needs the weight of a push", "[property][arrivals]") {
-  // Ten lifetimes; the undamped run goes on beyond four
-  const double velocity = 0.01, life = 80, nu = 1 / life, t = 10 * life;
-  const auto free = packet_arrivals({Chain{40}}, velocity, 5 * life, 0.2);
-  const auto lossy = packet_arrivals({Chain{40}, {nu, 0}}, velocity, 13 * life, 0.2);
-  const auto law = slowed(free, nu);
-  const double s = slow_clock(nu, t), way = travelled_after(lossy, t).sites;
-  CAPTURE(way, travelled_after(law, t).sites, travelled_after(free, s).sites,
-          centre_after(lossy, t));
-  check_close(travelled_after(law, t).sites, way, 0, 0.02);
-  check_close(centre_after(law, t), centre_after(lossy, t), 0, 0.01);
-  check_close(centre_after(law, t), centre_after(free, s), 0, 2e-3);
-  CHECK(travelled_after(free, s).sites < 0.8 * way);         // the clock alone
-  CHECK(travelled_after(free, 4 * life).sites < 0.9 * way);  // is no bound of the way
-  // and another rate is not confirmed
-  CHECK(std::abs(centre_after(slowed(free, 1.1 * nu), t) / centre_after(lossy, t) - 1) > 0.03);
-  CHECK_THROWS_AS(centre_after(free, t), std::out_of_range);
-}
-
 TEST_CASE("a sensor sees as far as the beads are fast", "[unit][arrivals]") {
   Arrivals j;
   for (double v : {1.0, 0.1, 0.01}) j.contacts.push_back({1, 1, v, true});
@@ -158,21 +121,11 @@ TEST_CASE("a sensor sees as far as the beads are fast", "[unit][arrivals]") {
   check_close(seen_until(j, 2), 0, 0);
 }
 
-TEST_CASE("a shift of a breather of the DpS limit has four lifetimes", "[unit][decay]") {
-  // growth = L (omega - 1), by way of kappa = sinh^2(growth T / 2), and area = (omega - 1)^4
-  std::vector<BranchMember> members;
-  for (double mu : {0.01, 0.02, 0.04, 0.08, 0.16}) {
-    const double omega = 1 + mu, growth = 1e-3 * mu;
-    const double half = std::sinh(growth * std::numbers::pi / omega);
-    members.push_back({omega, mu * mu * mu * mu, half * half, growth});
-  }
-  const double nu = 2e-4, shown = 4 / nu * (1 - std::pow(0.01, 0.25));
-  const double grown = largest_shift(members, 1e-3, nu);
-  check_close(grown, std::cosh(members.back().growth * shown), 0, 1e-4);
-  check_close(lifetime_of_growth(members, 1e-3, grown), 1 / nu, 0, 1e-6);
-  for (BranchMember& m : members) m.kappa = -m.kappa, m.growth = 0;
-  CHECK(largest_shift(members, 0, nu) == 1);
-  CHECK_THROWS_AS(lifetime_of_growth(members, 0, 2), std::invalid_argument);
+TEST_CASE("a centre between two looks is on a straight line", "[unit][arrivals]") {
+  Arrivals j;
+  j.centres = {{1, 4}, {2, 5}, {4, 9}};
+  check_close(centre_after(j, 2.5), 6, 1e-14);
+  for (double outside : {0.9, 4.1}) CHECK_THROWS_AS(centre_after(j, outside), std::out_of_range);
 }
 
 TEST_CASE("the shift of a decaying breather grows and swings back", "[property][decay]") {
@@ -292,16 +245,12 @@ TEST_CASE("the growth of a shift along a branch of both signs", "[unit][decay]")
         const double value = largest_shift(branch(kappa), limit, nu);
         check_close(value, shift_by_hand(branch(kappa), limit, nu), 0, 1e-9);
       }
-}
-
-TEST_CASE("the slow clock and back", "[unit][arrivals]") {
-  for (double t : {0.5, 3.0, 40.0}) {
-    check_close(slow_clock(0.3, t), 4 / 0.3 * (1 - std::exp(-0.3 * t / 4)), 1e-13);
-    check_close(true_time(0.3, slow_clock(0.3, t)), t, 1e-11);
-    for (double nu : {0.0, -1.0}) CHECK((slow_clock(nu, t) == t && true_time(nu, t) == t));
-  }
-  CHECK(std::isinf(true_time(0.5, 8)));
-  CHECK(std::isfinite(true_time(0.5, 7.999)));
+  // The lifetime is that which gives the factor; nothing grows on a stable branch
+  const auto members = branch({0.02, 0.05, 0.01}), stable = branch({-0.02, -0.05, -0.01});
+  check_close(lifetime_of_growth(members, 0.7, largest_shift(members, 0.7, 0.03)), 1 / 0.03, 0,
+              1e-6);
+  CHECK(largest_shift(stable, 0, 0.03) == 1);
+  CHECK_THROWS_AS(lifetime_of_growth(stable, 0, 2), std::invalid_argument);
 }
 
 TEST_CASE("the way of a packet between contacts", "[unit][arrivals]") {

@@ -1,7 +1,7 @@
-// The constants of the proof for the chain's breathers, each against what it bounds: none may be too small, and
-// none is so large that a wrong factor would not be seen.
+// The proof for the chain's breathers with its constants (chain_bounds): each against what it bounds and from its
+// formula once more; it holds what Newton's method finds, and fails where something is wrong.
 
-#include "sec5/chain_bounds.hpp"
+#include "sec5/chain_enclosure.hpp"
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@
 #include "lattice/algebra/dense.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
 #include "lattice/orbits/shooting.hpp"
-#include "sec5/chain_enclosure.hpp"
+#include "sec5/chain_bounds.hpp"
 #include "sec5/circle.hpp"
 #include "support/check.hpp"
 
@@ -18,13 +18,19 @@ using namespace lattice;
 
 namespace {
 
-const double omega = 1.1;
+const double turn = pi<double>(), omega = 1.1;
 const Interval<double> enclosed_omega = Interval<double>(11) / Interval<double>(10);
+
+const double sine = std::sin(turn / omega), mean_g = 2 / sine - 1, most_g = turn / (omega * sine);
 
 /// The kernel of the response of the wells, whose Fourier coefficients are 1 / (1 - omega^2 k^2).
 double g(double theta) {
-  return pi<double>() / omega * std::cos((pi<double>() - theta) / omega) /
-         std::sin(pi<double>() / omega);
+  return most_g * std::cos((turn - theta) / omega);
+}
+
+/// The same on even functions.
+double g(double t, double s) {
+  return (g(std::abs(t - s)) + g(t + s)) / 2;
 }
 
 double cosine_sum(const std::vector<double>& c, double theta) {
@@ -38,7 +44,7 @@ double sampled_variation(const std::vector<double>& c) {
   const int n = 20000;
   double sum = 0, before = 0;
   for (int i = 0; i <= n; ++i) {
-    const double theta = 2 * pi<double>() * i / n;
+    const double theta = 2 * turn * i / n;
     double slope = 0;
     for (std::size_t k = 0; k < c.size(); ++k)
       slope -= c[k] * double(k) * std::sin(double(k) * theta);
@@ -46,7 +52,7 @@ double sampled_variation(const std::vector<double>& c) {
     if (i > 0) sum += std::abs(now - before);
     before = now;
   }
-  return sum / (2 * pi<double>());
+  return sum / (2 * turn);
 }
 
 }  // namespace
@@ -55,7 +61,7 @@ TEST_CASE("mean and maximum of the kernel of a well", "[unit]") {
   const int n = 200000;
   double mean = 0, most = 0, third = 0;
   for (int i = 0; i < n; ++i) {
-    const double theta = 2 * pi<double>() * (i + 0.5) / n, value = g(theta);
+    const double theta = 2 * turn * (i + 0.5) / n, value = g(theta);
     mean += std::abs(value) / n, third += value * std::cos(3 * theta) / n;
     most = std::max(most, std::abs(value));
   }
@@ -107,7 +113,7 @@ TEST_CASE("ranges of a cosine sum on cells", "[unit]") {
   double above = 0;
   for (std::size_t p = 0; p < cells.size(); ++p) {
     const auto at = [&](double x) {
-      return cosine_sum(c, pi<double>() * (double(p) + x) / double(cells.size()));
+      return cosine_sum(c, turn * (double(p) + x) / double(cells.size()));
     };
     for (int i = 0; i <= 40; ++i) CHECK(cells[p].contains(at(i / 40.0)));
     above = std::max(above, at(0.5) - std::max(at(0), at(1)));
@@ -127,9 +133,9 @@ TEST_CASE("the norm of the inverse is that of a finer discretization", "[converg
   for (long n = 0; n < window; ++n)
     for (long i = 0; i < m; ++i)
       for (long l = 0; l < m; ++l) {
-        const double t = pi<double>() * (double(i) + 0.5) / double(m),
-                     s = pi<double>() * (double(l) + 0.5) / double(m);
-        const double both = (g(std::abs(t - s)) + g(t + s)) / 2 / double(m);
+        const double t = turn * (double(i) + 0.5) / double(m),
+                     s = turn * (double(l) + 0.5) / double(m);
+        const double both = g(t, s) / double(m);
         const auto act = [&](long contact, double factor) {
           const double d = cosine_sum(guess.c[std::size_t(contact)], s);
           one_minus_b(n * m + i, contact * m + l) -=
@@ -149,13 +155,7 @@ TEST_CASE("the norm of the inverse is that of a finer discretization", "[converg
   CHECK(proof.epsilon() > 1e-4);
 }
 
-namespace plain {
-
 namespace {
-
-const double turn = pi<double>(), omega = 1.1;
-
-const double sine = std::sin(turn / omega), mean_g = 2 / sine - 1, most_g = turn / (omega * sine);
 
 /// Both ends of a range, and what the root makes of it.
 struct Limits {
@@ -168,12 +168,6 @@ double root_of(double x) {
 
 double force_of(double x) {
   return std::max(0.0, x) * std::sqrt(std::max(0.0, x));
-}
-
-double cosine_sum(const std::vector<double>& c, double theta) {
-  double sum = 0;
-  for (std::size_t k = 0; k < c.size(); ++k) sum += c[k] * std::cos(double(k) * theta);
-  return sum;
 }
 
 double moduli(const std::vector<double>& c, int power) {
@@ -239,12 +233,6 @@ struct Again {
     for (std::size_t n = 0; n < window; ++n)
       norm = std::max(norm, row(response, n)), source = std::max(source, row(largest, n));
     epsilon = std::pow(turn / double(m), 2) / 8 * (source + norm) / (omega * omega);
-  }
-
-  /// The kernel on even functions, from that of the circle.
-  static double g(double t, double s) {
-    const auto circle = [](double x) { return most_g * std::cos((turn - x) / omega); };
-    return (circle(std::abs(t - s)) + circle(t + s)) / 2;
   }
 
   void inverse_bounds() {
@@ -388,23 +376,7 @@ TEST_CASE("each bound of the proof for the chain follows from its formula", "[un
   }
 }
 
-TEST_CASE("the constants of the chain's kernel follow from their formulas", "[unit]") {
-  const Interval<double> w = Interval<double>(11) / Interval<double>(10);
-  check_close(mean_of_kernel(w).middle(), mean_g, 0, 1e-12);
-  check_close(largest_of_kernel(w).middle(), most_g, 0, 1e-12);
-  check_close(folded_back(64, 10).middle(), 2 * turn * turn / 3 / (54.0 * 54), 0, 1e-12);
-  check_close(left_out(w, 5).middle(), 2 / (3 * (1.21 - 1.0 / 16) * 64), 0, 1e-12);
-  check_close(variation_of_force({-0.1, 0.4, 0.2}).middle(), 3 * std::sqrt(0.7) * (0.4 + 0.8), 0,
-              1e-12);
-  const auto cells = ranges({0.1, 0.4, -0.2}, 8);
-  const double bend = turn * turn / 64 / 8 * 1.2;
-  for (std::size_t p = 0; p < 8; ++p) {
-    const double a = cosine_sum({0.1, 0.4, -0.2}, turn * double(p) / 8),
-                 b = cosine_sum({0.1, 0.4, -0.2}, turn * double(p + 1) / 8);
-    check_close(cells[p].lower, std::min(a, b) - bend, 1e-12);
-    check_close(cells[p].upper, std::max(a, b) + bend, 1e-12);
-  }
-  // Where a cosine is small its rounding counts, and widens the range by as much on either side
+TEST_CASE("where a cosine is small its rounding widens the range", "[unit]") {
   const std::size_t many = std::size_t(1) << 17;
   const Sampled values = sample({0, 1}, CosineTable(2 * many));
   const double h = turn / double(many), wide = h * h / 8 + values.error;
@@ -467,4 +439,59 @@ TEST_CASE(
   }
 }
 
-}  // namespace plain
+TEST_CASE("a wrong compression, frequency or centre has a residual that proves nothing", "[unit]") {
+  Fineness fine;
+  fine.samples = 4096, fine.harmonics = 64;
+  const ChainGuess guess = chain_guess(Centre::bond, 11, 10, fine);
+  const ChainProof proof(guess, fine);
+  const auto eta = [&](const ChainGuess& g) { return proof.eta(chain_residuals(g, fine)); };
+  const double right = eta(guess);
+  ChainGuess wrong = guess;
+  wrong.c[0][1] *= 1 + 1e-3;
+  CHECK(eta(wrong) > 20 * right);
+  wrong = guess;
+  wrong.omega = Interval<double>(1.11);
+  CHECK(eta(wrong) > 100 * right);
+  wrong = guess;
+  wrong.centre = Centre::site;
+  CHECK(eta(wrong) > 100 * right);
+  CHECK_THROWS_AS(two_balls(eta(wrong), 0x1p-10, [&](double radius) { return proof.q(radius); }),
+                  NotProved);
+}
+
+TEST_CASE("a fineness whose spacings do not agree is refused in one line", "[unit]") {
+  const Fineness usual;
+  CHECK((usual.contacts == 7 && usual.harmonics == 320 && usual.samples == 65536 &&
+         usual.nodes == 32 && usual.cells == 2048));
+  // What is allowed, at its ends, and what is not any more
+  for (const Fineness& good :
+       {usual, Fineness{2, 2, 4, 2, 2}, {15, 1024, 1 << 24, 1 << 20, 1 << 20}})
+    CHECK_NOTHROW(good.check());
+  const std::pair<Fineness, const char*> all[] = {
+      {{7, 320, 65536, 24, 2048}, "nodes = 24: allowed is a power of two from 2 to 2048"},
+      {{7, 320, 65536, 4096, 2048}, "nodes = 4096: "},
+      {{2, 2, 4, 1, 2}, "nodes = 1: "},
+      {{7, 320, 65536, 32, 1000}, "cells = 1000: "},
+      {{2, 2, 4, 2, 1}, "cells = 1: "},
+      {{2, 2, 4, 2, 1 << 21}, "cells = 2097152: "},
+      {{7, 320, 60000, 32, 2048}, "samples = 60000: "},
+      {{2, 2, 2, 2, 2}, "samples = 2: "},
+      {{2, 2, 1 << 25, 2, 2}, "samples = 33554432: "},
+      {{7, 1025, 65536, 32, 2048}, "harmonics = 1025: "},
+      {{2, 1, 4, 2, 2}, "harmonics = 1: "},
+      {{1, 2, 4, 2, 2}, "contacts = 1: "},
+      {{16, 2, 4, 2, 2}, "contacts = 16: "}};
+  for (const auto& [fine, said] : all)
+    CHECK(refusal<std::invalid_argument>([&] { fine.check(); }).starts_with(said));
+  const auto complaint = [&](int p, int q, const Fineness& fine) {
+    return refusal<std::invalid_argument>([&] { enclose_chain(Centre::bond, p, q, fine); });
+  };
+  CHECK(complaint(11, 10, all[0].first) == all[0].second);
+  for (const auto& [p, q] : {std::pair{1, 1}, {2, 1}, {9, 10}, {21, 10}, {11, 0}, {-11, -10}})
+    CHECK(complaint(p, q, usual)
+              .starts_with("omega = " + std::to_string(p) + "/" + std::to_string(q)));
+  Fineness few;
+  few.samples = 4096, few.harmonics = 64;
+  const ChainGuess guess{Centre::bond, Interval<double>(2.5), {{0.01, 0}}};
+  CHECK(refusal<std::invalid_argument>([&] { ChainProof(guess, few); }).starts_with("omega = 2.5"));
+}
