@@ -1,11 +1,8 @@
 // Kicks, the breather that drifts, and what linear theory says of both; pairs near an exchange, and noise that moves.
 
 #include <algorithm>
-#include <numbers>
 
 #include "commands/exchanges.hpp"
-#include "lattice/algebra/eigenvalues.hpp"
-#include "lattice/orbits/floquet.hpp"
 #include "sec33/dps_motion.hpp"
 #include "sec33/exchange.hpp"
 #include "sec33/kick_threshold.hpp"

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "support/check.hpp"
-#include "support/run.hpp"
+#include "support/scratch.hpp"
 
 using namespace lattice;
 namespace fs = std::filesystem;

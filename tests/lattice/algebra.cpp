@@ -15,3 +15,12 @@ TEST_CASE("the singular values of a matrix with more rows than columns, by hand"
   check_close(std::abs(soft.softest[1]), 1, 1e-14);
   check_close(soft.softest[0], 0, 1e-14);
 }
+
+TEST_CASE("products of large matrices are cut in the same way on every processor", "[unit]") {
+  // Eigen would ask the processor for its caches, and would sum in another order where they are larger
+#if defined(__x86_64__)
+  CHECK(Eigen::l1CacheSize() == 32 << 10);
+  CHECK(Eigen::l2CacheSize() == 256 << 10);
+  CHECK(Eigen::l3CacheSize() == 2 << 20);
+#endif
+}

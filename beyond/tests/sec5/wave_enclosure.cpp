@@ -266,16 +266,6 @@ TEST_CASE("the derivative changes no more in the ball than the bound says", "[pr
   CHECK(q_0 < 0.5);
 }
 
-TEST_CASE("products of large matrices are cut in the same way on every processor",
-          "[unit][dense]") {
-  // Eigen would ask the processor for its caches, and would sum in another order where they are larger
-#if defined(__x86_64__)
-  CHECK(Eigen::l1CacheSize() == 32 << 10);
-  CHECK(Eigen::l2CacheSize() == 256 << 10);
-  CHECK(Eigen::l3CacheSize() == 2 << 20);
-#endif
-}
-
 namespace {
 
 using Long = long double;
