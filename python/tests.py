@@ -82,14 +82,10 @@ class SameBits(unittest.TestCase):
         self.assertTrue(math.isnan(found.speed) and found.speed.reason)
         self.assertIn(f"= nan ({found.speed.reason})", repr(found))
 
-    def test_earlier_names_are_taken(self):
-        self.assertEqual(lattice.Chain(4, onsite="pendulum").onsite, lattice.Chain(4, well="pendulum").well)
-        self.assertEqual(bits(lattice.breather(onsite="pendulum").y), bits(lattice.breather(well="pendulum").y))
-
-    def test_a_chain_says_the_same_as_options(self):
-        chain = lattice.Chain(well="quartic", s=-1 / 6)
+    def test_a_chain_and_an_earlier_name_say_the_same_as_options(self):
+        chain = lattice.Chain(onsite="quartic", s=-1 / 6)
         found, other = lattice.strike(chain, velocity=1.5, time=100), lattice.strike(velocity=1.5, time=100, s="-1/6")
-        self.assertEqual(bits(found.y), bits(other.y))
+        self.assertEqual((chain.well, bits(found.y)), ("quartic", bits(other.y)))
         self.assertEqual(found.quantities.keys(), other.quantities.keys())
 
     def test_breather(self):
@@ -149,84 +145,86 @@ class Refusals(unittest.TestCase):
             function(**options)
         self.assertEqual(str(caught.exception), program(command, *(f"--{n}={v}" for n, v in options.items())))
 
-    def test_wrong_input(self):
-        run = "sec34_impact run"
-        self.check(ValueError, lattice.strike, run, velocity=-1.0)
-        self.check(ValueError, lattice.strike, run, velocity="fast")
+    def test_options(self):
+        breather = "sec32_newton_breathers breather"
+        self.check(ValueError, lattice.strike, "sec34_impact run", velocity="fast")
+        self.check(ValueError, lattice.breather, breather, centre="bond", sites=31)
+        self.check(ValueError, lattice.breather, breather, precompression=0.01, omega=1.2)
+        self.check(RuntimeError, lattice.strike, "sec34_impact run", velocity=1.3, s=-0.7, time=100)
         with self.assertRaisesRegex(ValueError, "there is no such option; did you mean --velocity"):
             lattice.strike(velocty=None)
-        self.check(ValueError, lattice.strike, run, well="pendulum", s=1.0)
-        self.check(ValueError, lattice.breather, "sec32_newton_breathers breather", centre="bond", sites=31)
-        self.check(ValueError, lattice.breather, "sec32_newton_breathers breather", well="none")
-        self.check(ValueError, lattice.dps, "sec31_dps_limit impact", end="loose")
-        self.check(ValueError, lattice.breather, "sec32_newton_breathers breather", precompression=0.01, omega=1.2)
+        for value in (True, np.True_, 1j, b"1", np.ones(1)):
+            with self.assertRaisesRegex(ValueError, "--velocity: .* is not a number"):
+                lattice.strike(velocity=value)
 
-    def test_breathers_of_chains(self):
-        for message, call in [
-                ("symmetric about the centre", lambda: lattice.breather(lattice.Chain(31, mass=range(1, 32)), omega=1.2)),
-                ("--mass-ratio: such beads", lambda: lattice.breather(mass_ratio=2, centre="bond")),
-                ("--sites: 31 does not fit --centre bond", lambda: lattice.breather(lattice.Chain(31), centre="bond")),
-                ("free ends", lambda: lattice.breather(lattice.Chain(31, ends="fixed"))),
-                ("--s: belongs to the chain", lambda: lattice.breather(lattice.Chain(31), s=1)),
-                ("--mass_ratio: belongs to the chain", lambda: lattice.multipliers(lattice.Chain(31), mass_ratio=2)),
-                ("linear waves of the chain, .1, 1.26491.", lambda: lattice.multipliers(lattice.Chain(precompression=0.01))),
-                ("chain: 31 beads", lambda: lattice.barrier(lattice.Chain(31)))]:
-            with self.assertRaisesRegex(ValueError, message) as caught:
+    def refused(self, *cases, kind=ValueError):
+        """Each call is refused in one line that has its words."""
+        for words, call in cases:
+            with self.assertRaisesRegex(kind, words) as caught:
                 call()
             self.assertNotIn("\n", str(caught.exception))
-        with self.assertRaisesRegex(TypeError, "chain: 5 is not a lattice.Chain"):
-            lattice.breather(5)
-
-    def test_failures(self):
-        self.check(RuntimeError, lattice.strike, "sec34_impact run", velocity=1.3, s=-0.7, time=100)
 
     def test_chains(self):
-        for message, options in [("mass", {"sites": 3, "mass": [1, -1, 1]}), ("mass", {"sites": 3, "mass": [1, 1]}),
-                                 ("--well", {"well": "cubic"}), ("--sites", {"sites": 1}), ("--ends", {"ends": "open"})]:
-            with self.assertRaisesRegex(ValueError, message):
-                lattice.Chain(**options)
-        with self.assertRaisesRegex(ValueError, "--s: belongs to the chain"):
-            lattice.strike(lattice.Chain(sites=30), s=1)
+        self.refused(
+            ("mass must be finite and > 0", lambda: lattice.Chain(3, mass=[1, -1, 1])), ("mass", lambda: lattice.Chain(3, mass=[1, 1])),
+            ("--well", lambda: lattice.Chain(well="cubic")), ("--ends", lambda: lattice.Chain(ends="open")),
+            ("mass: the chain has no number of sites", lambda: lattice.Chain(mass=[1, 0.5])),
+            ("symmetric about the centre", lambda: lattice.breather(lattice.Chain(31, mass=range(1, 32)), omega=1.2)),
+            ("--sites: 31 does not fit --centre bond", lambda: lattice.breather(lattice.Chain(31), centre="bond")),
+            ("free ends", lambda: lattice.breather(lattice.Chain(31, ends="fixed"))),
+            ("--mass_ratio: belongs to the chain", lambda: lattice.multipliers(lattice.Chain(31), mass_ratio=2)),
+            ("linear waves of the chain, .1, 1.26491.", lambda: lattice.multipliers(lattice.Chain(precompression=0.01))),
+            ("chain: 31 beads", lambda: lattice.barrier(lattice.Chain(31))))
+        self.refused(("chain: 5 is not a lattice.Chain", lambda: lattice.breather(5)), kind=TypeError)
 
     def test_whatever_is_not_a_state(self):
         """Lengths, types and numbers that cannot be meant, said with the name and in a few words."""
         chain, zero = lattice.Chain(4), np.zeros(4)
-        long = list(range(100000))
-        for message, y in [(f"{n} entries .allowed: 4", range(n)) for n in (0, 3, 5)] + [
-                ("None", None), ("'abc' is no array", "abc"), ("no array of real", zero + 1j),
-                ("no array of real", ["1"] * 4), ("no array of real", [[1], [2, 3]]),
-                ("no array of real", np.ma.masked_equal([0, 1, 2, 3], 1)),
-                ("nan in entry 1", [0, math.nan, 0, 0]), ("inf in entry 3", [0, 0, 0, math.inf]),
-                ("nan in entry 0", np.array([None, 1, 2, 3], object)), ("100000 entries", long), ("shapes", [zero, zero])]:
+        for message, y in [("5 entries .allowed: 4", range(5)), ("100000 entries", list(range(100000))), ("None", None),
+                           ("'abc' is no array", "abc"), ("no array of real", zero + 1j), ("no array of real", [[1], [2, 3]]),
+                           ("no array of real", np.ma.masked_equal([0, 1, 2, 3], 1)), ("nan in entry 1", [0, math.nan, 0, 0]),
+                           ("nan in entry 0", np.array([None, 1, 2, 3], object))]:
             for call in (chain.accelerations, lambda y: chain.energy_density(y, zero), lambda y: chain.evolve(y, zero, 1)):
-                if message != "shapes" or call != chain.accelerations:
-                    with self.assertRaisesRegex(ValueError, f"^y.*{message}"):
-                        call(y)
-        with self.assertRaisesRegex(ValueError, "v: inf in entry 2"):
-            chain.evolve(zero, [0, 0, math.inf, 0], 1)
-        with self.assertRaisesRegex(ValueError, "no number of sites"):
-            lattice.Chain().accelerations([])
-        with self.assertRaisesRegex(RuntimeError, "the acceleration of bead 0 is -inf"):
-            chain.accelerations([1e308, -1e308, 0, 0])
+                self.refused((f"^y.*{message}", lambda: call(y)))
+        self.refused(("^y.*shapes", lambda: chain.energy_density([zero, zero], zero)),
+                     ("v: inf in entry 2", lambda: chain.evolve(zero, [0, 0, math.inf, 0], 1)),
+                     ("no number of sites", lambda: lattice.Chain().accelerations([])))
+        self.refused(("the acceleration of bead 0 is -inf", lambda: chain.accelerations([1e308, -1e308, 0, 0])), kind=RuntimeError)
         same = chain.accelerations([1, 2, 3, 4])
-        for y in ((1, 2, 3, 4), np.arange(1, 5), np.arange(1, 5, dtype=np.float32), [Fraction(n) for n in (1, 2, 3, 4)]):
+        for y in ((1, 2, 3, 4), np.arange(1, 5, dtype=np.float32), [Fraction(n) for n in (1, 2, 3, 4)]):
             self.assertEqual(bits(chain.accelerations(y)), bits(same))
 
     def test_runs_that_cannot_be_meant(self):
         chain, v = lattice.Chain(4), np.eye(4)[0]
-        for name, values in {"time": (-1, math.nan, math.inf, None, "20", 1j, True, [1], np.ones(3)),
-                             "sample": (0, -1, math.nan), "tolerance": (0, -1, 1, 1e300, 1e-30, math.nan)}.items():
+        for name, values in {"time": (-1, math.inf, None, "20", 1j, True, [1]), "sample": (0, math.nan),
+                             "tolerance": (0, 1, 1e-30, math.nan)}.items():
             for value in values:
-                with self.assertRaisesRegex(ValueError, f"^{name}: "):
-                    chain.evolve(0 * v, v, **{"time": 1, name: value})
-        with self.assertRaisesRegex(ValueError, "sample: y and v would take 160 GB .allowed: 2;"):
-            lattice.Chain(1000).evolve(np.zeros(1000), np.eye(1000)[0], time=1e6, sample=0.1)
+                self.refused((f"^{name}: ", lambda: chain.evolve(0 * v, v, **{"time": 1, name: value})))
+        self.refused(("sample: y and v would take 160 GB .allowed: 2;",
+                      lambda: lattice.Chain(1000).evolve(np.zeros(1000), np.eye(1000)[0], time=1e6, sample=0.1)))
         self.assertEqual(chain.evolve(0 * v, v, 0).t.tolist(), [0])
 
-    def test_a_value_that_is_none(self):
-        for value in (True, False, np.True_, 1j, np.complex128(1), b"1", [1], np.ones(1)):
-            with self.assertRaisesRegex(ValueError, "--velocity: .* is not a number"):
-                lattice.strike(velocity=value)
+    def test_what_is_no_orbit(self):
+        chain, rest = lattice.Chain(5, well="quartic", s=1), np.zeros(5)
+        self.refused(("shrinks to rest", lambda: chain.orbit(rest, 5)), ("period: -5", lambda: chain.orbit(np.ones(5), -5)),
+                     ("misses its start", lambda: chain.multipliers(np.eye(5)[2], rest, 5)),
+                     (r"\(5,\), one number a site", lambda: chain.multipliers(np.zeros((2, 5)), np.zeros((2, 5)), 5)),
+                     ("no number of sites", lambda: lattice.Chain().orbit([1], 5)), kind=(ValueError, RuntimeError))
+
+    def test_potentials_that_are_none(self):
+        """They used to give wrong multipliers, or a drift, without a word."""
+        energy, force = lambda y: y * y / 2, lambda y: -y
+        self.refused(
+            ("force", lambda: lattice.Well(energy, lambda y: -1.01 * y, np.ones_like)), ("stiffness", lambda: lattice.Well(energy, force, lambda y: 2)),
+            (r"force returns (\d+) numbers for \d+ .allowed: as many, or one", lambda: lattice.Well(energy, lambda y: -y[1:], np.ones_like)),
+            ("energy returns something else", lambda: lattice.Well(lambda y: y * y / 2 + 0j, force, np.ones_like)),
+            ("rim is nan", lambda: lattice.Well(energy, force, np.ones_like, math.nan)),
+            ("exponent", lambda: lattice.Contact(overlap_energy, overlap_force, overlap_stiffness, exponent=math.inf)),
+            ("--s: a Well of your own does not have it", lambda: lattice.breather(well=lattice.Well(energy, force, np.ones_like), s=0.1)),
+            ("frequency at rest is one", lambda: lattice.breather(well=lattice.Well(lambda y: y * y, lambda y: -2 * y, lambda y: 2 * np.ones_like(y)))))
+        self.refused(("stiffness: 1 is not a function", lambda: lattice.Well(energy, force, 1)), kind=TypeError)
+        one = lattice.Chain(3, well=lattice.Well(energy, force, lambda y: 1.0))  # a number stands for a row of it
+        self.assertEqual(list(one.accelerations([1, 1, 1])), [-1, -1, -1])
 
 
 class OwnChains(unittest.TestCase):
@@ -318,16 +316,6 @@ class OwnChains(unittest.TestCase):
                 np.testing.assert_allclose(size * size[::-1], 1, atol=1e-9)
             np.testing.assert_allclose(np.sort(at_rest.multiplier.real), np.sort(moving.multiplier.real), atol=1e-9)
 
-    def test_what_is_no_orbit_is_refused(self):
-        chain = lattice.Chain(5, well="quartic", s=1)
-        for said, call in [("shrinks to rest", lambda: chain.orbit(np.zeros(5), 5)), ("period: -5", lambda: chain.orbit(np.ones(5), -5)),
-                           ("misses its start", lambda: chain.multipliers(np.eye(5)[2], np.zeros(5), 5)),
-                           ("misses its start", lambda: chain.multipliers(np.eye(5)[2], np.eye(5)[1], 5)),
-                           (r"\(5,\), one number a site", lambda: chain.multipliers(np.zeros((2, 5)), np.zeros((2, 5)), 5)),
-                           ("no number of sites", lambda: lattice.Chain().orbit([1], 5))]:
-            with self.assertRaisesRegex((ValueError, RuntimeError), said):
-                call()
-
     def test_what_is_faster_than_the_steps(self):
         """A stiff contact of 0.02 units of time (DOP853 between the zeros of the overlap)."""
         a, f = 1 + 4.8e-5, 3.29614
@@ -335,28 +323,20 @@ class OwnChains(unittest.TestCase):
         np.testing.assert_allclose(run.y[-1], [-0.991841245840, 0.999982001374], rtol=0, atol=3e-9)
 
     def test_a_pattern_is_repeated(self):
-        self.assertEqual(bits(lattice.Chain(20, mass=[1, 0.5]).mass), bits([1, 0.5] * 10))
         self.assertEqual(bits(lattice.Chain(5, mass=(1, 0.5)).mass), bits([1, 0.5, 1, 0.5, 1]))
-        self.assertEqual(bits(lattice.Chain(4, mass=2, eta=[1, 3]).eta), bits([1, 3, 1, 3, 1]))
-        self.assertEqual(bits(lattice.Chain(4, eta=[1, 3, 5, 7, 9]).eta), bits([1, 3, 5, 7, 9]))
+        self.assertEqual(bits(lattice.Chain(4, eta=[1, 3]).eta), bits([1, 3, 1, 3, 1]))
         self.assertEqual(bits(lattice.Chain(6, eta=[1, 3], ends="periodic").eta), bits([1, 3, 1, 3, 1, 3, 1]))
         for name in ("mass", "eta"):
             with self.assertRaisesRegex(ValueError, f"{name}: a pattern of 2 does not close after 5 sites"):
                 lattice.Chain(5, ends="periodic", **{name: [1, 3]})
-        for mass in ([1, 2, 3], [1] * 5, [], [[1, 2], [1, 2]]):  # more than half of it, which may be a slip
+        for mass in ([1, 2, 3], [1] * 5, [[1, 2], [1, 2]]):  # more than half of it, which may be a slip
             with self.assertRaisesRegex(ValueError, "mass: .*allowed: 4, or a pattern that fits in at least twice"):
                 lattice.Chain(4, mass=mass)
-        with self.assertRaisesRegex(ValueError, "mass: the chain has no number of sites"):
-            lattice.Chain(mass=[1, 0.5])
-        with self.assertRaisesRegex(ValueError, "mass must be finite and > 0"):
-            lattice.Chain(4, mass=[1, -1])
 
     def test_a_chain_says_what_it_is(self):
         for words, chain in [("Chain of 10 beads: wells harmonic; contacts hertz; ends free", lattice.Chain(10)),
-                             ("; ends free", lattice.Chain(10, mass=1)), ("free; mass 2", lattice.Chain(10, mass=2)),
                              ("; mass 1 and 0.5 in turn", lattice.Chain(10, mass=[1, 0.5])),
-                             ("; mass 1 to 10", lattice.Chain(10, mass=range(1, 11))),
-                             ("free; eta 1 to 3", lattice.Chain(2, eta=[1, 2, 3]))]:
+                             ("; mass 1 to 10", lattice.Chain(10, mass=range(1, 11))), ("free; eta 1 to 3", lattice.Chain(2, eta=[1, 2, 3]))]:
             self.assertEqual(repr(chain)[-len(words):], words)
 
     def test_a_run_that_ends_before_its_time(self):
@@ -364,9 +344,8 @@ class OwnChains(unittest.TestCase):
         soft, zero = lattice.Chain(sites=60, well="quartic", s="-1/6"), np.zeros(60)
         with self.assertRaisesRegex(RuntimeError, r"a bead runs away at t = 44\.4"):
             soft.evolve(zero, 2.12 * np.eye(60)[0], 100)
-        for huge in (1e20, 1e300):
-            with self.assertRaises(ValueError):
-                soft.evolve(zero, huge * np.eye(60)[0], 100)
+        with self.assertRaises(ValueError):
+            soft.evolve(zero, 1e300 * np.eye(60)[0], 100)
 
         def broken_later(y):
             return np.where(abs(y) < 1.2, -y, math.nan)
@@ -380,12 +359,11 @@ class OwnChains(unittest.TestCase):
         contact = lattice.Contact(overlap_energy, overlap_force, functools.partial(overlap_stiffness))
         for chain in (lattice.Chain(), lattice.Chain(12, mass=[1, 1.1], eta=range(13), ends="fixed"),
                       lattice.Chain(12, well="quartic", s="-1/6", contact="power", alpha=1.75, precompression=0.3),
-                      lattice.Chain(12, well="pendulum", precompression=0.1, ends="periodic", eta=2),
                       lattice.Chain(12, well=lattice.Well(cosh_energy, cosh_force, np.cosh, rim=9), contact=contact)):
             again = pickle.loads(pickle.dumps(chain))
             self.assertEqual(repr(again), repr(chain))
-            y = np.random.default_rng(1).normal(size=(12 if chain.sites else 1))
             if chain.sites:
+                y = np.random.default_rng(1).normal(size=12)
                 self.assertEqual(bits(again.accelerations(y)), bits(chain.accelerations(y)))
         with concurrent.futures.ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as pool:
             there = pool.submit(lattice.strike, chain, velocity=1, time=20).result()
@@ -398,19 +376,12 @@ class OwnChains(unittest.TestCase):
     def test_potentials_in_python(self):
         """The article's well and contact, written in Python, against those of the library."""
         well = lattice.Well(lambda y: y * y / 2, lambda y: -y, np.ones_like)
-        contact = lattice.Contact(lambda r: 2 / r.dtype.type(5) * np.maximum(-r, 0) ** 2 * np.sqrt(np.maximum(-r, 0)),
-                                  lambda r: np.maximum(-r, 0) * np.sqrt(np.maximum(-r, 0)),
-                                  lambda r: 3 / r.dtype.type(2) * np.sqrt(np.maximum(-r, 0)))
+        contact = lattice.Contact(overlap_energy, overlap_force, overlap_stiffness)
         mine = lattice.strike(lattice.Chain(sites=30, well=well, contact=contact), velocity=1, time=20)
         theirs = lattice.strike(lattice.Chain(sites=30), velocity=1, time=20)
         np.testing.assert_allclose(mine.y, theirs.y, rtol=0, atol=1e-12)
-
-    def test_a_breather_in_a_well_of_ones_own(self):
-        well = lattice.Well(lambda y: y * y / 2, lambda y: -y, np.ones_like)
         mine, theirs = lattice.breather(well=well, omega=1.05, sites=31), lattice.breather(s=0, omega=1.05, sites=31)
         self.assertAlmostEqual(mine.energy, theirs.energy, delta=1e-12 * theirs.energy)
-        with self.assertRaisesRegex(ValueError, "frequency at rest is one"):
-            lattice.breather(well=lattice.Well(lambda y: y * y, lambda y: -2 * y, lambda y: 2 * np.ones_like(y)))
 
     def test_what_python_raises_arrives(self):
         def broken(y):
@@ -421,27 +392,6 @@ class OwnChains(unittest.TestCase):
         with self.assertRaisesRegex(KeyError, "mine"):
             late = lattice.Well(lambda y: y * y / 2, lambda y: broken(y) if abs(y).max() > 1.5 else -y, np.ones_like)
             lattice.Chain(4, well=late).accelerations([2, 0, 0, 0])
-
-    def test_potentials_that_are_none(self):
-        """They used to give wrong multipliers, or a drift, without a word."""
-        energy, force = lambda y: y * y / 2, lambda y: -y
-        for message, functions in [("force", (energy, lambda y: -1.01 * y, np.ones_like)),
-                                   (r"force returns (\d+) numbers for \d+ .allowed: as many, or one", (energy, lambda y: -y[1:], np.ones_like)),
-                                   ("energy returns something else", (lambda y: y * y / 2 + 0j, force, np.ones_like)),
-                                   ("force returns something else", (energy, lambda y: None, np.ones_like)),
-                                   ("stiffness", (energy, force, lambda y: 2))]:
-            with self.assertRaisesRegex(ValueError, message):
-                lattice.Well(*functions)
-        one = lattice.Chain(3, well=lattice.Well(energy, force, lambda y: 1.0))  # a number stands for a row of it
-        self.assertEqual(list(one.accelerations([1, 1, 1])), [-1, -1, -1])
-        with self.assertRaisesRegex(ValueError, "rim is nan"):
-            lattice.Well(energy, force, np.ones_like, math.nan)
-        with self.assertRaisesRegex(ValueError, "exponent"):
-            lattice.Contact(overlap_energy, overlap_force, overlap_stiffness, exponent=math.inf)
-        with self.assertRaisesRegex(TypeError, "stiffness: 1 is not a function"):
-            lattice.Well(energy, force, 1)
-        with self.assertRaisesRegex(ValueError, "--s: a Well of your own does not have it"):
-            lattice.breather(well=lattice.Well(energy, force, np.ones_like), s=0.1)
 
     def test_digits_that_are_lost(self):
         with self.assertWarnsRegex(UserWarning, "expm1"):

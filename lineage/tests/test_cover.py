@@ -72,9 +72,3 @@ class Archive(Scratch):
         self.assertIn("build/figures/fig01.svg", paths)
         self.assertNotIn("build/book/index.html", paths)
         self.assertRegex(page, "<td>one<td>1.02<td>1.000 m<td>0.001<td>discrepant</tr>")
-
-    def test_what_cannot_be_packed_is_one_line(self):
-        shutil.rmtree(self.root / "build/figures")
-        self.assertEqual(self.dist(), (1, "dist: build/data and build/figures are missing: compute them first (make figures)\n"))
-        shutil.rmtree(self.root / ".git")
-        self.assertEqual(self.dist(), (1, "dist: this is no checkout of the repository (allowed: a clone with its history)\n"))

@@ -28,10 +28,8 @@ class Module(Scratch):
 @unittest.skipUnless(importlib.util.find_spec("PIL") and shutil.which("rsvg-convert"), "no PIL or rsvg-convert for the gallery")
 @unittest.skipUnless(all((FIGURES / f"{name}.svg").exists() for name in NAMES), "build/figures is not complete (make figures)")
 class Here(unittest.TestCase):
-    def test_it_is_current(self):
+    def test_it_is_current_and_what_is_not_is_named_and_drawn_alone(self):
         self.assertEqual(gallery.faults(NAMES, FIGURES, VOLUME / "figures/gallery"), [], "make gallery")
-
-    def test_what_is_not_current_is_named_and_drawn_alone(self):
         names = NAMES[9:12]
         with tempfile.TemporaryDirectory() as folder:
             scratch, pictures = Path(folder), [Path(folder) / f"{name}.png" for name in names]
