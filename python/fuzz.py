@@ -3,13 +3,12 @@
 
     fuzz.py PYTHON_FOLDER [COUNT [SEED]]
 
-PYTHON_FOLDER holds the package, as build/python does. The calls are of all that computes, with options that are
-declared, and small enough for a short run; a share of the arguments is what people get wrong, and what nobody does: other
-types and lengths, nan, inf, huge and tiny numbers. Asked is of every call: it returns, or raises ValueError, TypeError or
-RuntimeError with one line of at most 400 characters; nothing else is said, but the warnings that are documented; a run ends
-at the time that was asked for; what is returned is finite and knows its error, and a nan its reason; no more than 2 GB are
-taken, and no more than thirty seconds (times LATTICE_SLACK); and the interpreter lives. The calls are made in processes of
-their own, one for each core. Call number k of a seed is always the same."""
+PYTHON_FOLDER holds the package, as build/python does. The calls are of all that computes, with options that are declared,
+and small enough for a short run; a share of the arguments is what people get wrong, and what nobody does. Asked is of every
+call: it returns, or raises ValueError, TypeError or RuntimeError with one line of at most 400 characters; nothing else is
+said, but the warnings that are documented; a run ends at the time that was asked for; what is returned is finite and knows
+its error, and a nan its reason; no more than 2 GB are taken, and no more than thirty seconds (times LATTICE_SLACK); and the
+interpreter lives. The calls are made in processes of their own. Call number k of a seed is always the same."""
 
 import concurrent.futures.process
 import faulthandler
@@ -31,24 +30,28 @@ SECONDS = 30 * float(os.environ.get("LATTICE_SLACK", "1"))
 MOST = 2 << 30  # bytes
 MOST_STIFF = {"alpha": 3, "precompression": 2}  # contacts that are stiffer take very many steps
 FUNCTIONS = ["strike", "strike", "breather", "multipliers", "barrier", "dps"]
-METHODS = ["Chain", "Chain", "evolve", "evolve", "evolve", "energy_density", "accelerations", "strike a chain", "Well",
-           "Contact", "pickle"]
-ODD_NUMBERS = [math.nan, math.inf, -math.inf, 0, -0.0, -1, 1, 1e-3, 5e-324, 1e-310, 1e-100, -1e-9, 1e5, 1e20, 1e100, 1e308,
-               -1e308, 0.5, 2**31, 2**63, 2**64, -(2**63), 10**18]
-# What is no number that can be meant, or hardly
-ODD_VALUES = [None, True, False, np.True_, "", "x", "1/0", "nan", "1\n2", "\0", "\udcff", "é", "9" * 5000, b"1", 1j,
-              np.complex128(2), [1], [[1, 2], [3]], [], {}, {1: 2}, print, object(), np.ones(3), np.ones(100000),
-              list(range(100000)), np.array(None), np.array([None, 1], object), np.array(["a"]), ..., Fraction(1, 3),
-              np.datetime64("2020-01-01"), Fraction(10**400), 10**400, -(10**5000), np.float64(0.5), np.int8(3), type,
-              np.longdouble("1e4000"), np.array(2.0), (n for n in range(3)), np.ma.masked, range(5), set(), memoryview(b"1")]
+METHODS = ["Chain", "evolve", "evolve", "evolve", "energy_density", "accelerations", "strike a chain", "Well", "Contact", "pickle"]
+ODD = [math.nan, math.inf, -math.inf, 0, -0.0, -1, 1, 1e-3, 5e-324, 1e-100, -1e-9, 1e5, 1e20, 1e308, -1e308, 0.5, 2**31, 2**63,
+       2**64, 10**18, 10**400, -(10**5000), Fraction(1, 3), Fraction(10**400), np.float64(0.5), np.int8(3), np.longdouble("1e4000"),
+       None, True, np.True_, "", "x", "1/0", "nan", "1\n2", "\0", "\udcff", "é", "9" * 5000, b"1", 1j, [1], [[1, 2], [3]], [], {},
+       print, object(), np.ones(3), np.ones(100000), list(range(100000)), np.array(None), np.array([None, 1], object),
+       np.array(["a"]), ..., np.datetime64("2020-01-01"), type, np.array(2.0), (n for n in range(3)), np.ma.masked, memoryview(b"1")]
 
 
 class Mine(Exception):
     """What an own potential raises."""
 
 
-def odd(chance):
-    return chance.choice(ODD_NUMBERS if chance.random() < 0.5 else ODD_VALUES)
+def raises(y):
+    raise Mine("mine")
+
+
+# Potentials of one's own: three functions each, and what people give instead of one
+WELLS = [[lambda y: y * y / 2, lambda y: -y, np.ones_like], [lambda y: 2 * np.sinh(y / 2) ** 2, lambda y: -np.sinh(y), np.cosh]]
+CONTACTS = [[lambda r: np.maximum(-r, 0) ** 3 / 3, lambda r: np.maximum(-r, 0) ** 2, lambda r: 2 * np.maximum(-r, 0)]]
+WRONG = [None, 5, "x", raises, lambda y: y[:-1], lambda y: None, lambda y: 1.0, lambda y: y * math.nan, lambda y: y + 0j,
+         lambda y: 1.5 * y, lambda: 1, lambda y: np.zeros((3, 3)), lambda y: y * 1e300 * 1e300, lambda y: np.array([None] * len(y)),
+         lambda y: list(y), lambda y: np.where(abs(y) < 1.01, -y, math.nan)]
 
 
 class Call:
@@ -64,195 +67,148 @@ class Call:
         return self.chance.random() < self.share
 
     def note(self, **arguments):
-        for name, value in arguments.items():
-            self.said.append(f"{name}={lattice._short(value)}")
+        self.said += [f"{name}={lattice._short(value)}" for name, value in arguments.items()]
         return arguments
 
     def either(self, *right):
         """One of the right values, or an odd one."""
-        return odd(self.chance) if self.odd() else self.chance.choice(right)
+        return self.chance.choice(ODD) if self.odd() else self.chance.choice(right)
 
     def option(self, name, allowed):
         """A value that is declared as allowed, and cheap."""
-        if self.odd():
-            return odd(self.chance)
         if not allowed.startswith("["):
-            return self.chance.choice(allowed.split(", "))
+            return self.either(*allowed.split(", "))
         least, most = (float(x) for x in allowed[1:].split("]")[0].split(", "))
         x = good_value(self.chance, name, [least, min(most, MOST_STIFF.get(name, most))])
-        return self.chance.choice([x, float(x), np.float64(x), Fraction(x)])
+        return self.either(x, float(x), np.float64(x), Fraction(x))
 
     def options(self, command, without=()):
-        out = {}
-        for name, flag, allowed, *_ in lattice._lattice.options[command]:
-            if not flag and name not in without and (self.chance.random() < 0.3 or name in SIZES):
-                out[name] = self.option(name, allowed)
+        out = {name: self.option(name, allowed) for name, flag, allowed, *_ in lattice._lattice.options[command]
+               if not flag and name not in without and (self.chance.random() < 0.3 or name in SIZES)}
         if self.odd() and self.chance.random() < 0.3:
-            out[self.chance.choice(["bogus", "", "x" * 1000, "a b", "s=1 --s", "help", "mass", "\udcff"])] = odd(self.chance)
+            out[self.chance.choice(["bogus", "", "x" * 1000, "a b", "s=1 --s", "help", "\udcff"])] = self.chance.choice(ODD)
         return self.note(**out)
 
     def numbers(self, count, scale=1.0):
         """A row, as people write one."""
-        chance = self.chance
-        x = np.zeros(count)
+        chance, x = self.chance, np.zeros(count)
         x[:max(1, count // 3)] = [chance.gauss(0, scale) for _ in range(max(1, count // 3))]
         if self.odd():
             hole = x.copy()
             hole[chance.randrange(count)] = chance.choice([math.nan, math.inf, 1e20, 1e300, 1e-310, 1e5])
-            return chance.choice([odd(chance), x[:chance.randrange(count)], [x] * chance.choice([0, 1, 3]), hole])
+            return chance.choice([chance.choice(ODD), x[:chance.randrange(count)], [x] * chance.choice([0, 1, 3]), hole])
         return chance.choice([np.asarray, list, tuple, lambda a: a.astype(np.float32), lambda a: a.astype(np.longdouble),
                               lambda a: np.array(list(a), object), lambda a: np.repeat(a, 2)[::2]])(x)
 
-    def well(self):
-        """A well of one's own, right in one case of two."""
-        chance = self.chance
-        right = [lambda y: y * y / 2, lambda y: -y, np.ones_like]
-        if chance.random() < 0.3:
-            right = [lambda y: 2 * np.sinh(y / 2) ** 2, lambda y: -np.sinh(y), np.cosh]
-
-        def raises(y):
-            raise Mine("mine")
-
-        force = right[1]
-        wrong = chance.choice([None, 5, "x", raises, lambda y: y[:-1], lambda y: None, lambda y: 1.0, lambda y: y * math.nan,
-                               lambda y: y + 0j, lambda y: 1.5 * y, lambda y: "x", lambda: 1, lambda y: np.zeros((3, 3)),
-                               lambda y: y * 1e300 * 1e300, lambda y: np.array([None] * len(y)), lambda y: list(y),
-                               lambda y: np.where(abs(y) < 1.01, force(y), math.nan)])
+    def own(self, kind, rows, **numbers):
+        """A potential of one's own."""
+        right = list(self.chance.choice(rows))
         if self.odd():
-            right[chance.randrange(3)] = wrong
-        return self.own(lattice.Well, right, rim=odd(chance) if self.odd() else math.inf)
+            right[self.chance.randrange(3)] = self.chance.choice(WRONG)
+        self.note(**{kind.__name__: "one's own"})
+        return kind(*right, **{name: self.either(value) for name, value in numbers.items()})
+
+    def well(self):
+        return self.own(lattice.Well, WELLS, rim=math.inf)
 
     def contact(self):
-        chance = self.chance
-        right = [lambda r: np.maximum(-r, 0) ** 3 / 3, lambda r: np.maximum(-r, 0) ** 2, lambda r: 2 * np.maximum(-r, 0)]
-        if self.odd():
-            wrong = [None, np.sin, lambda r: r[:-1], lambda r: -r, lambda r: r * math.nan]
-            right[chance.randrange(3)] = chance.choice(wrong)
-        return self.own(lattice.Contact, right, exponent=odd(chance) if self.odd() else 2,
-                        opening=odd(chance) if self.odd() else 0)
-
-    def own(self, kind, functions, **numbers):
-        self.note(**{kind.__name__: "one's own"})
-        return kind(*functions, **numbers)
+        return self.own(lattice.Contact, CONTACTS, exponent=2, opening=0)
 
     def chain(self, sites=True):
-        chance = self.chance
-        options = self.options("Chain", without=("sites",))
-        if chance.random() < 0.2:
+        chance, options = self.chance, self.options("Chain", without=("sites",))
+        own = chance.random() < 0.2
+        if own:
             options |= {"well": self.well()}
             options.pop("s", None)
-        if chance.random() < 0.1:
-            options |= {"contact": self.contact()}
+            options |= {"contact": self.contact()} if chance.random() < 0.5 else {}
         if sites or chance.random() < 0.8:
             options |= self.note(sites=self.either(2, 3, 5, 8, 20))
         # Light beads take very many steps, which is long where each of them calls Python
-        own = any(isinstance(value, (lattice.Well, lattice.Contact)) for value in options.values())
         for name in ("mass", "eta"):
             if chance.random() < 0.3:
-                rows = [1, 2.5, [1], [1, 0.5], (2, 1, 1), range(1, 4), [0.01] if own else [1e-5]]
-                options |= self.note(**{name: self.either(*rows)})
+                options |= self.note(**{name: self.either(1, 2.5, [1], [1, 0.5], (2, 1, 1), range(1, 4), [0.01] if own else [1e-5])})
         return lattice.Chain(**options)
 
     def run(self):
-        """Makes the call; returns what came back, and the time that was asked for."""
-        chance, what = self.chance, self.what
+        """Makes the call; returns what came back."""
+        what = self.what
         if what in ("Chain", "Well", "Contact"):
             return getattr(self, what.lower())()
-        if what in METHODS:
-            return self.moved(self.chain(what != "strike a chain"))
-        options = self.options(what)
-        if what in ("breather", "multipliers") and self.odd():
-            options |= {"well": self.well()}
-        if what in ("strike", "breather", "multipliers", "barrier") and self.odd():
-            options["chain"] = chance.choice(ODD_VALUES)
-        return getattr(lattice, what)(**options)
-
-    def moved(self, chain):
-        chance, what = self.chance, self.what
         if what == "pickle":
-            if chain._well or chain._contact:
-                return None
-            again = pickle.loads(pickle.dumps(chain, chance.choice([2, 3, 4, 5])))
+            chain = self.chain()
+            again = chain if chain._well or chain._contact else pickle.loads(pickle.dumps(chain, self.chance.choice([2, 3, 4, 5])))
             assert repr(again) == repr(chain) and np.array_equal(again.eta, chain.eta), "another chain comes back"
             return again
         if what == "strike a chain":
             options = self.options("strike", without=[o[0] for o in lattice._lattice.options["Chain"]])
-            return lattice.strike(chain, **options)
-        sites = chain.sites or 3
+            return lattice.strike(self.chain(sites=False), **options)
+        if what in METHODS:
+            return self.moved(self.chain())
+        options = self.options(what)
+        if what in ("breather", "multipliers") and self.odd():
+            options |= {"well": self.well()}
+        if what != "dps" and self.odd():
+            options["chain"] = self.chance.choice(ODD)
+        return getattr(lattice, what)(**options)
+
+    def moved(self, chain):
+        chance, sites = self.chance, chain.sites or 3
         state = self.note(y=self.numbers(sites, 0.3), v=self.numbers(sites))
-        if what == "evolve":
-            rest = {"time": self.either(0.1, 3, 20, 20.5, 7)}
-            if chance.random() < 0.5:
-                rest["sample"] = self.either(0.01, 0.2, 1, 100)
-            if chance.random() < 0.5:
-                rest["tolerance"] = self.either(1e-2, 1e-6, 1e-9)
-            driven = chance.random() < 0.3 and hasattr(lattice, "drive")  # volume two has it
-            if driven:
-                rest |= {"damping": self.either(0, 0.1, 2), "force": self.either(0, 0.3), "frequency": self.either(0, 1.1)}
-            self.note(**rest)
-            most = 1e3 if chain.sites < 100 else 1
-            if isinstance(rest["time"], (int, float)) and most < rest["time"] <= 1e9:
-                rest["time"] = most
-            found = lattice.drive(chain, **state, **rest) if driven else chain.evolve(**state, **rest)
-            self.asked = float(rest["time"]), len(state["y"])
-            return found
-        if chance.random() < 0.4:
-            state = {name: [row] * 3 for name, row in state.items()}
-        if what == "accelerations":
-            state.pop("v")
-        return getattr(chain, what)(**state)
+        if self.what != "evolve":
+            state = {name: [row] * 3 for name, row in state.items()} if chance.random() < 0.4 else state
+            return chain.accelerations(state["y"]) if self.what == "accelerations" else chain.energy_density(**state)
+        rest = {"time": self.either(0.1, 3, 20, 20.5, 7)}
+        rest |= {"sample": self.either(0.01, 0.2, 1, 100)} if chance.random() < 0.5 else {}
+        rest |= {"tolerance": self.either(1e-2, 1e-6, 1e-9)} if chance.random() < 0.5 else {}
+        driven = chance.random() < 0.3 and hasattr(lattice, "drive")  # volume two has it
+        if driven:
+            rest |= {"damping": self.either(0, 0.1, 2), "force": self.either(0, 0.3), "frequency": self.either(0, 1.1)}
+        most = 1e3 if chain.sites < 100 else 1
+        if isinstance(rest["time"], (int, float)) and most < rest["time"] <= 1e9:
+            rest["time"] = most
+        self.note(**rest)
+        found = lattice.drive(chain, **state, **rest) if driven else chain.evolve(**state, **rest)
+        self.asked = float(rest["time"]), len(state["y"])
+        return found
 
 
 def complaints_of(call, found):
     """What is wrong with what came back."""
     if call.what == "evolve":
-        time_, sites = call.asked
-        if not math.isclose(found.t[-1], time_, rel_tol=1e-12):
-            yield f"a run over {time_} ends at {found.t[-1]}"
-        if found.y.shape != (len(found.t), sites) or found.v.shape != found.y.shape:
-            yield f"shapes {found.t.shape}, {found.y.shape}, {found.v.shape}"
-        if found.error == 0 and time_ >= 1 and np.ptp(found.y, axis=0).max() > 1e-9 * abs(found.y).max():
+        time, sites = call.asked
+        if not math.isclose(found.t[-1], time, rel_tol=1e-12) or not found.y.shape == found.v.shape == (len(found.t), sites):
+            yield f"a run of {sites} sites over {time} ends at {found.t[-1]}, with the shapes {found.y.shape} and {found.v.shape}"
+        if found.error == 0 and time >= 1 and np.ptp(found.y, axis=0).max() > 1e-9 * abs(found.y).max():
             yield "the error is zero"
     for name, value in getattr(found, "quantities", {}).items():
-        if not math.isfinite(value) and not (math.isnan(value) and value.reason):
-            yield f"{name} is {float(value)} and has the reason '{value.reason}'"
-        if math.isfinite(value) and not value.error >= 0:
-            yield f"{name} is {float(value)} with the error {value.error}"
-    arrays = {"": found} if isinstance(found, np.ndarray) else vars(found) if hasattr(found, "quantities") else {}
+        if math.isinf(value) or math.isnan(value) and not value.reason or math.isfinite(value) and not value.error >= 0:
+            yield f"{name} is {float(value)} with the error {value.error} and the reason '{value.reason}'"
+    arrays = {"the array": found} if isinstance(found, np.ndarray) else vars(found) if hasattr(found, "quantities") else {}
     for name, value in arrays.items():
         # A packet that is not there has no place
         if isinstance(value, np.ndarray) and not np.all(np.isfinite(value)) and not name.startswith("track"):
-            yield f"{name or 'the array'} has {value[~np.isfinite(value)][0]}"
-    text = repr(found)
-    if len(text) > 4000 or not text.isascii():
+            yield f"{name} has {value[~np.isfinite(value)][0]}"
+    if len(text := repr(found)) > 4000 or not text.isascii():
         yield f"it is shown in {len(text)} characters"
 
 
 def tried(number, seed):
-    """Whether call number `number` was answered or refused, the call in words, and what is wrong."""
-    call = Call(number, seed)
-    wrong = []
+    """How call number `number` was answered, the call in words, and what is wrong."""
+    call, wrong = Call(number, seed), []
     with warnings.catch_warnings(record=True) as warned:
         warnings.simplefilter("always")
         try:
             found = call.run()
             kind = "answered"
             wrong += complaints_of(call, found)
-        except (ValueError, TypeError, RuntimeError) as error:
+        except BaseException as error:
             kind, line = type(error).__name__, str(error)
-            if not 5 <= len(line) <= 400 or "\n" in line or not line.isprintable() or type(error) not in (
-                    ValueError, TypeError, RuntimeError):
-                wrong.append(f"{type(error).__name__} with {len(line)} characters: {line[:1000]!r}")
+            if type(error) not in (Mine, ValueError, TypeError, RuntimeError) or "\n" in line or not line.isprintable() or len(line) > 400:
+                wrong.append(f"{kind} with {len(line)} characters: {line[:1000]!r}")
             if any(word in line for word in ("incompatible", "bad ", "std::", "variant", "vector", "stod", "_lattice")):
                 wrong.append(f"speaks C++: {line}")
-        except Mine:
-            kind = "Mine"
-        except BaseException as error:
-            kind = type(error).__name__
-            wrong.append(f"{kind}: {str(error)[:1000]}")
-    for warning in warned:
-        if not any(word in str(warning.message) for word in ("expm1", "longdouble", "encountered")):
-            wrong.append(f"warns: {warning.message}")
+    wrong += [f"warns: {one.message}" for one in warned
+              if not any(word in str(one.message) for word in ("expm1", "longdouble", "encountered"))]
     return kind, f"{call.what}({', '.join(call.said)})", wrong
 
 
@@ -269,16 +225,14 @@ def one(number, seed):
     before = os.times().user
     kind, call, wrong = tried(number, seed)
     faulthandler.cancel_dump_traceback_later()
-    if os.times().user - before > SECONDS:
-        wrong.append("takes too long")
-    if resource.getrusage(resource.RUSAGE_SELF).ru_maxrss > MOST >> 10:
-        wrong.append("takes more than 2 GB")
+    taken = os.times().user - before, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    if taken[0] > SECONDS or taken[1] > MOST >> 10:
+        wrong.append(f"takes {taken[0]} s and {taken[1]} KB")
     return kind, call, wrong
 
 
 def main():
-    count = int(sys.argv[2]) if len(sys.argv) > 2 else 150
-    seed = int(sys.argv[3]) if len(sys.argv) > 3 else 1
+    count, seed = [int(word) for word in sys.argv[2:4]] + [150, 1][len(sys.argv[2:4]):]
     print(f"seed {seed}", flush=True)
     kinds, bad = {}, 0
     faulthandler.enable()
