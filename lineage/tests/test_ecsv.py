@@ -2,7 +2,6 @@
 
 import csv
 import math
-import random
 import re
 import unittest
 from math import isfinite, nan
@@ -49,20 +48,6 @@ class Reader(unittest.TestCase):
             self.assertRaises(ValueError, ecsv.value_of, text, whole)
         self.assertEqual(ecsv.value_of("-9223372036854775808", whole), -2 ** 63)
 
-    def test_no_text_makes_the_reader_fail_otherwise(self):
-        """Letters lost, doubled, changed or moved: a text is refused as a Fault of one line, or its rows fit."""
-        good = ecsv.to_text(ecsv.Table(COLUMNS, [{"a": 'so, "it" #', "b": 0.1 * k, "c": k} for k in range(4)], {"t": "t"}))
-        chance, letters = random.Random(20130601), "\"',\n#{}:-+.0eE\r\\ na_\x00\x85\u2028\u0663"
-        for _ in range(2000):
-            at, length = chance.randrange(len(good)), chance.randrange(12)
-            piece = chance.choice(["", chance.choice(letters), good[at // 2:at // 2 + length]])
-            try:
-                rows = ecsv.parse(good[:at] + piece + good[at + chance.choice([0, len(piece), length]):], "t").rows
-            except ecsv.Fault as fault:
-                self.assertNotIn("\n", str(fault))
-            else:
-                self.assertEqual({tuple(row) for row in rows} - {("a", "b", "c")}, set())
-
 
 class Files(Scratch):
     """What is wrong with one is a line that names file and row."""
@@ -91,24 +76,21 @@ class Files(Scratch):
         """Also if no number is read from it; a header does not count."""
         self.computed("sec1_demo/speeds.ecsv", table(["value"], [[1.0], [2.0]]))
         self.write("apt-packages.txt", "")
-        changed, readers = "not what sec1_demo wrote; remove it to have it computed again", ("lock", "show a.one")
-        others = ("tables", "inventory")
+        changed, readers = "not what sec1_demo wrote; remove it to have it computed again", ("lock", "show a.one", "tables", "inventory")
         for path, old, new, words, verbs in [
-                (self.FACTS, r"(?s).*", "", "no table (it is empty)", readers),
-                (self.FACTS, r"(?s).{12}$", "", "row 3: ", readers), (self.FACTS, "one,1,", "one,2,", changed, readers + others),
-                (self.FACTS, r"fact,.*\n", "", changed, readers + others), (self.FACTS, "# - {tables: .*\n", "", changed, readers),
-                (self.SPEEDS, "\n2\n", "\n3\n", changed, readers + others)]:
+                (self.FACTS, r"(?s).*", "", "no table (it is empty)", readers[:2]), (self.FACTS, r"(?s).{12}$", "", "row 3: ", readers[:2]),
+                (self.FACTS, "one,1,", "one,2,", changed, readers), (self.FACTS, r"fact,.*\n", "", changed, readers),
+                (self.FACTS, "# - {tables: .*\n", "", changed, readers[:2]), (self.SPEEDS, "\n2\n", "\n3\n", changed, readers)]:
             good = self.read(path)
             self.write(path, re.sub(old, new, good, count=1))
             for verb in verbs:
                 self.refuses(verb, f"{path}: {words}")
             self.write(path, good)
+        self.write(self.SPEEDS, "# another machine\n" + good)
+        for verb in readers:
+            self.assertEqual(self.lineage(*verb.split())[0], 0, verb)
         self.write("build/data/sec1_demo/older.ecsv", good)
         self.refuses("tables", f"older.ecsv: {changed}")
-        (self.root / "build/data/sec1_demo/older.ecsv").unlink()
-        self.write(self.SPEEDS, "# another machine\n" + good)
-        for verb in readers + others:
-            self.assertEqual(self.lineage(*verb.split())[0], 0, verb)
 
     def test_a_run_that_has_lost_a_table_is_made_again(self):
         self.computed("sec1_demo/speeds.ecsv", table(["value"], [[1.0], [2.0]]))

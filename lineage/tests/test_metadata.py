@@ -67,9 +67,7 @@ class Here(unittest.TestCase):
                 self.assertTrue(met := [name for name in files if re.fullmatch(pattern, name)], f"REUSE.toml: no file is named by {glob}")
                 told |= dict.fromkeys(met, rule["SPDX-License-Identifier"])
         self.assertEqual([name for name in files if told.get(name) not in licences], [])
-        for name, licence in [("lineage/ecsv.py", "MIT"), ("figures/style.gp", "MIT"), ("README.md", "CC-BY-4.0"),
-                              ("figures/gallery/fig22_turning_maps.png", "CC-BY-4.0"), ("paper/paper.tex", "CC-BY-4.0")]:
-            self.assertEqual(told[name], licence, name)
+        self.assertEqual([told[name] for name in ("lineage/ecsv.py", "figures/style.gp", "README.md", "paper/paper.tex")], licences[:1] * 2 + licences[1:] * 2)
 
 
 class Told(Scratch):
