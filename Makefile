@@ -91,10 +91,11 @@ figures: ready
 	@$(MAKE) summary
 	@$(call took,together   : %.0f s with compiling and drawing\n)
 
-## test: everything the tests of the article need (data and figures), then the tests
-test: ready
-	@$(MAKE) all-figures
-	@$(MAKE) run-tests
+## test: everything the tests of the article need (data and figures), then the tests; T=floquet: one file or folder of tests/
+T :=
+test: $(if $(T),configure,ready)
+	@$(if $(T),,$(MAKE) all-figures)
+	@$(if $(T),sh tools/test.sh $(B) $(JOBS) $(T),$(MAKE) run-tests)
 
 ## beyond: the same of volume two, what is beyond the article: compute, draw, judge
 beyond: ready
@@ -228,7 +229,7 @@ run-tests-beyond: configure
 
 ## test-faults: runs that are killed, out of time or disk, or that nobody reads (minutes)
 test-faults: programs
-	@$(or $(PYTHON),python3) tests/faults.py . $(B)/bin 60
+	@$(or $(PYTHON),python3) tests/programs/faults.py . $(B)/bin 60
 
 ## test-fuzz: 5,000 random command lines for programs with sanitizers (SEED=..., COUNT=...; long)
 COUNT := 5000
@@ -236,7 +237,7 @@ SEED = $(shell date +%s)
 test-fuzz: install-deps
 	@cmake --preset asan > /dev/null
 	@sh tools/build.sh $(B)/asan $(JOBS) programs
-	@LATTICE_SLACK=12 $(or $(PYTHON),python3) tests/fuzz.py $(B)/asan/bin $(COUNT) $(SEED)
+	@LATTICE_SLACK=12 $(or $(PYTHON),python3) tests/programs/fuzz.py $(B)/asan/bin $(COUNT) $(SEED)
 
 ## test-python: the tests of the Python module, which is built with sanitizers for it (long)
 test-python: export ASAN_OPTIONS := detect_leaks=0:verify_asan_link_order=0
@@ -313,7 +314,7 @@ test-platforms: install-deps
 ## test-slurm: the lineage and a map in parts under Slurm, on a cluster of two nodes on this machine (takes root)
 test-slurm: programs
 	@$(MAKE) volume=beyond programs
-	@sh tests/slurm/run.sh
+	@sh tests/programs/slurm/run.sh
 
 ## fresh: the README's commands, make beyond, test-beyond, book and paper in a bare Debian root (SUITE=trixie; takes root)
 fresh:
@@ -331,7 +332,7 @@ dist:
 ## style: clang-format, shellcheck and reuse (from its version 4 on), where they are installed
 style:
 	@! command -v clang-format >/dev/null 2>&1 || { files=$$(git ls-files '*.cpp' '*.hpp') && clang-format --dry-run --Werror $${files:?git lists none}; }
-	@! command -v shellcheck >/dev/null 2>&1 || shellcheck .ci/run tools/*.sh tests/*.sh tests/slurm/*.sh examples/*.sbatch $(wildcard beyond/examples/*.sbatch)
+	@! command -v shellcheck >/dev/null 2>&1 || shellcheck .ci/run tools/*.sh tests/*/*.sh tests/programs/slurm/*.sh examples/*.sbatch $(wildcard beyond/examples/*.sbatch)
 	@! reuse --version 2>/dev/null | grep -Eq ' ([4-9]|[1-9][0-9])\.' || reuse lint --lines
 
 ## tidy: clang-tidy on the sources that differ from a commit, SINCE=HEAD~1; without it on all (an hour)

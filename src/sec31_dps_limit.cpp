@@ -418,7 +418,7 @@ void report_waves(Report& report) {
 No deviation changes by more than a share of [0.005](num:sec31_dps_limit.largest_resolution_error) between the two
 resolutions. In every run with the larger step GSL and the library agree on the chain to a thousandth of the deviation,
 or the run stops; so it does if the last bead has moved. The order could have failed: with $\tau_0$ off by three per
-cent, or wells whose stiffness is off by two thousandths, it is lost (tests/dps.cpp). In a run made once, on 80 sites up
+cent, or wells whose stiffness is off by two thousandths, it is lost (tests/lattice/model/dps.cpp). In a run made once, on 80 sites up
 to $\tau = 40$, the orders lay between 1.495 and 1.500 in all wells. Maxima over beads and sampled times, at sizes from
 $10^{-6}$ to $10^{-2}$, do not prove the theorem. It says nothing about times much longer than $\epsilon^{-1/2}$: the
 impact chapter compares both equations at $\tau = 250$. */

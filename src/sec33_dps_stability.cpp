@@ -175,7 +175,7 @@ Both margins are five millionths, opposite in sign and equal to four digits. No 
 error adds two changes: from double to quadruple precision, and from the chain to one ten sites longer. In quadruple
 precision $m_2$ is found by another method, bisection on the number of eigenvalues above a bound, counted by the signs
 of pivots (`margin_of`, spectrum.hpp). The run stops if it disagrees with Eigen's. What does reverse either verdict is a
-wrong profile: a relative error of $10^{-4}$ in one strain is enough (tests/dps_spectrum.cpp).
+wrong profile: a relative error of $10^{-4}$ in one strain is enough (tests/lattice/standing/spectrum.cpp).
 
 Why are they equally far from it, on opposite sides? Both breathers are extrema of one potential for the centre, of the
 period of the chain. If it is a sine, its curvatures at maximum and minimum are opposite and equal, and $\lambda^2$ is

@@ -145,7 +145,7 @@ $\epsilon^{1/2}$, that is, to the square root of the impact velocity.
 
 Is this a travelling breather? It must *last*, with one speed and one norm, and what stays behind must be weak. A
 constant speed alone is not enough: the front of a linear wave has one, too, but it spreads as $\tau^{1/3}$ and loses
-more than a tenth of its norm (tests/measures.cpp). Between the halves of the packet's way both change by a few per
+more than a tenth of its norm (tests/sec34.cpp). Between the halves of the packet's way both change by a few per
 cent, since a young packet still sheds its tail. What stays behind has more than half of the norm, but spread over
 thirty sites: it is weak in the sense that no window of eleven sites holds half as much as the packet.
 

@@ -1,5 +1,5 @@
 // The article's numbers, computed with the library, in the order of the article. Nothing is read and nothing has to be
-// made before: `build/bin/tests "[article]"`. Every line says what is printed, how far off we may be, and whether we
+// made before: `make test T=article`. Every line says what is printed, how far off we may be, and whether we
 // expect agreement or not; one that fails says what we got and how well we know it.
 
 #include <algorithm>
@@ -11,10 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "check.hpp"
 #include "commands/phonon_band.hpp"
-#include "conditions.hpp"
-#include "dps_deviation.hpp"
 #include "lattice/dps/dps_impact.hpp"
 #include "lattice/impact/turning.hpp"
 #include "lattice/numerics/parallel.hpp"
@@ -28,6 +25,9 @@
 #include "sec35/collision.hpp"
 #include "sec4/exact_waves.hpp"
 #include "sec4/packets.hpp"
+#include "support/check.hpp"
+#include "support/conditions.hpp"
+#include "support/dps_deviation.hpp"
 
 using namespace lattice;
 

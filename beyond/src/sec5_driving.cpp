@@ -450,7 +450,7 @@ Amplitudes are in µm.
 
 A sudden drive shakes the first bead more than the non-emitting orbit does, so that one packet leaves below the
 threshold of lasting emission, and no other follows. A base that is switched on sends something weaker at weaker drives
-too, which would count if the detector were ten times as sensitive. Both are tested (`beyond/tests/driven.cpp`).
+too, which would count if the detector were ten times as sensitive. Both are tested (`beyond/tests/sec5/driven_chain.cpp`).
 
 ## A chart over frequency and amplitude (figure x27 c and d)
 

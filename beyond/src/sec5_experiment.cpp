@@ -540,11 +540,11 @@ void report_instability(Report& report) {
 
 Energy and losses are booked in every step. Their sum stays within [5e-11](num:sec5_experiment.budget_10ms) of the
 energy of the impact, and a run with $10^{-6}$ is refused. The budget does not see the error of the alternation; two
-steps do. Another program with another integrator (tests/second) finds the same sites without losses and with $T_E = 10$
-ms, and a third one (tests/command_line.cpp) those of three other impacts. The tests in tests/damped.cpp compare
-friction with the closed form of one beam, the clock with the damped DpS equation, and the growth of a shift with damped
-chains, in which a shifted breather is compared with one that is not. They refuse a clock whose rate is wrong by a
-tenth.
+steps do. Another program with another integrator (`tests/second`) finds the same sites without losses and with $T_E =
+10$ ms, and a third one (`beyond/tests/programs`) those of three other impacts. The tests
+(`beyond/tests/sec5/arrivals.cpp`) compare friction with the closed form of one beam, the clock with the damped DpS
+equation, and the growth of a shift with damped chains, in which a shifted breather is compared with one that is not.
+They refuse a clock whose rate is wrong by a tenth.
 
 What a clamped beam loses to the ground is not computed but given. Friction between beam and clamp, which is not linear,
 is left out. */

@@ -9,8 +9,8 @@ shift $X$ along the chain obeys
 $$\ddot X + \frac\nu4\,\dot X = \sigma^2 X,\qquad \sigma^2 = \sigma^2(\mathcal A(t)),$$
 where $\sigma$ is the growth rate of the breather with this area. In the DpS limit, where $\mathcal
 A\propto(\omega_b-1)^4$ and $\sigma = \Lambda(\omega_b-1)$, this is $X'' = \sigma(0)^2X$ in the time of the slow clock
-(arrivals.hpp). We take it for the chain, too, where $\sigma^2$ changes its sign along the branch; tests/damped.cpp
-finds the growth of a shift in a damped chain to a tenth. */
+(arrivals.hpp). We take it for the chain, too, where $\sigma^2$ changes its sign along the branch; a test
+(`beyond/tests/sec5/arrivals.cpp`) finds the growth of a shift in a damped chain to a tenth. */
 
 #include <vector>
 

@@ -1,0 +1,449 @@
+// Driven and damped chains: losses, drives, what they book; thresholds.
+
+#include "sec5/driven_chain.hpp"
+
+#include <complex>
+#include <numbers>
+
+#include "lattice/impact/impact.hpp"
+#include "lattice/model/cantilever.hpp"
+#include "lattice/model/dps.hpp"
+#include "lattice/standing/stationary.hpp"
+#include "sec5/driven_array.hpp"
+#include "sec5/packet_members.hpp"
+#include "sec5/solution_curve.hpp"
+#include "sec5/travelling.hpp"
+#include "support/check.hpp"
+
+using namespace lattice;
+
+namespace {
+
+/// Unequal beads with both losses, driven by a piston.
+DrivenChain busy() {
+  DrivenChain driven{Chain{12}, {0.01, 0.05}, {Drive::By::piston, 1.3, 0.2, 0, 20}};
+  std::vector<double> mass(12);
+  for (std::size_t n = 0; n < 12; ++n) mass[n] = 1 + 0.2 * double(n % 3);
+  vary(driven.chain, mass, {});
+  return driven;
+}
+
+State<double> after(const DrivenChain& driven, double time, double step) {
+  State<double> state(driven.chain.sites);
+  evolve(driven, state, time_grid(time, time, step));
+  return state;
+}
+
+}  // namespace
+
+TEST_CASE("response and power of a driven end are not those of single looks", "[unit][driven]") {
+  // Looks 0.4 apart fall on six phases of the first drive; half of the second run is no multiple of 0.4
+  for (const auto& [omega, duration] :
+       {std::pair(std::numbers::pi / 1.2, 480.0), {1.7, 160 * std::numbers::pi / 1.7}}) {
+    CAPTURE(omega);
+    DrivenChain bead{Chain{3}, {0.3, 0}, {Drive::By::base, omega, 0.1}};
+    vary(bead.chain, {}, {0, 0, 0, 0});
+    const Emission out = drive_chain(bead, duration, 2, 0.005);
+    const double size = 0.1 / std::hypot(1 - omega * omega, 0.3 * omega);
+    check_close(out.response, size, 0, 1e-3);
+    check_close(out.power, 0.3 / 2 * omega * omega * size * size, 0, 1e-3);
+  }
+}
+
+TEST_CASE("losses and work are booked to the last digits", "[property][driven]") {
+  const DrivenChain driven = busy();
+  State<double> state(12);
+  EnergyBudget last;
+  evolve(driven, state, time_grid(100, 1, 0.01), [&](const State<double>&, const EnergyBudget& l) {
+    CHECK(l.beams >= last.beams);
+    CHECK(l.contacts >= last.contacts);
+    last = l;
+    return true;
+  });
+  CHECK(last.beams > 0.01 * last.work);
+  CHECK(last.contacts > 0.01 * last.work);
+  check_close(energy(driven.chain, state) + last.beams + last.contacts, last.work, 0, 1e-9);
+}
+
+TEST_CASE("the alternation of losses, drive and motion has order two", "[convergence][driven]") {
+  const State<double> exact = after(busy(), 20, 0.00125);
+  const double coarse = largest_difference(after(busy(), 20, 0.04), exact);
+  const double fine = largest_difference(after(busy(), 20, 0.02), exact);
+  CAPTURE(coarse, fine);
+  check_close(std::log2(coarse / fine), 2, 0.2);
+}
+
+TEST_CASE("one bead on a moving base follows the closed form", "[unit][driven]") {
+  // y'' + nu y' + y = a sin(omega t): the amplitude far from the start
+  const double omega = 1.3, nu = 0.2, a = 0.1;
+  const DrivenChain driven{Chain{1}, {nu, 0}, {Drive::By::base, omega, a}};
+  State<double> state(1);
+  double most = 0;
+  evolve(driven, state, time_grid(300, 0.01, 0.01),
+         [&](const State<double>& now, const EnergyBudget&) {
+           if (now.t > 200) most = std::max(most, std::abs(now.y[0]));
+           return true;
+         });
+  check_close(most, a / std::hypot(1 - omega * omega, nu * omega), 0, 1e-4);
+}
+
+TEST_CASE("viscous contacts have the restitution of perturbation theory", "[unit][driven]") {
+  // The loss of an elastic collision to first order in A, with a beta function
+  const double v = 0.7, contact = 1e-3, x = std::pow(5.0 / 8 * v * v, 0.4);
+  const double beta = std::tgamma(0.6) * std::tgamma(1.5) / std::tgamma(2.1);
+  const double lost = 3 * contact * v * x * std::sqrt(x) * 0.4 * beta / (v * v / 4);
+  check_close(1 - restitution(contact, v), lost / 2, 0, 5e-3);
+  check_close(restitution(0, v), 1, 1e-9);
+  // Dormand and Prince's method of order eight, in another program
+  check_close(restitution(0.2, 0.7), 0.66227774363, 1e-11);
+  check_close(restitution(0.2, 3), 0.57813594145, 1e-11);
+  check_close(restitution(0.03, 0.05), 0.96321156395, 1e-11);
+  check_close(restitution(contact_loss(0.9, v), v), 0.9, 1e-9);
+  CHECK_THROWS_AS(contact_loss(1.1, v), std::invalid_argument);
+}
+
+TEST_CASE("impossible losses are refused", "[unit][driven]") {
+  State<double> state(3);
+  const TimeGrid grid = time_grid(1, 1, 0.1);
+  CHECK_THROWS_AS(evolve({Chain{3}, {-1, 0}}, state, grid), std::invalid_argument);
+  CHECK_THROWS_AS(evolve({Chain{3}, {0, -1}}, state, grid), std::invalid_argument);
+  CHECK_THROWS_AS(evolve({Chain{3}, {std::nan(""), 0}}, state, grid), std::invalid_argument);
+}
+
+TEST_CASE("a driven chain runs with the length of its masses and in states of that length only",
+          "[unit][driven]") {
+  Chain twelve{12};
+  vary(twelve, std::vector<double>(12, 1), {});
+  const auto refused = [](const Chain& chain, State<double> state) {
+    CAPTURE(chain.sites, chain.mass.size(), state.y.size());
+    CHECK_THROWS_AS(evolve({chain, {}, {}}, state, time_grid(1, 1, 0.1)), std::invalid_argument);
+  };
+  for (const std::size_t sites : {8, 13, 136}) {
+    Chain other = twelve;
+    other.sites = sites;
+    refused(other, struck(sites, 1));
+    refused(twelve, struck(sites, 1));
+    refused(Chain{12}, struck(sites, 1));
+  }
+  State<double> torn = struck(12, 1);
+  torn.v.pop_back();
+  refused(twelve, torn);
+  // Masses without stiffnesses, and the other way round
+  Chain half{12};
+  half.mass = half.inverse_mass = twelve.mass;
+  refused(half, struck(12, 1));
+  half = Chain{12};
+  half.eta = twelve.eta;
+  refused(half, struck(12, 1));
+}
+
+TEST_CASE("a driven run for a tolerance balances its budget", "[property][driven]") {
+  DrivenChain driven{Chain{12}, {}, {Drive::By::base, 1.2, 0.05}};
+  driven.losses.of_site.assign(12, 0.1);
+  State<double> state(12);
+  std::size_t seen = 0;
+  const auto pair = evolve(Converged{1e-5}, driven, state, 60, 0.5,
+                           [&](const State<double>&, const EnergyBudget&) { return ++seen, true; });
+  CHECK(seen == 121);
+  CHECK(pair.error <= 1e-5);
+  CHECK(pair.error > 0);
+  CHECK(pair.fine.imbalance < 1e-8);
+  CHECK(distance(state, pair.fine.end) == 0);
+  check_close(pair.fine.energy + pair.fine.budget.beams, pair.fine.budget.work, 0, 1e-8);
+  // One bead alone is the damped oscillator of every textbook
+  DrivenChain one{Chain{1}, {0.1, 0}, {Drive::By::base, 1.2, 0.05}};
+  State<double> alone(1);
+  evolve(Converged{1e-6}, one, alone, 400, 1,
+         [](const State<double>&, const EnergyBudget&) { return true; });
+  const std::complex<double> i(0, 1),
+      response = 0.05 / (1 - 1.2 * 1.2 + i * 0.1 * 1.2) * std::exp(i * 1.2 * 400.0);
+  check_close(alone.y[0], response.imag(), 1e-7);
+}
+
+TEST_CASE("a drive that is faster than the steps is seen", "[property][driven]") {
+  // With 2 pi / omega = 0.1 and 0.2 the force vanishes at the ends of all steps of the first resolutions
+  for (double omega : {20 * std::acos(-1.0), 10 * std::acos(-1.0), 40.0, 3.0}) {
+    CAPTURE(omega);
+    State<double> state(1);
+    state.y[0] = 1;
+    const auto pair =
+        evolve(Converged{1e-4}, {Chain{1}, {}, {Drive::By::base, omega, 1}}, state, 10, 10,
+               [](const State<double>&, const EnergyBudget&) { return true; });
+    const double w = omega, y = std::cos(10) + (std::sin(10 * w) - w * std::sin(10)) / (1 - w * w),
+                 v = -std::sin(10) + w * (std::cos(10 * w) - std::cos(10)) / (1 - w * w);
+    check_close(state.y[0], y, 2 * pair.error);
+    check_close(state.v[0], v, 2 * pair.error);
+  }
+}
+
+TEST_CASE("packets of a strong drive are counted between the looks of a coarse run",
+          "[unit][driven]") {
+  // Extrapolated midpoint rule in another program, with looks ever closer: four packets in the second half
+  DrivenArray drive;
+  drive.frequency = 7955.80282808034, drive.amplitude = 200;
+  drive.lifetime = 1.1669966356216845, drive.duration = 20.045936549755897;
+  const Emission seen = drive.run(DrivenArray::step);
+  check_close(drive.per_second(seen.rate(drive.horizon())), 199.5416872, 1e-6);
+}
+
+TEST_CASE("a piston has to lift the breather of the DpS limit to its top", "[unit][driven]") {
+  const auto site = stationary<double>(Centre::site, 1.0, 31);
+  double top = 0;
+  for (double u : site.u) top = std::max(top, std::abs(u));
+  check_close(dps_threshold(Drive::By::piston).value, top, 0, 1e-7);
+  const auto bond = stationary<double>(Centre::bond, 1.0, 30);
+  double strain = 0;
+  for (double r : bond.strain) strain = std::max(strain, std::abs(r));
+  check_close(dps_threshold(Drive::By::base).value, strain * std::sqrt(strain), 0, 1e-7);
+  // The maxima themselves, to forty digits from the same map: a grid of 4096 tails has nine of them
+  check_close(dps_threshold(Drive::By::piston).value, 0.05041478528676755684, 0, 1e-14);
+  check_close(dps_threshold(Drive::By::base).value, 0.028116631620059160114, 0, 1e-14);
+  check_close(threshold_law(Drive::By::piston, 1.02), 4 * threshold_law(Drive::By::piston, 1.01), 0,
+              1e-9);
+  check_close(threshold_law(Drive::By::base, 1.02), 8 * threshold_law(Drive::By::base, 1.01), 0,
+              1e-9);
+}
+
+TEST_CASE("a curve of solutions is followed through its fold", "[unit][driven]") {
+  // a = x (2 - x) has its largest a at x = 1, and the way there is known; a second unknown follows the first
+  const auto parabola = [](const Vector<double>& x) {
+    Vector<double> out(2);
+    out << x[2] - x[0] * (2 - x[0]), x[1] - 3 * x[0];
+    return out;
+  };
+  const SolutionCurve curve = follow_solutions(parabola, 3, 0.1, 0.02, 1, 0.5);
+  check_close(curve.fold, 1, 1e-5);
+  for (const Vector<double>& x : curve.points) CHECK(parabola(x).norm() < 1e-10);
+  CHECK(curve.points.back()[0] > 1.6);
+  check_close(curve.points.back()[2], 0.5, 0.05);
+  CHECK(curve.length.back() > 3 * 1.7);
+  const auto straight = [](const Vector<double>& x) {
+    return Vector<double>::Constant(1, x[1] - x[0]);
+  };
+  CHECK_THROWS_AS(follow_solutions(straight, 2, 0.1, 0.1, 1, 0.5), std::runtime_error);
+}
+
+TEST_CASE("the fold of the quiet orbit is where emission begins", "[property][driven]") {
+  // It lies at 1.1167 times the law, as the chapter finds
+  const double omega = 1.1, fold = 1.1167 * threshold_law(Drive::By::piston, omega);
+  const auto count = [&](double share) {
+    const DrivenChain run{
+        Chain{40}, {2.5e-3, 0}, {Drive::By::piston, omega, share * fold, 0, 1000}};
+    return drive_chain(run, 3000, 20, 0.2).passages.size();
+  };
+  CHECK(count(0.96) == 0);
+  CHECK(count(1.06) >= 1);
+}
+
+TEST_CASE("one packet leaves below lasting emission, none before a slow rise",
+          "[property][driven]") {
+  // The fold lies at 1.1167 times the law, lasting emission begins at 1.066 and the first packet at 0.978
+  const double omega = 1.1, law = threshold_law(Drive::By::piston, omega);
+  const auto passages = [&](double share, double ramp) {
+    const DrivenChain run{Chain{60}, {2.5e-3, 0}, {Drive::By::piston, omega, share * law, 0, ramp}};
+    return drive_chain(run, 5000, 20, 0.2).passages;
+  };
+  CHECK(passages(0.96, 0).empty());
+  const auto one = passages(1.02, 0);
+  REQUIRE(one.size() == 1);
+  CHECK(one[0] < 3000);
+  const auto many = passages(1.09, 0);
+  REQUIRE(many.size() > 2);
+  CHECK(many.back() > 3000);
+  CHECK(passages(1.09, 3000).empty());
+}
+
+TEST_CASE("a base that begins at once sends something weak first", "[property][driven]") {
+  const double omega = 1.2, law = threshold_law(Drive::By::base, omega);
+  const auto sent = [&](double share) {
+    const DrivenChain run{Chain{40}, {2.5e-3, 0}, {Drive::By::base, omega, share * law}};
+    return drive_chain(run, 1500, 20, 0.2);
+  };
+  // It would count if the detector were ten times as sensitive
+  const Emission weak = sent(1.09), strong = sent(1.35);
+  CHECK(weak.passages.empty());
+  CHECK(weak.loudest > 0.003);
+  CHECK(weak.loudest < 0.015);
+  CHECK(!strong.passages.empty());
+  CHECK(strong.loudest > 0.3);
+}
+
+TEST_CASE("the energy budget of a driven chain closes at the steps of the command",
+          "[property][driven]") {
+  // A quiet piston, one that makes a train, and a base; a quarter of the step closes it by more than order two
+  const Scales u = CantileverArray{}.scales();
+  struct Case {
+    Drive::By by;
+    double micrometres;
+  };
+  for (const Case& c :
+       {Case{Drive::By::piston, 5}, {Drive::By::piston, 20}, {Drive::By::base, 5}}) {
+    const double horizon = u.time(10), a = c.micrometres / u.micrometres(1);
+    const DrivenChain driven{Chain{50}, {u.rate(10), 0}, {c.by, u.omega(7000), a, 0, horizon / 6}};
+    const double coarse = drive_chain(driven, horizon, 20, 0.08).budget;
+    const double fine = drive_chain(driven, horizon, 20, 0.02).budget;
+    CAPTURE(c.micrometres, coarse, fine);
+    CHECK(fine > 0);  // it was measured
+    CHECK(fine < 1e-10);
+    CHECK(fine < coarse / 16);
+  }
+}
+
+TEST_CASE("a threshold that is no sharp one lies among its neighbours", "[unit][driven]") {
+  const auto sharp = threshold_among(1, 0.1, 3, [](double a) { return a > 1.04; });
+  check_close(sharp.value, 1.05, 1e-12);
+  check_close(sharp.error, 0.05, 1e-12);
+  // 0.9 emits, 1.0 and 1.1 are quiet
+  const auto mixed =
+      threshold_among(1, 0.1, 3, [](double a) { return a > 0.85 && (a < 0.95 || a > 1.15); });
+  check_close(mixed.value, 1.0, 1e-12);
+  check_close(mixed.error, 0.1, 1e-12);
+  for (bool always : {true, false})
+    CHECK_THROWS_AS(threshold_among(1, 0.1, 3, [&](double) { return always; }), std::runtime_error);
+  CHECK_THROWS_AS(threshold_among(1, 0.1, 3, [](double a) { return a < 1.04; }),
+                  std::runtime_error);
+}
+
+TEST_CASE("rates and bisections", "[unit][driven]") {
+  Emission e;
+  e.passages = {10, 60, 70, 80, 90};
+  check_close(e.rate(100), 0.08, 1e-15);
+  const auto found = bisect_threshold(0, 1, 1e-3, [](double a) { return a > 0.3; });
+  check_close(found.value, 0.3, found.error);
+  CHECK(found.error < 1e-3);
+  CHECK_THROWS_AS(bisect_threshold(0.4, 1, 1e-3, [](double a) { return a > 0.3; }),
+                  std::runtime_error);
+}
+
+TEST_CASE("a breather of a family is measured as what it is", "[property][traveller]") {
+  const double turn = 2 * std::numbers::pi, phase = 0.4;
+  const Orbit<double> start = TypeOneOrbits(1).orbit_at(3);
+  const Orbit<double> member = follow_family(start, 3 * turn - phase, 0.2).back();
+  const MemberGrid grid = member_grid(3, 3, {0, phase});
+  const DrivenChain driven{Chain{32}};
+  for (const bool of_type_one : {true, false}) {
+    const Orbit<double>& orbit = of_type_one ? start : member;
+    const State<double> state = embed(orbit.start, 32, 0);
+    const Traveller seen = traveller_on(driven, state, 400, 0.1, {11, 13});
+    CAPTURE(shift_time(orbit));
+    check_close(seen.shift_time, shift_time(orbit), 0, 1e-3);
+    check_close(seen.phase, 3 * turn - shift_time(orbit), 5e-3);
+    check_close(seen.energy, orbit.energy, 0, 5e-3);
+    // The grid has the same one
+    const Traveller& same = grid.members.at(of_type_one ? 0 : 1).at(0);
+    check_close(seen.energy, same.energy, 0, 1e-4);
+    check_close(seen.width, same.width, 0, 1e-4);
+  }
+  CHECK(member.energy > 1.3 * start.energy);
+  CHECK_THROWS_AS(member_grid(3, 3, {0.1, phase}), std::invalid_argument);
+}
+
+TEST_CASE("packets of a train are told apart", "[unit][traveller]") {
+  // Two packets of the shape of a breather, eleven sites apart
+  const Orbit<double> start = TypeOneOrbits(1).orbit_at(3);
+  const DrivenChain driven{Chain{60}};
+  State<double> two = embed(start.start, 60, 11);
+  const State<double> behind = embed(start.start, 60, 0);
+  for (std::size_t n = 0; n < 60; ++n) two.y[n] += behind.y[n], two.v[n] += behind.v[n];
+  const double time = shift_time(start);
+  for (std::size_t which : {1, 2}) {
+    TravellerWatch watch(driven.chain, 25, 29, which);
+    State<double> state = two;
+    double end = 0;
+    evolve(driven, state, time_grid(40 * time, 0.4, 0.2),
+           [&](const State<double>& now, const auto&) {
+             end = now.t;
+             return watch.look(now);
+           });
+    // The first one has its centre at index 19, the second one at index 8
+    check_close(end / time, which == 1 ? 9 : 20, 0.6);
+    check_close(watch.traveller().shift_time, time, 0, 2e-2);
+  }
+  CHECK_THROWS_AS(traveller_on(driven, two, 40 * time, 0.2, {25, 29, 3}), std::runtime_error);
+  CHECK_THROWS_AS(TravellerWatch(driven.chain, 3, 9), std::invalid_argument);
+  CHECK_THROWS_AS(TravellerWatch(driven.chain, 9, 9), std::invalid_argument);
+  CHECK_THROWS_AS(TravellerWatch(driven.chain, 9, 55), std::invalid_argument);
+  CHECK_THROWS_AS(TravellerWatch(driven.chain, 9, 20, 0), std::invalid_argument);
+}
+
+TEST_CASE("a packet that has passed does not come again", "[unit][traveller]") {
+  // Two packets six sites apart, of which now the one and now the other has more energy where it is looked at
+  const Chain chain{60};
+  const auto ends = [&](std::size_t which) {
+    TravellerWatch watch(chain, 25, 29, which);
+    State<double> now(60);
+    for (; now.t < 200; now.t += 0.4) {
+      const double place = 14 + now.t / 4, swing = 0.2 * std::sin(now.t);
+      for (std::size_t n = 0; n < 60; ++n) {
+        const double ahead = double(n) - place, behind = ahead + 6;
+        now.v[n] =
+            (1 + swing) * std::exp(-ahead * ahead) + (1 - swing) * std::exp(-behind * behind);
+      }
+      if (!watch.look(now)) break;
+    }
+    check_close(watch.traveller().shift_time, 4, 0, 0.05);
+    return now.t;
+  };
+  // Bead 29 has the index 28
+  check_close(ends(1), 4 * 14, 3);
+  check_close(ends(2), 4 * 20, 3);
+}
+
+TEST_CASE("members are joined by polynomials in speed and phase", "[unit][traveller]") {
+  const auto width = [](double c, double phase) { return 3 + c * c - phase * phase * c; };
+  const auto energy = [](double c, double phase) {
+    return std::exp(2 + c - c * c + phase - phase * phase / 2) * c * c * c * c;
+  };
+  MemberGrid grid{{-0.4, 0, 0.3}, {}};
+  for (double phase : grid.phases) {
+    auto& row = grid.members.emplace_back();
+    for (double c : {0.02, 0.05, 0.08})
+      row.push_back({1 / c, phase, energy(c, phase), width(c, phase)});
+  }
+  const Traveller p{1 / 0.06, 0.2, 1, 1};
+  const Traveller found = member_like(grid, p), rough = member_like(grid, p, 1);
+  check_close(found.energy, energy(0.06, 0.2), 0, 1e-12);
+  check_close(found.width, width(0.06, 0.2), 0, 1e-12);
+  CHECK(std::abs(rough.energy / energy(0.06, 0.2) - 1) > 1e-3);  // two points make a straight line
+}
+
+TEST_CASE("units of the array", "[unit][driven]") {
+  const Scales u = CantileverArray{}.scales();
+  check_close(u.hertz(u.omega(7000)), 7000, 1e-9);
+  check_close(u.milliseconds(u.time(3)), 3, 1e-12);
+  check_close(u.omega(7000), 2 * std::numbers::pi * 7000 * std::sqrt(u.m / u.k), 1e-12);
+  check_close(u.rate(10) * u.time(10), 1, 1e-12);
+  CHECK(u.rate(0) == 0);
+}
+
+using By = Drive::By;
+
+TEST_CASE("the law of the threshold", "[unit][driven]") {
+  const double width = 2 * tau_0() * 0.07, piston = dps_threshold(By::piston).value;
+  check_close(law_estimate(By::piston, 1.07).value, 2 * width * width * piston, 0, 1e-12);
+  check_close(law_estimate(By::base, 1.07).value,
+              4 * 0.07 * width * width * dps_threshold(By::base).value, 0, 1e-12);
+  check_close(piston, 0.050414785, 1e-9);
+  check_close(dps_threshold(By::base).value, 0.028116632, 1e-9);
+  for (By by : {By::piston, By::base}) {
+    const Estimate law = law_estimate(by, 1.07), top = dps_threshold(by);
+    check_close(law.error / law.value, top.error / top.value, 0, 1e-12);
+    CHECK(law.value == threshold_law(by, 1.07));
+  }
+}
+
+TEST_CASE("an array whose far end moves is too short for its drive", "[unit][driven]") {
+  for (const auto& [amplitude, lifetime] :
+       {std::pair{100.0, 10.0}, {200.0, 1000.0}, {60.0, 1000.0}}) {
+    DrivenArray array;
+    array.duration = 20, array.amplitude = amplitude, array.lifetime = lifetime;
+    const auto whole = array.quantities();
+    array.beads = 25;
+    CHECK(array.run(0.04).far > 1e-9);
+    const auto lengthened = array.quantities();
+    for (std::size_t i = 0; i < 4; ++i)
+      check_close(lengthened[i].value.value, whole[i].value.value, 1e-12, 1e-9);
+    array.amplitude = 0.001, array.beads = 25;
+    CHECK(array.run(0.04).far < 1e-9);
+  }
+}

@@ -1,0 +1,152 @@
+// The exercises at the end of each chapter: their form, and that their commands print what they say.
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <vector>
+
+#include "report/table.hpp"
+#include "support/check.hpp"
+#include "support/run.hpp"
+
+using namespace lattice;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What a command is said to print under the name of a quantity.
+struct Expected {
+  std::string command, quantity, number;
+
+  /// Half a unit of the last digit that is given.
+  double half_unit() const {
+    const std::size_t end = number.find('e'), point = number.find('.');
+    const double power = end == std::string::npos ? 0 : std::stod(number.substr(end + 1));
+    const double places =
+        point == std::string::npos ? 0 : double(std::min(end, number.size()) - point - 1);
+    return 0.5 * std::pow(10.0, power - places);
+  }
+};
+
+/// One item of the list, in a line.
+struct Exercise {
+  std::string where, text;
+
+  bool starts(const std::string& grade) const { return text.rfind("*" + grade + ".* ", 0) == 0; }
+
+  std::vector<Expected> expected() const {
+    static const std::regex said(
+        "`build/bin/(sec[^`]+)` gives ((?:(?:,? and |, )?`\\w+` = -?[0-9.]+(?:e-?[0-9]+)?)+)"),
+        one("`(\\w+)` = (-?[0-9]+(?:\\.[0-9]+)?(?:e-?[0-9]+)?)");
+    std::vector<Expected> out;
+    for (std::sregex_iterator at(text.begin(), text.end(), said), end; at != end; ++at) {
+      const std::string values = (*at)[2];
+      for (std::sregex_iterator v(values.begin(), values.end(), one); v != end; ++v)
+        out.push_back({(*at)[1], (*v)[1], (*v)[2]});
+    }
+    return out;
+  }
+};
+
+/// The items of a numbered list under "## Try it" in a source, with lines and spaces joined.
+std::vector<Exercise> exercises(const std::string& name, const std::string& source) {
+  const std::size_t from = source.find("\n## Try it\n");
+  if (from == std::string::npos) return {};
+  std::string list = source.substr(from, source.find("*/", from) - from);
+  const std::size_t next = list.find("\n## ", 5);
+  list = list.substr(0, next);
+  const std::regex item("\n[0-9]+\\. "), space("\\s+");
+  std::vector<Exercise> out;
+  for (std::sregex_token_iterator at(list.begin(), list.end(), item, -1), end; at != end; ++at)
+    if (at->str().find("## Try it") == std::string::npos)
+      out.push_back({name, std::regex_replace(at->str(), space, " ")});
+  return out;
+}
+
+std::vector<std::vector<Exercise>> of_all_chapters() {
+  std::vector<std::vector<Exercise>> out;
+  for (const auto& entry : fs::directory_iterator(fs::path(VOLUME_DIR) / "src")) {
+    if (entry.path().extension() != ".cpp") continue;
+    std::ifstream in(entry.path());
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    out.push_back(exercises(entry.path().stem().string(), text));
+    if (out.back().empty()) out.back().push_back({entry.path().stem().string(), "none"});
+  }
+  return out;
+}
+
+/// What is wrong with the form of an exercise; empty if nothing.
+std::string malformed(const Exercise& e) {
+  const bool open = e.starts("Open");
+  if (!open && !e.starts("Easy") && !e.starts("Harder")) return "no grade";
+  if (open) return "";
+  if (e.expected().empty()) return "no command with a number";
+  return e.text.find("Hint: ") == std::string::npos ? "no hint" : "";
+}
+
+}  // namespace
+
+TEST_CASE("exercises are read", "[cli]") {
+  const std::string list =
+      "x */\n/**\n## Try it\n\n1. *Easy.* How? `build/bin/sec1_a b --c 1`\n   gives `u` = 1.20 and "
+      "`v` "
+      "= -3e-4.\n   Hint: so.\n2. *Open.* Why? */\nint x;\n";
+  const auto found = exercises("a", list);
+  REQUIRE(found.size() == 2);
+  const auto expected = found[0].expected();
+  REQUIRE(expected.size() == 2);
+  CHECK(expected[0].command == "sec1_a b --c 1");
+  CHECK((expected[1].quantity == "v" && expected[1].number == "-3e-4"));
+  check_close(expected[0].half_unit(), 0.005, 1e-12);
+  check_close(expected[1].half_unit(), 5e-5, 1e-12);
+  for (const Exercise& one : found) CHECK(malformed(one).empty());
+  CHECK(malformed({"a", "How?"}) == "no grade");
+  CHECK(malformed({"a", "*Harder.* How? Hint: so."}) == "no command with a number");
+  CHECK(malformed({"a", "*Easy.* `build/bin/sec1_a b` gives `u` = 2. So."}) == "no hint");
+}
+
+TEST_CASE("each chapter ends with exercises", "[cli]") {
+  for (const auto& chapter : of_all_chapters()) {
+    for (const char* grade : {"Easy", "Harder", "Open"}) {
+      INFO(chapter.front().where + ": nothing is " + grade);
+      CHECK(std::any_of(chapter.begin(), chapter.end(),
+                        [&](const Exercise& e) { return e.starts(grade); }));
+    }
+    for (const Exercise& e : chapter) {
+      INFO(e.where + ": " + e.text);
+      CHECK(malformed(e).empty());
+    }
+  }
+}
+
+// A number agrees within half a unit of its last digit and the error that is printed beside it, and has digits enough
+// that a wrong answer does not agree.
+TEST_CASE("the commands of the exercises print what they say", "[exercises]") {
+  Scratch scratch;
+  std::map<std::string, Table> answers;
+  std::size_t count = 0;
+  for (const auto& chapter : of_all_chapters())
+    for (const Exercise& e : chapter)
+      for (const Expected& expected : e.expected()) {
+        INFO(e.where + ": " + expected.command + " gives " + expected.quantity);
+        if (!answers.count(expected.command)) {
+          const auto file = scratch.path / (std::to_string(answers.size()) + ".ecsv");
+          const Result r = call(expected.command + " --output " + word(file));
+          CAPTURE(r.errors);
+          REQUIRE(r.code == 0);
+          answers.emplace(expected.command, read(file));
+        }
+        const Table& table = answers.at(expected.command);
+        const auto names = table.texts("quantity");
+        const auto at = std::find(names.begin(), names.end(), expected.quantity);
+        REQUIRE(at != names.end());
+        const auto row = std::size_t(at - names.begin());
+        const double error = table.numbers("error")[row], number = std::stod(expected.number);
+        check_close(table.numbers("value")[row], number, expected.half_unit() + error);
+        CHECK((table.texts("kind")[row] == "exact" ||
+               expected.half_unit() <= std::max(0.02 * std::abs(number), error)));
+        ++count;
+      }
+  CHECK(count > 20);
+}

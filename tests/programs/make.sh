@@ -1,0 +1,283 @@
+#!/bin/sh
+# shellcheck disable=SC2016  # stubs are texts
+# The Makefile and tools/ in a small checkout with stubs for what compiles, computes and draws: what runs again and what
+# does not, two makes at once, runs that are killed, copied checkouts, paths, drawings that are cut, and tables that are
+# not what their program wrote. Argument: the repository.
+set -eu
+root=$(cd "$1" && pwd -P)
+scratch=$(mktemp -d)
+mounted=
+trap '[ -z "$mounted" ] || umount "$scratch/small"; rm -rf "$scratch"' EXIT
+here="$scratch/a b/[Re] it's here"
+for volume in . beyond; do mkdir -p "$here/$volume/src" "$here/$volume/paper" "$here/$volume/figures"; done
+mkdir "$scratch/bin" "$scratch/small"
+cd "$here"
+cp -r "$root/Makefile" "$root/tools" "$root/lineage" "$root/apt-packages.txt" .
+cp "$root"/figures/draw.py "$root"/figures/matplotlibrc "$root"/figures/style.gp figures
+# Three programs with a figure each, and a second volume with one.
+names=id,label,section,program,script,class,data,caption
+printf '%s\n' $names '01,one,1,sec1_short,fig01_short.gp,ER,short,"One."' '02,two,1,sec2_long,fig02_long.gp,ER,long,"Two."' \
+  'x01,"",3,sec3_own,x01_own.py,ER,own,"Three."' > figures/figures.ecsv
+printf '%s\n' $names 'x02,"",5,sec5_far,x02_far.py,ER,far,"Four."' > beyond/figures/figures.ecsv
+printf 'program,seconds\nsec1_short,1\nsec2_long,9.5\nsec3_own,12\n' > paper/costs.ecsv
+printf 'program,seconds\nsec5_far,2\n' > beyond/paper/costs.ecsv
+touch src/sec1_short.cpp src/sec2_long.cpp src/sec3_own.cpp beyond/src/sec5_far.cpp
+for script in fig01_short fig02_long; do printf 'print "<svg></svg>"\n' > figures/$script.gp; done
+echo 'import draw, sys; open(sys.argv[2], "w").write("drawn</svg>")' | tee figures/x01_own.py > beyond/figures/x02_far.py
+export STUB_LOG="$scratch/log" STUB_PROGRAM="$scratch/bin/program"
+
+stub() { cat > "$scratch/bin/$1"; chmod +x "$scratch/bin/$1"; }
+# `cmake -S . -B build` leaves a cache, `cmake --build build` copies programs that note how they were called.
+stub cmake <<'STUB'
+#!/bin/sh
+set -eu
+case $1 in
+-S)
+  mkdir "$4/configuring" || { echo "two at once configure $4"; exit 1; }
+  sleep 0.1
+  rmdir "$4/configuring"
+  echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" > "$4/CMakeCache.txt" ;;
+--build)
+  mkdir -p "$2/bin"
+  cp "$2/CMakeCache.txt" "$2/bin/.home"
+  for source in src/*.cpp beyond/src/*.cpp; do
+    name=$(basename "$source" .cpp) all=programs
+    case $source in beyond/*) all=programs_beyond ;; esac
+    case " $* " in *" $name "* | *" $all "*) ;; *) continue ;; esac
+    [ "$2/bin/$name" -nt "$source" ] || { cat "$STUB_PROGRAM" "$source" > "$2/bin/.$name"; chmod +x "$2/bin/.$name"; mv "$2/bin/.$name" "$2/bin/$name"; }
+  done
+  printf '#!/bin/sh\n' > "$2/bin/verdicts" && chmod +x "$2/bin/verdicts" ;;
+esac
+STUB
+stub program <<'STUB'
+#!/bin/sh
+echo "${0##*/} $*" >> "$STUB_LOG"
+cd "$2"
+rm -f facts.ecsv
+sleep "${STUB_SLEEP:-0}"
+name=${0##*_}
+printf '# header\nx\n1\n' > "$name.ecsv"
+sum() { gzip -c | tail -c 8 | od -An -N4 -tx4 | tr -d ' '; }
+printf "# - {tables: '%s %s, facts %s'}\ndone\n" "$name" "$(printf 'x\n1\n' | sum)" "$(echo done | sum)" > facts.ecsv.new
+mv facts.ecsv.new facts.ecsv
+exit 0
+STUB
+printf '#!/bin/sh\necho launched >> "$STUB_LOG"\nshift\nexec "$@"\n' | stub srun
+printf '#!/bin/sh\necho "${STUB_IMAGE-<svg></svg>}"\n' | stub gnuplot
+printf '#!/bin/sh\nwhile [ $# -gt 1 ]; do shift; done\necho "${STUB_IMAGE-image %%%%EOF IEND}" > "$1"\n' | stub rsvg-convert
+# The first python3 cannot draw: another one has to be found.
+for python in /usr/bin/python3 python3 none; do "$python" -c 'import matplotlib' 2>/dev/null && break; done
+printf '#!/bin/sh\nexit 1\n' | stub python3
+plain=$PATH with=
+PATH="$scratch/bin:$PATH"
+fail() { echo "$1"; cat "$STUB_LOG" "$scratch/out" 2>/dev/null; exit 1; }
+run() { : > "$STUB_LOG"; make DEPS=skip "${with:-B=build}" "$@" > "$scratch/out" 2>&1 || fail "make $*"; }
+refused() { : > "$STUB_LOG"; ! make DEPS=skip "${with:-B=build}" "$@" > "$scratch/out" 2>&1 || fail "make $* is not refused"; }
+said() { grep -q -- "$1" "$scratch/out" || fail "$2"; }
+ran() { [ "$(cut -d' ' -f1 "$STUB_LOG" | tr '\n' ' ')" = "$1" ] || fail "$2"; }
+called() { grep -q -- "$1" "$STUB_LOG" || fail "$2"; }
+
+# What a caller happens to export decides about no test (tests/support/alone.sh).
+env MAKEFLAGS=k CXX=/none CXXFLAGS=-ffast-math LC_ALL=de_DE.UTF-8 TMPDIR=/none SLURM_JOB_ID=7 CTEST_ARGS=-N QUICK=1 \
+  sh "$root/tests/support/alone.sh" env | grep -vE '^(PATH|HOME|TMPDIR|LC_ALL|LATTICE_SLACK)=|^PWD=' > "$scratch/out" &&
+  fail "tests/support/alone.sh lets something through"
+
+# Figures do not need what the book needs. Here nothing is installed, and all is asked for.
+mkdir "$scratch/apt"
+for body in 'dpkg-query exit 1' 'id echo 0' 'apt-get echo " $* " >> "$STUB_LOG"'; do
+  printf '#!/bin/sh\n%s\n' "${body#* }" > "$scratch/apt/${body%% *}" && chmod +x "$scratch/apt/${body%% *}"
+done
+PATH="$scratch/apt:$PATH" sh tools/install-deps.sh apt-packages.txt > "$scratch/out"
+called ' gnuplot-nox ' "gnuplot is not asked for"
+! grep -qE ' (python3-sphinx|\[book\]) ' "$STUB_LOG" || fail "figures ask for the book's packages"
+PATH="$scratch/apt:$PATH" sh tools/install-deps.sh apt-packages.txt book > "$scratch/out"
+called ' python3-sphinx ' "the book's packages are not asked for"
+
+# Every program runs once, the dearest first, and again only if its bytes are others.
+run all-data
+ran "sec3_own sec2_long sec1_short " "not every program ran, or not in the order of their costs"
+touch src/sec1_short.cpp
+run all-data
+ran "" "a program that was built again to the same bytes runs again"
+echo '# changed' >> src/sec1_short.cpp
+run all-data
+ran "sec1_short " "a changed program does not run"
+touch -d tomorrow src/*.cpp figures/*.gp build/bin/sec*
+run all-data
+ran "" "a program from tomorrow runs again"
+
+# Threads: all granted cores, a share with -j, what is asked for, and none where srun decides.
+threads() { rm -rf build/data; want=$1; shift; run all-data "$@"; called "--threads $want" "threads: $* do not give $want"; }
+threads 6 CORES=6
+threads 2 CORES=6 -j3
+threads 5 THREADS=5 -j2
+SLURM_CPUS_PER_TASK=1 threads 1
+rm -rf build/data
+run all-data LAUNCH='srun -n1'
+called launched "LAUNCH= is ignored"
+grep -q -- '--threads' "$STUB_LOG" && fail "srun is told how many threads to use"
+run all-data QUICK=1
+called '--out build/quick/data/.* --quick' "QUICK=1"
+run all-data QUICK=0
+ran "" "QUICK=0 is quick"
+
+# Two makes at once, from nothing.
+STUB_SLEEP=0.2 make DEPS=skip all-data B=eight > "$scratch/other" 2>&1 &
+STUB_SLEEP=0.2 run all-data B=eight
+wait $! || { cat "$scratch/other"; fail "one of two makes at once"; }
+[ "$(wc -l < "$STUB_LOG")" = 3 ] || fail "two makes at once compute twice"
+cat "$scratch/other" >> "$scratch/out"
+said 'wait  ' "a make that waits does not say so"
+
+# Who cannot write is told so, and not what went wrong yesterday.
+mkdir closed
+echo "error of yesterday" > closed/build.log
+as_other=
+[ "$(id -u)" != 0 ] || { chown -R 65534 closed && chmod -R a+rX "$scratch" && as_other="setpriv --reuid=65534 --regid=65534 --clear-groups"; }
+chmod 555 closed
+$as_other make DEPS=skip all-data B=closed > "$scratch/out" 2>&1 && fail "a closed folder is built in"
+said 'cannot write to' "a closed folder is not named"
+grep -q yesterday "$scratch/out" && fail "an old log is shown as the cause"
+chmod 755 closed
+
+# A path that CMake or make cannot use is refused in one line, as is a name that is mistyped.
+for name in 'a;b has a character' 'a[b has a bracket'; do
+  cp -r . "$scratch/${name%% *}"
+  (cd "$scratch/${name%% *}" && refused all-data && said "${name#* }" "the path is not named")
+done
+refused build/data/sec99/facts.ecsv
+said "'build/data/sec99/facts.ecsv'.*make help" "a mistyped name is not answered"
+[ "$(wc -l < "$scratch/out")" = 1 ] || fail "a mistyped name is answered in several lines"
+make -n tests DEPS=skip 2>&1 | grep -q ctest || fail "make tests tests nothing: there is a folder of that name"
+
+# Neither CDPATH nor another repository leads a step to where it has nothing to do and succeeds.
+mkdir -p "$scratch/elsewhere/build" "$scratch/elsewhere/tools" "$scratch/foreign/inner"
+printf '#!/bin/sh\necho "$* in $PWD" >> "$STUB_LOG"\n' | stub ctest
+for tool in clang-format shellcheck; do printf '#!/bin/sh\n' | stub $tool; done
+export CDPATH="$scratch/elsewhere"
+run examples
+called "--test-dir build --no-tests=error.* it's here$" "CDPATH leads to other tests, or none are enough"
+sh tools/platforms.sh none > "$scratch/out" 2>&1 && fail "a platform of no name"
+said "'none' is none of" "CDPATH leads a script away"
+unset CDPATH
+GIT_DIR=/none refused style
+cp -r tools "$scratch/foreign/inner"
+(cd "$scratch/foreign" && git init -q . && git -c user.name=x -c user.email=x@y commit -q --allow-empty -m x)
+for place in inner .; do
+  [ -z "$(cd "$scratch/foreign/$place" && sh "$here/tools/revision.sh")" ] || fail "another repository's revision is taken for ours"
+done
+(cd "$scratch/foreign/inner" && ! sh tools/dist.sh build 2> "$scratch/out") || fail "another repository's history is packed"
+said 'no checkout of the repository' "why nothing is packed is not said"
+
+# One line says that something is compiled, on a terminal another one how far it is, and none if nothing is.
+mkdir "$scratch/slow"
+printf '#!/bin/sh\nfor k in 1 2; do echo "[ ${k}0%%] Building CXX object x.dir/src/sec1_short.cpp.o"; done\n' > "$scratch/slow/cmake"
+chmod +x "$scratch/slow/cmake"
+if script -qec true /dev/null < /dev/null > /dev/null 2>&1; then
+  PATH="$scratch/slow:$PATH" script -qec "sh tools/build.sh build 1 programs" /dev/null < /dev/null > "$scratch/out" 2>&1
+  said '20%.*sec1_short' "compiling shows nothing on a terminal"
+fi
+PATH="$scratch/slow:$PATH" sh tools/build.sh build 1 programs > "$scratch/out" 2>&1
+said "^  build    programs on 1 core, about [0-9]* min (build/build.log)$" "compiling does not say what it does"
+[ "$(wc -l < "$scratch/out") $(wc -l < build/build.log)" = "1 2" ] || fail "compiling talks, or leaves no log"
+sh tools/build.sh build 1 programs > "$scratch/out" 2>&1
+[ ! -s "$scratch/out" ] || fail "what is not compiled is announced"
+
+# A run that is killed leaves no answer, and the next make goes on where it was.
+rm -r build/data
+STUB_SLEEP=3 timeout -s INT 5 make DEPS=skip all-data > "$scratch/out" 2>&1 && fail "not killed"
+run all-data
+ran "sec2_long sec1_short " "the next make did not go on"
+
+# A copy is built for itself, as is a checkout that was moved.
+cp -r "$here" "$scratch/copy"
+(cd "$scratch/copy" && run all-data && said 'everything is built again' "the copy does not say what it does" &&
+  grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" build/bin/.home) || fail "the copy builds the original"
+
+# Without the tools that draw nothing is computed in vain.
+mkdir "$scratch/few"
+ln -sf /usr/bin/* "$(command -v make)" "$scratch/bin/cmake" "$scratch/few"
+rm -f "$scratch/few/gnuplot" "$scratch/few/rsvg-convert"
+PATH="$scratch/few" refused figures B=nine
+said 'missing: gnuplot' "gnuplot is not missed"
+ran "" "computed before gnuplot is missed"
+
+# The rest draws. The python that can is found, and PYTHON= is taken as one word.
+"$python" -c 'import matplotlib' 2>/dev/null || { echo "no matplotlib here: drawing is not tested"; exit 0; }
+rm -rf build
+with="PYTHON=$python"
+mv lineage/__main__.py "$scratch/kept.py"
+: > lineage/__main__.py
+run figures
+[ "$(find build/figures -name '*.pdf' | wc -l) $(wc -l < "$STUB_LOG")" = "3 3" ] || fail "make figures draws or runs something else than its volume"
+said '^together   : [0-9]* s' "a run does not say how long it took"
+said '^computing  : [0-9]* s in 3 programs' "the summary does not say what the programs took"
+run beyond
+ran "sec5_far " "make beyond does not run the programs of its volume only"
+said '^computing  : [0-9]* s in 1 programs' "the summary of volume two does not say what its programs took"
+rm build/figures/x02*
+run x2
+[ -f build/figures/x02_far.pdf ] || fail "a figure of volume two has no command"
+mv beyond "$scratch/beyond"
+run figures
+ran "" "without volume two something runs again"
+mv "$scratch/beyond" beyond
+mv "$scratch/kept.py" lineage/__main__.py
+with=
+for called in python3 "$scratch/a b/python3"; do
+  [ "$called" = python3 ] || { printf '#!/bin/sh\nexec "%s" "$@"\n' "$python" > "$called" && chmod +x "$called" && with="PYTHON=$called"; }
+  rm build/figures/x01*
+  PYTHON=python3 PYTHONSAFEPATH=1 run x1
+  [ "$(cat build/figures/x01_own.svg)" = "drawn</svg>" ] || fail "no figure with PYTHON=$called"
+  [ "$(tail -n 1 "$scratch/out")" = "  figure   build/figures/x01_own.png" ] || fail "the figure's place is not said"
+done
+run x01
+grep -q draw "$scratch/out" && fail "a figure is drawn again without a reason"
+
+# A table that is not what its program wrote is drawn by nobody; one that is gone is computed again.
+sed -i "1i # - {parameters: 'quick = yes'}" build/data/sec3_own/*.ecsv
+refused x01
+said "build/data/sec3_own/facts.ecsv: of a quick run; remove build/data/sec3_own to" "a quick table is drawn"
+sed -i 1d build/data/sec3_own/*.ecsv
+sed -i s/1/2/ build/data/sec3_own/own.ecsv
+for target in x01 build/figures/x01_own.svg; do
+  refused "$target"
+  said "build/data/sec3_own/own.ecsv: not what sec3_own wrote" "a changed table is drawn"
+done
+rm build/data/sec3_own/own.ecsv
+run x01
+ran "sec3_own " "a missing table is not computed again"
+said 'draw *x01' "a new table is not drawn"
+
+# A script that fails and a picture that was cut have no name, even if the tool is content.
+export PYTHON="$python"
+draw() { : > "$scratch/out"; sh tools/draw.sh "$@" > "$scratch/out" 2>&1; }
+echo 'raise SystemExit(1)' > broken.py
+draw cut.svg data broken.py && fail "a script that fails is not noticed"
+for out in "cut.svg data" cut.pdf cut.png; do
+  # shellcheck disable=SC2086
+  STUB_IMAGE="cut" draw $out figures/fig01_short.gp && fail "$out is cut and not noticed"
+  said 'cut short' "$out: the reason is not said"
+  ! ls cut.[sp]* >/dev/null 2>&1 || fail "$out stays"
+done
+
+# The tools themselves, and a disk that is really full, where we may mount one.
+PATH=$plain
+printf 'set terminal svg\nset output out\nplot for [k=1:20] sin(k*x)\n' > curve.gp
+printf 'import sys\nopen(sys.argv[2], "w").write("x" * 99999 + "</svg>")\n' > curve.py
+! mount -t tmpfs -o size=20k tmpfs "$scratch/small" 2>/dev/null || mounted=yes
+for script in curve.py curve.gp; do
+  draw good.svg data $script || fail "$script is not drawn"
+  [ -z "$mounted" ] || ! draw "$scratch/small/full.svg" data $script || fail "$script: a full disk is not noticed"
+  [ -z "$(ls "$scratch/small")" ] || fail "$script: a cut drawing stays"
+done
+{ draw good.pdf good.svg && draw good.png good.svg; } || fail "no PDF or PNG"
+
+# A python without numpy and matplotlib: a script, which imports draw first, says which module it lacks, and how to get it.
+echo 'import sys; sys.modules.update(numpy=None, matplotlib=None)' > sitecustomize.py
+for script in "$root"/figures/[!d]*.py "$root"/beyond/figures/*.py "$root/python/notebooks.py"; do
+  [ -f "$script" ] || continue  # volume two may be left out
+  PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$PWD:$root/figures" "$PYTHON" "$script" > "$scratch/out" 2>&1 && fail "$script draws without matplotlib"
+  [ "$(grep -cx '[a-z]*: .* has no module [a-z]* (Debian: python3-[a-z]*; PYTHON=.*)' "$scratch/out") $(wc -l < "$scratch/out")" = "1 1" ] ||
+    fail "$script does not say in one line what is missing"
+done

@@ -1,0 +1,217 @@
+// ECSV: what is written is read back, bit by bit, and no half file is left.
+
+#include "report/table.hpp"
+
+#include <cstring>
+#include <random>
+#include <sstream>
+#include <utility>
+
+#include "support/check.hpp"
+
+using namespace lattice;
+
+TEST_CASE("a table survives the round trip", "[unit][table]") {
+  Table table{number("x", "a number, with 'quotes'", "m"), count("k", "a count"),
+              label("s", "a text")};
+  table.meta = {{"program", "test"}, {"command", "test --a 'b c', d}"}};
+  table.add({0.1, std::int64_t(-3), std::string("plain")});
+  table.add({-5e-324, std::int64_t(1) << 60, std::string("comma, \"quote\" # hash")});
+  table.add({std::nan(""), std::int64_t(0), std::string()});
+  std::istringstream in(to_text(table));
+  const Table back = from_text(in);
+  REQUIRE(back.columns.size() == 3);
+  CHECK(back.columns[0].description == "a number, with 'quotes'");
+  CHECK(back.columns[0].unit == "m");
+  CHECK(back.meta == table.meta);
+  CHECK(back.texts("s") == table.texts("s"));
+  const auto x = back.numbers("x"), y = table.numbers("x");
+  CHECK(std::memcmp(x.data(), y.data(), 2 * sizeof(double)) == 0);
+  CHECK(std::isnan(x[2]));
+  CHECK(std::get<std::int64_t>(back.rows[1][1]) == std::int64_t(1) << 60);
+  CHECK(to_text(back) == to_text(table));
+}
+
+TEST_CASE("rows must fit, columns must exist", "[unit][table]") {
+  Table table{number("x", "")};
+  CHECK_THROWS_AS(table.add({std::int64_t(1)}), std::invalid_argument);
+  CHECK_THROWS_AS(table.add({1.0, 2.0}), std::invalid_argument);
+  CHECK_THROWS_AS(table.numbers("y"), std::out_of_range);
+  std::istringstream ragged(
+      "# - {name: 'x', unit: '', datatype: float64, description: ''}\nx\n1,2\n");
+  CHECK_THROWS_AS(from_text(ragged), std::runtime_error);
+}
+
+TEST_CASE("a table that was cut or edited is refused", "[unit][table]") {
+  Table table{{number("x", "a number"), count("k", "a count"), label("s", "a text")}};
+  table.add({1.5, std::int64_t(2), std::string("a \"b\", c")});
+  const std::string good = to_text(table);
+  const auto refused = [](const std::string& text) {
+    std::istringstream in(text);
+    return !refusal<std::runtime_error>([&] { from_text(in); }).empty();
+  };
+  const auto with = [&](const std::string& old, const std::string& fresh) {
+    std::string text = good;
+    const auto at = text.find(old);
+    REQUIRE(at != std::string::npos);
+    return text.replace(at, old.size(), fresh);
+  };
+  CHECK_FALSE(refused(good));
+  // Cut anywhere but behind the names and behind the row
+  const std::size_t names = good.find("x,k,s\n") + 6;
+  for (std::size_t n = 0; n < good.size(); ++n)
+    if (n != names) {
+      CAPTURE(n, good.substr(0, n));
+      CHECK(refused(good.substr(0, n)));
+    }
+  const std::pair<const char*, const char*> edits[] = {
+      {"x,k,s", "x,s,k"},   {"x,k,s", "x,k"},     {"1.5,2", "1.5,2.5"},
+      {"1.5,2", "1_5,2"},   {"1.5,2", " 1.5,2"},  {"1.5,2", "1.5,"},
+      {"1.5,2", "1.5,2,2"}, {"1.5,2", "1e999,2"}, {"1.5,2", "0x1,2"},
+      {"1.5,2", "1.5"},     {"1.5,2", "1.5,2\r"}, {"\"a \"\"", "a \"\""},
+      {"c\"\n", "c\n"},     {"c\"\n", "c\"d\n"},  {"1.5,2", "1.5,99999999999999999999"}};
+  for (const auto& [old, fresh] : edits) {
+    CAPTURE(old, fresh);
+    CHECK(refused(with(old, fresh)));
+  }
+}
+
+// Bytes lost, doubled, changed or moved: a text is refused as what it is, or its rows fit its columns
+TEST_CASE("no text makes the reader of tables fail otherwise", "[property][table]") {
+  Table table{{number("x", "it's a number"), count("k", "a count"), label("s", "a text")}};
+  table.meta = {{"program", "test"}};
+  for (int i = 0; i < 4; ++i)
+    table.add({0.1 * i, std::int64_t(i), std::string(i % 2 ? "plain" : "a \"b\", c # d")});
+  const std::string good = to_text(table), letters = "\"',\n#{}:-+.0eE\r\\ na\x80\xff";
+  std::mt19937 chance(20130601);
+  const auto any = [&](std::size_t below) { return std::size_t(chance() % below); };
+  std::size_t read = 0, refused = 0;
+  for (int k = 0; k < 3000; ++k) {
+    std::string text = good;
+    for (std::size_t edits = 1 + any(4); edits > 0 && !text.empty(); --edits) {
+      const std::size_t at = any(text.size()), length = any(12), kind = any(5);
+      if (kind == 0) text.erase(at, length);
+      if (kind == 1) text.insert(at, text.substr(any(text.size()), length));
+      if (kind == 2) text[at] = letters[any(letters.size())];
+      if (kind == 3) text[at] = char(any(256));
+      if (kind == 4) text.insert(at, 1, letters[any(letters.size())]);
+    }
+    CAPTURE(k, text);
+    try {
+      std::istringstream in(text);
+      const Table got = from_text(in);
+      ++read;
+      for (const auto& row : got.rows) {
+        bool fits = row.size() == got.columns.size();
+        for (std::size_t c = 0; fits && c < row.size(); ++c)
+          fits = row[c].index() == std::size_t(got.columns[c].kind);
+        REQUIRE(fits);
+      }
+    } catch (const std::runtime_error&) {
+      ++refused;
+    }
+  }
+  CHECK(read > 300);
+  CHECK(refused > 300);
+}
+
+TEST_CASE("the checksum of a table is the CRC-32 of its rows", "[unit][table]") {
+  CHECK(rows_sum("123456789") == "cbf43926");  // the check value of this code
+  CHECK(rows_sum("# a header\n123456789") == "cbf43926");
+  CHECK(rows_sum("# a header\n12345678\n9") != rows_sum("12345678\n"));
+  CHECK(rows_sum("x\n1 # 2\n") != rows_sum("x\n1 # 3\n"));
+}
+
+TEST_CASE("writing where it cannot leaves nothing", "[unit][table]") {
+  const Table table{number("x", "")};
+  CHECK_THROWS_AS(write("/nonexistent/folder/x.ecsv", table), std::runtime_error);
+  const auto path = std::filesystem::temp_directory_path() / "lattice_table_test.ecsv";
+  write(path, table);
+  CHECK(std::filesystem::exists(path));
+  CHECK_FALSE(std::filesystem::exists(path.string() + ".part"));
+  std::filesystem::remove(path);
+}
+
+TEST_CASE("a line break is refused when written and when read", "[unit][table]") {
+  const auto with = [](const std::string& cell, const std::string& meta, const std::string& unit) {
+    Table table{Column{"s", unit, "a text", Kind::text}};
+    table.add({cell});
+    table.meta = {{"command", meta}};
+    return to_text(table);
+  };
+  CHECK_NOTHROW(with("a, \"b\" # c", "d", "m"));
+  CHECK_THROWS_AS(with("two\nlines", "", ""), std::invalid_argument);
+  CHECK_THROWS_AS(with("return\r", "", ""), std::invalid_argument);
+  CHECK_THROWS_AS(with("", "two\nlines", ""), std::invalid_argument);
+  CHECK_THROWS_AS(with("", "", "two\nlines"), std::invalid_argument);
+  const auto path = std::filesystem::temp_directory_path() / "lattice_break_test.ecsv";
+  Table table{label("s", "")};
+  table.add({std::string("two\nlines")});
+  CHECK_THROWS(write(path, table));
+  CHECK_FALSE(std::filesystem::exists(path));
+  std::istringstream broken(
+      "# - {name: 's', unit: '', datatype: string, description: ''}\ns\n\"two\nlines\"\n");
+  const auto said = refusal<std::runtime_error>([&] { from_text(broken); });
+  CHECK(said.find("line break") != std::string::npos);
+}
+
+TEST_CASE("numbers are read in one way", "[unit][table]") {
+  for (const char* text : {"31", "031", "+31", "31.0", "3.1e1", "3.1e+01"}) {
+    CAPTURE(text);
+    REQUIRE(parse_number(text));
+    CHECK(*parse_number(text) == 31);
+  }
+  CHECK(*parse_number("-1.5e-3") == -1.5e-3);
+  CHECK(*parse_number("0.1") == 0.1);
+  for (const char* text : {"", " ", "1 ", " 1", "1,5", "0x1f", "1e", "--1", "+-1", "+", "one"}) {
+    CAPTURE(text);
+    CHECK_FALSE(parse_number(text));
+  }
+  CHECK(short_text(1e6) == "1000000");
+  CHECK(short_text(-0.1) == "-0.1");
+  CHECK(short_text(1e-6) == "1e-06");
+}
+
+TEST_CASE("a number that is written is the number that is read", "[property][table]") {
+  CHECK(number_text(0.1 + 0.2) == "0.30000000000000004");
+  for (double x = 1; std::abs(x) < 1e200; x *= -1.7636684144902381) {
+    const auto read = parse_number(number_text(1 / x));
+    REQUIRE(read);
+    REQUIRE(*read == 1 / x);
+  }
+}
+
+TEST_CASE("an estimate brings the column of its error", "[unit][table]") {
+  Table table{count("n", "site"), estimate("speed", "of the packet", "site per unit of time"),
+              estimate("force", "of a contact", "", "against the largest"), label("how", "word")};
+  REQUIRE(table.columns.size() == 6);
+  CHECK(table.columns[1].name == "speed");
+  CHECK(table.columns[2].name == "speed_error");
+  CHECK(table.columns[2].unit == "site per unit of time");
+  CHECK(table.columns[2].description == "difference of two resolutions");
+  CHECK(table.columns[4].description == "against the largest");
+  table.add({3U, Estimate{1.5, 0.25}, exact(2), "fast"});
+  CHECK(table.numbers("n")[0] == 3);
+  CHECK(table.numbers("speed_error")[0] == 0.25);
+  CHECK(table.numbers("force_error")[0] == 0);
+  CHECK(table.texts("how")[0] == "fast");
+  CHECK_THROWS_AS(table.add({3, 1.5, exact(2), "fast"}), std::invalid_argument);
+  CHECK_THROWS_AS(table.add({3.0, exact(1), exact(2), "fast"}), std::invalid_argument);
+}
+
+TEST_CASE("rows are filled in their order", "[unit][table]") {
+  std::vector<double> x(1000);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = double(i);
+  Table table{number("x", "a number"), number("square", "its square")};
+  table.add({-1.0, 1.0});
+  table.fill(x, [](double y) { return Cells{y, y * y}; });
+  REQUIRE(table.rows.size() == 1001);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    REQUIRE(table.numbers("x")[i + 1] == x[i]);
+    if (i > 20) break;
+  }
+  CHECK(table.numbers("square").back() == 999.0 * 999.0);
+  table.fill(std::vector<double>{}, [](double y) { return Cells{y, y}; });
+  CHECK(table.rows.size() == 1001);
+  CHECK_THROWS_AS(table.fill(x, [](double y) { return Cells{y}; }), std::invalid_argument);
+}
