@@ -21,7 +21,7 @@ import sys
 import warnings
 from fractions import Fraction
 
-sys.path[:0] = [os.path.abspath(sys.argv[1]), os.path.join(os.path.dirname(os.path.abspath(__file__)), "../tests")]
+sys.path[:0] = [os.path.abspath(sys.argv[1]), os.path.join(os.path.dirname(os.path.abspath(__file__)), "../tests/programs")]
 import lattice  # noqa: E402
 import numpy as np  # noqa: E402
 from fuzz import SIZES, good_value  # noqa: E402
