@@ -29,29 +29,28 @@ from fuzz import SIZES, good_value  # noqa: E402
 SECONDS = 30 * float(os.environ.get("LATTICE_SLACK", "1"))
 MOST = 2 << 30  # bytes
 MOST_STIFF = {"alpha": 3, "precompression": 2}  # contacts that are stiffer take very many steps
-FUNCTIONS = ["strike", "strike", "breather", "multipliers", "barrier", "dps"]
-METHODS = ["Chain", "evolve", "evolve", "evolve", "energy_density", "accelerations", "strike a chain", "Well", "Contact", "pickle"]
-ODD = [math.nan, math.inf, -math.inf, 0, -0.0, -1, 1, 1e-3, 5e-324, 1e-100, -1e-9, 1e5, 1e20, 1e308, -1e308, 0.5, 2**31, 2**63,
-       2**64, 10**18, 10**400, -(10**5000), Fraction(1, 3), Fraction(10**400), np.float64(0.5), np.int8(3), np.longdouble("1e4000"),
-       None, True, np.True_, "", "x", "1/0", "nan", "1\n2", "\0", "\udcff", "é", "9" * 5000, b"1", 1j, [1], [[1, 2], [3]], [], {},
-       print, object(), np.ones(3), np.ones(100000), list(range(100000)), np.array(None), np.array([None, 1], object),
-       np.array(["a"]), ..., np.datetime64("2020-01-01"), type, np.array(2.0), (n for n in range(3)), np.ma.masked, memoryview(b"1")]
+CALLS = ["strike", "strike", "breather", "multipliers", "barrier", "dps", "chain", "pickle", "evolve", "evolve", "evolve",
+         "accelerations", "energy_density"]
+ODD = [math.nan, math.inf, -math.inf, 0, -0.0, -1, 1e-3, 5e-324, -1e-9, 1e5, 1e20, 1e308, -1e308, 2**31, 2**63, 2**64, 10**400,
+       -(10**5000), Fraction(1, 3), Fraction(10**400), np.int8(3), np.longdouble("1e4000"), None, True, np.True_, "", "x", "1/0",
+       "nan", "1\n2", "\0", "\udcff", "é", "9" * 5000, b"1", 1j, [1], [[1, 2], [3]], [], {}, print, object(), np.ones(100000),
+       np.array(None), np.array([None, 1], object), np.array(["a"]), ..., np.datetime64("2020-01-01"), type, np.array(2.0),
+       (n for n in range(3)), np.ma.masked, memoryview(b"1")]
 
 
 class Mine(Exception):
-    """What an own potential raises."""
+    """What a potential of one's own raises."""
 
 
 def raises(y):
     raise Mine("mine")
 
 
-# Potentials of one's own: three functions each, and what people give instead of one
-WELLS = [[lambda y: y * y / 2, lambda y: -y, np.ones_like], [lambda y: 2 * np.sinh(y / 2) ** 2, lambda y: -np.sinh(y), np.cosh]]
-CONTACTS = [[lambda r: np.maximum(-r, 0) ** 3 / 3, lambda r: np.maximum(-r, 0) ** 2, lambda r: 2 * np.maximum(-r, 0)]]
-WRONG = [None, 5, "x", raises, lambda y: y[:-1], lambda y: None, lambda y: 1.0, lambda y: y * math.nan, lambda y: y + 0j,
+# A well of one's own: three functions, and what people give instead of one
+WELL = [lambda y: 2 * np.sinh(y / 2) ** 2, lambda y: -np.sinh(y), np.cosh]
+WRONG = [None, 5, raises, lambda y: y[:-1], lambda y: None, lambda y: 1.0, lambda y: y * math.nan, lambda y: y + 0j,
          lambda y: 1.5 * y, lambda: 1, lambda y: np.zeros((3, 3)), lambda y: y * 1e300 * 1e300, lambda y: np.array([None] * len(y)),
-         lambda y: list(y), lambda y: np.where(abs(y) < 1.01, -y, math.nan)]
+         lambda y: list(y), lambda y: np.where(abs(y) < 1.01, -np.sinh(y), math.nan)]
 
 
 class Call:
@@ -61,18 +60,18 @@ class Call:
         self.chance = random.Random(f"{seed} {number}")
         self.share = self.chance.choice([0, 0, 0, 0.1, 0.3, 1])  # of odd arguments
         self.said = []
-        self.what = self.chance.choice(FUNCTIONS + METHODS)
+        self.what = self.chance.choice(CALLS)
 
-    def odd(self):
-        return self.chance.random() < self.share
+    def either(self, *right, odd=ODD):
+        """One of the right values, or an odd one."""
+        return self.chance.choice(odd if self.chance.random() < self.share else right)
 
-    def note(self, **arguments):
+    def some(self, share=1, **arguments):
+        """These arguments, which are noted, or none."""
+        if self.chance.random() >= share:
+            return {}
         self.said += [f"{name}={lattice._short(value)}" for name, value in arguments.items()]
         return arguments
-
-    def either(self, *right):
-        """One of the right values, or an odd one."""
-        return self.chance.choice(ODD) if self.odd() else self.chance.choice(right)
 
     def option(self, name, allowed):
         """A value that is declared as allowed, and cheap."""
@@ -83,90 +82,57 @@ class Call:
         return self.either(x, float(x), np.float64(x), Fraction(x))
 
     def options(self, command, without=()):
-        out = {name: self.option(name, allowed) for name, flag, allowed, *_ in lattice._lattice.options[command]
-               if not flag and name not in without and (self.chance.random() < 0.3 or name in SIZES)}
-        if self.odd() and self.chance.random() < 0.3:
-            out[self.chance.choice(["bogus", "", "x" * 1000, "a b", "s=1 --s", "help", "\udcff"])] = self.chance.choice(ODD)
-        return self.note(**out)
+        out = {}
+        for name, flag, allowed, *_ in lattice._lattice.options[command]:
+            if not flag and name not in without:
+                out |= self.some(1 if name in SIZES else 0.3, **{name: self.option(name, allowed)})
+        return out | self.some(self.share / 3, **{self.chance.choice(["bogus", "", "x" * 1000, "a b", "s=1 --s", "help", "\udcff"]): 1})
 
-    def numbers(self, count, scale=1.0):
+    def numbers(self, count, scale):
         """A row, as people write one."""
-        chance, x = self.chance, np.zeros(count)
-        x[:max(1, count // 3)] = [chance.gauss(0, scale) for _ in range(max(1, count // 3))]
-        if self.odd():
-            hole = x.copy()
-            hole[chance.randrange(count)] = chance.choice([math.nan, math.inf, 1e20, 1e300, 1e-310, 1e5])
-            return chance.choice([chance.choice(ODD), x[:chance.randrange(count)], [x] * chance.choice([0, 1, 3]), hole])
-        return chance.choice([np.asarray, list, tuple, lambda a: a.astype(np.float32), lambda a: a.astype(np.longdouble),
-                              lambda a: np.array(list(a), object), lambda a: np.repeat(a, 2)[::2]])(x)
-
-    def own(self, kind, rows, **numbers):
-        """A potential of one's own."""
-        right = list(self.chance.choice(rows))
-        if self.odd():
-            right[self.chance.randrange(3)] = self.chance.choice(WRONG)
-        self.note(**{kind.__name__: "one's own"})
-        return kind(*right, **{name: self.either(value) for name, value in numbers.items()})
+        x = np.zeros(count)
+        x[:max(1, count // 3)] = [self.chance.gauss(0, scale) for _ in range(max(1, count // 3))]
+        hole = np.where(np.arange(count) == self.chance.randrange(count), self.chance.choice([math.nan, 1e20, 1e300, 1e-310]), x)
+        return self.either(x, list(x), tuple(x), x.astype(np.float32), x.astype(np.longdouble), np.repeat(x, 2)[::2],
+                           odd=[self.chance.choice(ODD), x[:-1], [x] * 3, [], hole])
 
     def well(self):
-        return self.own(lattice.Well, WELLS, rim=math.inf)
+        functions = list(WELL)
+        functions[self.chance.randrange(3)] = self.either(*WELL, odd=WRONG)
+        return lattice.Well(*self.either(WELL, odd=[functions]), rim=self.either(math.inf))
 
-    def contact(self):
-        return self.own(lattice.Contact, CONTACTS, exponent=2, opening=0)
-
-    def chain(self, sites=True):
-        chance, options = self.chance, self.options("Chain", without=("sites",))
-        own = chance.random() < 0.2
-        if own:
-            options |= {"well": self.well()}
-            options.pop("s", None)
-            options |= {"contact": self.contact()} if chance.random() < 0.5 else {}
-        if sites or chance.random() < 0.8:
-            options |= self.note(sites=self.either(2, 3, 5, 8, 20))
+    def chain(self, sites=1.0):
+        own = self.chance.random() < 0.2
+        options = self.options("Chain", without=("sites",) + ("well", "s") * own) | ({"well": self.well()} if own else {})
+        options |= self.some(sites, sites=self.either(2, 3, 5, 8, 20))
         # Light beads take very many steps, which is long where each of them calls Python
         for name in ("mass", "eta"):
-            if chance.random() < 0.3:
-                options |= self.note(**{name: self.either(1, 2.5, [1], [1, 0.5], (2, 1, 1), range(1, 4), [0.01] if own else [1e-5])})
+            options |= self.some(0.3, **{name: self.either(1, 2.5, [1], [1, 0.5], (2, 1, 1), range(1, 4), [0.01] if own else [1e-5])})
         return lattice.Chain(**options)
 
     def run(self):
         """Makes the call; returns what came back."""
-        what = self.what
-        if what in ("Chain", "Well", "Contact"):
-            return getattr(self, what.lower())()
-        if what == "pickle":
+        if self.what == "pickle":
             chain = self.chain()
-            again = chain if chain._well or chain._contact else pickle.loads(pickle.dumps(chain, self.chance.choice([2, 3, 4, 5])))
+            again = chain if chain._well else pickle.loads(pickle.dumps(chain, self.chance.choice([2, 3, 4, 5])))
             assert repr(again) == repr(chain) and np.array_equal(again.eta, chain.eta), "another chain comes back"
             return again
-        if what == "strike a chain":
-            options = self.options("strike", without=[o[0] for o in lattice._lattice.options["Chain"]])
-            return lattice.strike(self.chain(sites=False), **options)
-        if what in METHODS:
-            return self.moved(self.chain())
-        options = self.options(what)
-        if what in ("breather", "multipliers") and self.odd():
-            options |= {"well": self.well()}
-        if what != "dps" and self.odd():
-            options["chain"] = self.chance.choice(ODD)
-        return getattr(lattice, what)(**options)
-
-    def moved(self, chain):
-        chance, sites = self.chance, chain.sites or 3
-        state = self.note(y=self.numbers(sites, 0.3), v=self.numbers(sites))
+        if self.what == "chain":
+            return lattice.strike(self.chain(sites=0.2), **self.options("strike", without=[o[0] for o in lattice._lattice.options["Chain"]]))
+        if self.what in CALLS[:6]:
+            return getattr(lattice, self.what)(**self.options(self.what))
+        chain = self.chain()
+        sites = chain.sites or 3
+        state = self.some(y=self.numbers(sites, 0.3), v=self.numbers(sites, 1.0))
         if self.what != "evolve":
-            state = {name: [row] * 3 for name, row in state.items()} if chance.random() < 0.4 else state
             return chain.accelerations(state["y"]) if self.what == "accelerations" else chain.energy_density(**state)
-        rest = {"time": self.either(0.1, 3, 20, 20.5, 7)}
-        rest |= {"sample": self.either(0.01, 0.2, 1, 100)} if chance.random() < 0.5 else {}
-        rest |= {"tolerance": self.either(1e-2, 1e-6, 1e-9)} if chance.random() < 0.5 else {}
-        driven = chance.random() < 0.3 and hasattr(lattice, "drive")  # volume two has it
-        if driven:
-            rest |= {"damping": self.either(0, 0.1, 2), "force": self.either(0, 0.3), "frequency": self.either(0, 1.1)}
+        rest = self.some(time=self.either(0.1, 3, 20, 20.5)) | self.some(0.5, sample=self.either(0.01, 0.2, 1, 100))
+        rest |= self.some(0.5, tolerance=self.either(1e-2, 1e-6, 1e-9))
+        if driven := self.chance.random() < 0.3 and hasattr(lattice, "drive"):  # volume two has it
+            rest |= self.some(damping=self.either(0, 0.1, 2), force=self.either(0, 0.3), frequency=self.either(0, 1.1))
         most = 1e3 if chain.sites < 100 else 1
         if isinstance(rest["time"], (int, float)) and most < rest["time"] <= 1e9:
             rest["time"] = most
-        self.note(**rest)
         found = lattice.drive(chain, **state, **rest) if driven else chain.evolve(**state, **rest)
         self.asked = float(rest["time"]), len(state["y"])
         return found
