@@ -7,8 +7,7 @@ The options are those that `--help` declares, with their ranges. Half of the val
 from their small ends, so that a run is short; the others are what people mistype, and what nobody does. Asked is of
 every answer: exit code 0, 1 or 2 and no signal, within thirty seconds (times LATTICE_SLACK); a complaint is one line and
 comes without a table; a table can be read, and holds a nan only where a description or a reason says so; nothing is left
-behind but the file that was asked for. A command that is mistyped is answered with the nearest one. Line number k of a
-seed is always the same."""
+behind but the file that was asked for. Line number k of a seed is always the same."""
 
 import concurrent.futures
 import math
@@ -83,14 +82,6 @@ def good_value(chance, name, kind):
     return repr(math.floor(x) if whole else min(max(x, least), most))
 
 
-def mistyped(chance, word):
-    """One letter lost, doubled, replaced or exchanged with its neighbour."""
-    k = chance.randrange(len(word))
-    letter = chance.choice("abcdefghijklmnopqrstuvwxyz")
-    return chance.choice([word[:k] + word[k + 1:], word[:k] + letter + word[k:], word[:k] + letter + word[k + 1:],
-                          word[:k] + word[k:k + 2][::-1] + word[k + 2:]])
-
-
 class Line:
     """One command line, and what is expected of the answer."""
 
@@ -100,9 +91,6 @@ class Line:
         self.program, name = chance.choice([(program, name) for program, name in pairs if name or chance.random() < 0.1])
         options = known[self.program][name]
         self.words, self.output = [name] if name else [], None
-        self.mistyped = bool(name) and chance.random() < 0.1 and (typed := mistyped(chance, name)) not in known[self.program]
-        if self.mistyped:
-            self.words = [typed]
         share = chance.choice([0, 0, 0, 0.3, 1])  # of bad values in this line
         asked = {option for option in options if chance.random() < 0.4} | {o for o in options if o in SIZES or o in LOOSE}
         for option in sorted(asked - FREE, key=lambda _: chance.random()):
@@ -116,14 +104,11 @@ class Line:
             self.words += ["--output", self.output]
 
     def add(self, chance, option, kind, bad):
-        if kind == "flag":
-            self.words.append("--" + option + (chance.choice(["", "=yes", "=", "x"]) if bad else ""))
-            return
-        value = chance.choice(BAD) if bad else good_value(chance, option, kind)
-        if chance.random() < 0.2:
-            self.words.append(f"--{option}={value}")
+        value = chance.choice(BAD) if bad else "" if kind == "flag" else good_value(chance, option, kind)
+        if kind == "flag" and not bad:
+            self.words += ["--" + option]
         else:
-            self.words += ["--" + option] + ([value] if not bad or chance.random() < 0.95 else [])
+            self.words += [f"--{option}={value}"] if chance.random() < 0.2 else ["--" + option, value][:1 + (chance.random() < 0.95)]
 
 
 def in_table(table):
@@ -148,9 +133,6 @@ def complaints(line, code, out, errors, left):
             yield f"is refused in {errors.count(chr(10))} lines and leaves {left or out and 'a table' or 'nothing'}"
         if "without a reason" in errors or "has no meaning" in errors:
             yield "forgets what its own table must say"
-        near = re.search(r"did you mean '([\w-]+)'", errors)
-        if line.mistyped and "there is no such command" in errors and not near:
-            yield f"does not say which command is the nearest to '{line.words[0]}'"
     else:
         if errors or left != ([line.output] if line.output else []):
             yield f"succeeds, complains of '{errors}' and leaves {left}"
@@ -163,10 +145,10 @@ def tried(line, folder):
         resource.setrlimit(resource.RLIMIT_CPU, (math.ceil(SECONDS), math.ceil(SECONDS) + 5))
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     with tempfile.TemporaryDirectory() as scratch:
-        words = [os.path.join(folder, line.program), *line.words]
+        words = [os.fsencode(word) for word in (os.path.join(folder, line.program), *line.words)]
         try:
-            done = subprocess.run([os.fsencode(word) for word in words], cwd=scratch, capture_output=True, preexec_fn=limited,
-                                  stdin=subprocess.DEVNULL, timeout=60 * SECONDS, check=False)
+            done = subprocess.run(words, cwd=scratch, capture_output=True, preexec_fn=limited, stdin=subprocess.DEVNULL,
+                                  timeout=60 * SECONDS, check=False)
             code, out, errors = done.returncode, done.stdout.decode("utf8", "replace"), done.stderr.decode("utf8", "replace")
         except subprocess.TimeoutExpired:
             code, out, errors = "hangs", "", ""
@@ -182,8 +164,7 @@ def tried(line, folder):
 
 def main():
     folder = os.path.abspath(sys.argv[1])
-    count = int(sys.argv[2]) if len(sys.argv) > 2 else 100
-    seed = int(sys.argv[3]) if len(sys.argv) > 3 else 1
+    count, seed = [int(word) for word in sys.argv[2:4]] + [100, 1][len(sys.argv[2:4]):]
     programs = sorted(name for name in os.listdir(folder) if name.startswith("sec"))
     known = {name: declared(os.path.join(folder, name)) for name in programs}
     for name in LONG:  # only refused: a single point of these is more than a moment
