@@ -1,9 +1,10 @@
-"""Which chapters explain a claim, what they cost, where a claim is tested, and the commands that compute one number."""
+"""What chapters cost, where a claim is tested, and the commands that compute one number. Which chapters explain a
+claim stands in the README, where test_refresh.py notices a change."""
 
 import unittest
 from unittest import mock
 
-from lineage import chapters, ecsv, refresh
+from lineage import chapters, ecsv
 from lineage.claims import by_name, program_of, programs_of, read_claims
 from lineage.lock import quoted, read_lock
 from lineage.volumes import joined, volumes
@@ -25,15 +26,6 @@ class Chapters(Scratch):
         self.write("build/report/cost/sec1_demo", "soon")
         self.refuses("refresh", "cost/sec1_demo: no time in seconds")
 
-    def test_what_is_missed_names_the_chapters_that_explain_it(self):
-        """Those whose facts the reason quotes, or the reason of a claim that it names: nobody types them."""
-        claim = {"answer": "sec1_demo.x", "criterion": "", "covered_by": "", "reason": "As {sec2_why.fact} and {a.one}, by {sec1_demo.fact}."}
-        claims = {"a.one": claim, "a.o": claim | {"reason": "No a.one_more."}, "b.two": claim | {"reason": "As for a.one: so."},
-                  "c.three": claim | {"answer": "", "criterion": "sec3_own.y > 1", "reason": "", "covered_by": "b.two^2"}}
-        for id, programs in [("a.one", "sec1_demo sec2_why"), ("a.o", "sec1_demo"), ("b.two", "sec1_demo sec2_why"),
-                             ("c.three", "sec3_own sec1_demo sec2_why")]:
-            self.assertEqual(chapters.explained_by(id, claims), programs.split(), id)
-
 
 class Here(unittest.TestCase):
     @of_volume
@@ -48,15 +40,6 @@ class Here(unittest.TestCase):
         self.assertEqual(sorted(set(tests) - set(read_claims(ROOT))), [])
         self.assertGreater(len(tests), 50)
         self.assertTrue(all("TEST_CASE" in lines[line - 1] for line in tests.values()))
-
-    def test_every_discrepancy_names_its_chapters_with_command_and_cost(self):
-        claims, costs, readme = read_claims(ROOT), chapters.read_costs(ROOT), ecsv.text_of(ROOT / "README.md")
-        for id in (id for id, claim in claims.items() if claim["reason"]):
-            see = refresh.see(id, claims, costs, chapters.read_commands(ROOT))
-            if claims[id]["status"] == "discrepant":
-                self.assertIn(f"{see} |", readme)
-            for program in chapters.explained_by(id, claims):
-                self.assertIn(f"[`build/bin/{program}`](src/{program}.cpp) ({chapters.shown_cost(costs[program])} s)", see)
 
     def test_commands_that_compute_one_number_exist(self):
         known = by_name(joined(read_lock, volumes(ROOT)), read_claims(ROOT))

@@ -137,9 +137,8 @@ class Here(unittest.TestCase):
     def test_what_is_plotted_is_known_to_one_per_cent_and_says_where_it_comes_from(self):
         for values, errors, note, count in [
                 ([1, 1e-6], [1e-3, 1e-9], "", 0), ([1, 1e-6], [1e-3, 1e-7], "", 1), ([1, 1e-6], [1e-3, 1e-7], "against the largest", 0),
-                ([1, -0.5, 1e-4, 0.5], [1e-3] * 4, "against the neighbouring rows", 0),
                 ([1, 1e-3, 1e-6, 1e-9], [1e-4] * 4, "against the neighbouring rows", 1), ([1, 1e-6], [1e-3, 2e-2], "relative", 1),
-                ([nan], [nan], "nan", 1), ([1, nan], [1e-3, nan], "", 1), ([1, 1], [0, 0], "", 1), ([1, 1], [0, 0], "exact", 0)]:
+                ([nan], [nan], "nan", 1), ([1, nan], [1e-3, nan], "", 1), ([1, 1], [0, 0], "", 1)]:
             columns = [ecsv.Column("x", "float64", "a quantity"), ecsv.Column("x_error", "float64", note)]
             self.assertEqual(len(list(doubts(columns, list(zip(values, errors))))), count, (values, errors, note))
         paths = sorted((ROOT / "build/data").glob("*/[!.]*.ecsv"))

@@ -1,6 +1,5 @@
 """Numbers in prose and the tables of the pages: what is renewed, what is refused, and that nothing here is stale."""
 
-import re
 import unittest
 
 from lineage import ecsv, refresh
@@ -51,23 +50,6 @@ class Refreshing(Scratch):
         self.write("build/report/cost/sec1_demo", "9.1\n")
         self.assertIn("renewed", self.lineage("refresh")[1])
         self.assertIn("(9 s)", self.read("README.md"))
-
-    def test_the_tables_of_a_page_have_the_verdicts_that_were_given(self):
-        self.judged("follows")
-        self.write("README.md", self.read("README.md") + "<!-- summary -->\n<!-- /summary -->\n")
-        self.assertEqual(self.lineage("refresh")[0], 0)
-        self.assertEqual(re.findall(r"^\| (\w+) \| (\d+) \| \w", page := self.read("README.md"), re.M), [("holds", "1"), ("follows", "1")])
-        self.assertNotIn("`a.one`", page)  # no longer discrepant
-
-    def test_modules_are_drawn_as_cmake_links_them(self):
-        self.write("CONTRIBUTING.md", "<!-- modules -->\n<!-- /modules -->\n")
-        self.lineage("refresh")
-        self.assertEqual(self.read("CONTRIBUTING.md").count("\n"), 2)  # nothing is configured
-        self.write("build/CMakeFiles/Export/1f/lattice-targets.cmake", "".join(
-            f"add_library(lattice::{name} STATIC IMPORTED)\n\n  INTERFACE_LINK_LIBRARIES \"lattice::flags;{links}\"\n"
-            for name, links in [("low", "m"), ("orbit", "lattice::low;lattice::mid;lattice::mid"), ("mid", "lattice::low")]))
-        self.lineage("refresh")
-        self.assertIn("```\norbit  mid\n\nmid    low\n\nlow\n```", self.read("CONTRIBUTING.md"))
 
     def test_what_is_quoted_must_be_locked(self):
         self.write("src/sec1_demo.cpp", "/** [](num:sec1_demo.other) */\n")
