@@ -9,7 +9,6 @@ table of CONTRIBUTING.md. A line is printed for each, and one that starts with `
 
 import contextlib
 import os
-import pty
 import random
 import re
 import resource
@@ -194,21 +193,6 @@ def unread_report(scratch):
     check(not list(scratch.iterdir()), "something was written")
 
 
-def seen_on_a_terminal(scratch):
-    """Who waits sees how far a run is; where nobody looks nothing is said."""
-    ours, its = pty.openpty()
-    started = subprocess.Popen([BIN / "sec33_mobility", "threshold"], cwd=scratch, stdin=its, stdout=its, stderr=its)
-    os.close(its)
-    said, shown = "", r"threshold \d+ s, thresholds \d+/2"
-    with contextlib.suppress(OSError):  # the end of the program, on Linux
-        while not re.search(shown, said) and (more := os.read(ours, 1000)):
-            said += more.decode()
-    started.kill()
-    started.wait()
-    os.close(ours)
-    check(re.search(shown, said), f"a search does not show how far it is: {said[-300:]}")
-
-
 def little_memory(scratch):
     """A long run keeps two states and not its history."""
     code, said, errors = run([BIN / "sec34_boomeron", "run", "--time", "3000"], cwd=scratch,
@@ -217,7 +201,7 @@ def little_memory(scratch):
 
 
 FAULTS = [interrupted_map, full_disk, read_only] if MAPS else [
-    killed_at_random, full_disk, read_only, closed_channels, unread_report, seen_on_a_terminal, little_memory]
+    killed_at_random, full_disk, read_only, closed_channels, unread_report, little_memory]
 
 
 def main():
