@@ -9,6 +9,7 @@ import math
 import multiprocessing
 import os
 import pickle
+import random
 import re
 import resource
 import signal
@@ -201,6 +202,45 @@ class Refusals(unittest.TestCase):
         self.refused(("stiffness: 1 is not a function", lambda: lattice.Well(energy, force, 1)), kind=TypeError)
         one = lattice.Chain(3, well=lattice.Well(energy, force, lambda y: 1.0))  # a number stands for a row of it
         self.assertEqual(list(one.accelerations([1, 1, 1])), [-1, -1, -1])
+
+
+# What nobody can mean, or hardly
+ODD = [math.nan, math.inf, -math.inf, 0, -0.0, -1, 1e-3, 5e-324, -1e-9, 1e20, 1e308, -1e308, 2**31, 2**63, 2**64, 10**400,
+       -(10**5000), Fraction(1, 3), Fraction(10**400), np.int8(3), np.longdouble("1e4000"), None, True, np.True_, "", "x", "1/0",
+       "nan", "1\n2", "\0", "\udcff", "é", "9" * 5000, b"1", 1j, [1], [[1, 2], [3]], [], {}, object(), np.ones(100000),
+       np.array(None), np.array([None, 1], object), np.array(["a"]), ..., np.datetime64("2020-01-01"), type, np.array(2.0),
+       (n for n in range(3)), np.ma.masked, memoryview(b"1"), [0, 1e300, math.nan, 1e-310], np.ones((3, 4), np.float32)]
+
+
+class Whatever(unittest.TestCase):
+    def test_it_is_answered_with_what_is_known_or_refused_in_one_line(self):
+        """Random calls in which arguments are odd: `tests.py BIN Whatever`, with COUNT and SEED in the environment."""
+        count, chance = int(os.environ.get("COUNT", "400")), random.Random(os.environ.get("SEED", "1"))
+        chain, v = lattice.Chain(4), np.eye(4)[0]
+        calls = [(chain.evolve, {"y": 0 * v, "v": v, "time": 3, "sample": 1, "tolerance": 1e-3}), (chain.accelerations, {"y": v}),
+                 (chain.energy_density, {"y": v, "v": v}), (lattice.Chain, {"sites": 4, "mass": 1, "eta": 1}),
+                 (lattice.Well, {"energy": lambda y: y * y / 2, "force": lambda y: -y, "stiffness": np.ones_like, "rim": 2.0})]
+        calls += [(getattr(lattice, name), dict.fromkeys((o[0].replace("-", "_") for o in options if not o[1]))) for name, options
+                  in lattice._lattice.options.items() if name != "Chain"]
+        kinds = set()
+        for _ in range(count):
+            function, right = chance.choice(calls)
+            odd = {name: chance.choice(ODD) for name in right if chance.random() < 1 / len(right)} or {chance.choice(list(right)): chance.choice(ODD)}
+            given = {name: value for name, value in right.items() if value is not None} | odd
+            with self.subTest(function.__name__, given=lattice._short(odd)), warnings.catch_warnings():
+                warnings.filterwarnings("error", "(?!.*(expm1|longdouble|encountered))")
+                try:
+                    found = function(**given)
+                except (ValueError, TypeError, RuntimeError) as error:
+                    kinds.add(type(error))
+                    self.assertTrue(str(error).isprintable() and 5 <= len(str(error)) <= 400, str(error)[:1000])
+                    self.assertNotRegex(str(error), "std::|bad |incompatible|variant|vector|stod")
+                else:
+                    kinds.add(True)
+                    for name, value in getattr(found, "quantities", {}).items():
+                        self.assertTrue(value.error >= 0 if math.isfinite(value) else math.isnan(value) and value.reason, name)
+                    self.assertRegex(repr(found), r"\A[ -~\n]{1,4000}\Z")
+        self.assertLessEqual({True, ValueError}, kinds)
 
 
 class OwnChains(unittest.TestCase):
