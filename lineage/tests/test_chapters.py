@@ -9,7 +9,7 @@ from lineage.claims import by_name, program_of, programs_of, read_claims
 from lineage.lock import quoted, read_lock
 from lineage.volumes import joined, volumes
 
-from . import ROOT, VOLUME, Scratch, of_volume, table
+from . import ROOT, Scratch, table
 
 
 class Chapters(Scratch):
@@ -28,12 +28,6 @@ class Chapters(Scratch):
 
 
 class Here(unittest.TestCase):
-    @of_volume
-    def test_every_chapter_has_its_cost(self):
-        costs = chapters.read_costs(VOLUME)
-        self.assertEqual(list(costs), programs_of(VOLUME))
-        self.assertTrue(all(seconds >= 0 for seconds in costs.values()))
-
     def test_cases_of_the_article_are_called_after_claims(self):
         """The index of the README and the book leads from a claim to the line of its test."""
         tests, lines = chapters.article_tests(ROOT), ecsv.text_of(ROOT / "tests/article.cpp").split("\n")

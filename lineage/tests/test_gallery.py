@@ -3,25 +3,17 @@
 import importlib.util
 import os
 import shutil
-import sys
 import tempfile
 import unittest
 from pathlib import Path
-from unittest import mock
 
 from lineage import gallery
 from lineage.refresh import read_figures
 
-from . import ROOT, VOLUME, Scratch, of_volume
+from . import ROOT, VOLUME, of_volume
 
 FIGURES = ROOT / "build/figures"
 NAMES = [Path(figure["script"]).stem for figure in read_figures(VOLUME).values()]
-
-
-class Module(Scratch):
-    def test_a_python_that_lacks_it_says_which(self):
-        with mock.patch.dict(sys.modules, {"PIL": None}):
-            self.refuses("gallery", f"lineage gallery: {sys.executable} has no module PIL (Debian: python3-pil; PYTHON=")
 
 
 @of_volume

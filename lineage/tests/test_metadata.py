@@ -74,13 +74,6 @@ class Told(Scratch):
             self.assertEqual(self.read("CITATION.cff").count("date-released"), lines)
             self.assertIn(rf"\define{{meta}}{{edition}}{{{edition}}}", self.read("build/paper/numbers.tex"))
 
-    def test_the_report_says_who_and_where_when_that_is_known(self):
-        known = {"codeRepository": "https://a.org/b", "identifier": "10.5281/zenodo.1",
-                 "author": [{"name": "A B", "email": "mailto:a@b.org"}, {"name": "C"}]}
-        said = metadata.said(metadata.read(ROOT) | known)
-        self.assertEqual([said[x] for x in ("authors", "contact", "repository", "doi")],
-                         ["A B, C", "a@b.org", "https://a.org/b", "10.5281/zenodo.1"])
-
     def test_what_cannot_be_used_is_named(self):
         good = self.read("codemeta.json")
         self.lineage("refresh")

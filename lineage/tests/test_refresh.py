@@ -3,11 +3,8 @@
 import unittest
 
 from lineage import ecsv, refresh
-from lineage.claims import read_claims
-from lineage.chapters import read_costs
-from lineage.lock import read_lock
 
-from . import ROOT, VOLUME, Scratch, finding, of_volume
+from . import VOLUME, Scratch, finding, of_volume
 
 NUMBERS = {"pn.omega11": finding(1.62e-11, 1e-13), "p.x": finding(3)}
 
@@ -61,9 +58,3 @@ class Here(unittest.TestCase):
     def test_nothing_is_stale(self):
         stale = [str(path) for path, text in refresh.fresh_texts(VOLUME, {}) if text != ecsv.text_of(path)]
         self.assertEqual(stale, [], "make refresh")
-
-    def test_every_table_has_a_place(self):
-        claims = read_claims(ROOT)
-        pages = "".join(ecsv.text_of(ROOT / name) for name in refresh.PAGES)
-        for name in refresh.generated_tables(ROOT, claims, refresh.by_name(read_lock(ROOT), claims), read_costs(ROOT)):
-            self.assertIn(f"<!-- {name} -->", pages)

@@ -13,16 +13,16 @@ import concurrent.futures
 import math
 import os
 import random
-import re
 import resource
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT))
 sys.dont_write_bytecode = True
-from lineage import ecsv  # noqa: E402
+from lineage import ecsv, inventory  # noqa: E402
 
 BAD = ["0", "-1", "1", "2", "1.1", "nan", "inf", "-inf", "1e400", "1e-400", "-0", "", " ", "x", "1/0", "0x10", "031",
        "99999999999999999999", "--", "-", "site", "bond", "quartic", "hertz", "\t", "é", "a,b", "2/8", "nowhere/x/y", "/", "'",
@@ -38,28 +38,17 @@ LONG = {"sec34_boomeron_map map", "sec5_driving chart",  # a point of a map is a
 FREE = {"output", "out", "folder"}
 
 
-def said(*command):
-    return subprocess.run([str(word) for word in command], capture_output=True, text=True, timeout=300, check=False).stdout
-
-
-def options_of(help_text):
-    """What help declares: the options by name, each a range, a list of names, a flag, or a text."""
-    out = {}
-    for name, rest in re.findall(r"^  --([\w-]+)(.*)$", help_text, re.M):
-        range_ = re.match(r" \[([^,]+), ([^\]]+)\]", rest)
-        names = re.match(r" {((?:[\w-]+\|)+[\w-]+)}  ", rest)
-        out[name] = [float(range_[1]), float(range_[2])] if range_ else names[1].split("|") if names else \
-            "flag" if rest.startswith("  ") else "text"
-    for name in ("help", "version"):
-        out.pop(name, None)
-    return out
-
-
-def declared(program):
-    """The subcommands of a program with their options; '' is the full run."""
-    help_text = said(program, "--help")
-    names = re.findall(r"^  (\w[\w-]*) {2,}", help_text.partition("\nCommands")[2], re.M)
-    return {"": options_of(help_text), **{name: options_of(said(program, name, "--help")) for name in names}}
+def declared(folder):
+    """What help declares, by programs and commands ('' is the full run): the options, each a range, a list of names, a flag
+    or a text."""
+    known = {}
+    for row in inventory.commands(ROOT, folder):
+        allowed, name = row["allowed"], row["option"].lstrip("-")
+        options = known.setdefault(row["program"], {}).setdefault(row["command"], {})
+        if name not in ("", "help", "version"):
+            options[name] = [float(end) for end in allowed[1:].split("]")[0].split(", ")] if allowed.startswith("[") else \
+                allowed[1:-1].split("|") if allowed.startswith("{") else "text" if allowed else "flag"
+    return known
 
 
 def good_value(chance, name, kind):
@@ -165,8 +154,7 @@ def tried(line, folder):
 def main():
     folder = os.path.abspath(sys.argv[1])
     count, seed = [int(word) for word in sys.argv[2:4]] + [100, 1][len(sys.argv[2:4]):]
-    programs = sorted(name for name in os.listdir(folder) if name.startswith("sec"))
-    known = {name: declared(os.path.join(folder, name)) for name in programs}
+    known = declared(folder)
     for name in LONG:  # only refused: a single point of these is more than a moment
         program, command = name.split()
         known.get(program, {}).pop(command, None)
