@@ -237,6 +237,8 @@ class Whatever(unittest.TestCase):
                     self.assertNotRegex(str(error), "std::|bad |incompatible|variant|vector|stod")
                 else:
                     kinds.add(True)
+                    if function == chain.evolve:
+                        self.assertAlmostEqual(found.t[-1], float(given["time"]), delta=1e-12 * abs(found.t[-1]))
                     for name, value in getattr(found, "quantities", {}).items():
                         self.assertTrue(value.error >= 0 if math.isfinite(value) else math.isnan(value) and value.reason, name)
                     self.assertRegex(repr(found), r"\A[ -~\n]{1,4000}\Z")

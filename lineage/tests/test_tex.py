@@ -1,7 +1,5 @@
 """The numbers, captions and proof of the report in TeX: what is written, and what is refused before TeX is called."""
 
-import shutil
-import subprocess
 import tempfile
 import unittest
 
@@ -117,19 +115,6 @@ class Paper(Scratch):
                              ("\\see{01}{One.}\n\\sea{02}{Two.}\n", r"this is no \see{number}{text}: \sea{02}")]:
             self.write("paper/captions.tex", wrong)
             self.refuses("macros", words)
-
-    @unittest.skipUnless(shutil.which("latexmk"), "latexmk is not installed (make install-paper)")
-    def test_tex_stops_at_a_missing_number(self):
-        tex.write(ROOT, self.root / "good")
-        preamble = ecsv.text_of(ROOT / "paper/paper.tex").split(r"\begin{document}")[0]
-        for id, stops in [("pn.omega11", False), ("pn.omega12", True)]:
-            self.write("one.tex", f"{preamble}\\begin{{document}}\nIt is \\num{{{id}}}.\n\\end{{document}}\n")
-            run = subprocess.run(["latexmk", "-norc", "-g", "-pdf", "-interaction=nonstopmode", "-halt-on-error", "one.tex"],
-                                 cwd=self.root, capture_output=True, text=True, errors="replace", check=False,
-                                 env={"PATH": "/usr/bin:/bin", "HOME": str(self.root),
-                                      "TEXINPUTS": f"{self.root}/good:{ROOT}/paper:{ROOT}/beyond/paper:"})
-            self.assertEqual(run.returncode != 0, stops, run.stdout[-2000:])
-        self.assertIn("nothing is there for num pn.omega12", (self.root / "one.log").read_text(errors="replace"))
 
 
 class Here(unittest.TestCase):

@@ -259,12 +259,3 @@ if mount -t tmpfs -o size=20k tmpfs "$scratch/small" 2>/dev/null; then
   ! draw "$scratch/small/full.svg" data curve.gp || fail "a full disk is not noticed"
   [ -z "$(ls "$scratch/small")" ] || fail "a cut drawing stays"
 fi
-
-# A python without numpy and matplotlib: a script, which imports draw first, says which module it lacks, and how to get it.
-echo 'import sys; sys.modules.update(numpy=None, matplotlib=None)' > sitecustomize.py
-for script in "$root"/figures/[!d]*.py "$root"/beyond/figures/*.py "$root/python/notebooks.py"; do
-  [ -f "$script" ] || continue  # volume two may be left out
-  PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$PWD:$root/figures" "$PYTHON" "$script" > "$scratch/out" 2>&1 && fail "$script draws without matplotlib"
-  [ "$(grep -cx '[a-z]*: .* has no module [a-z]* (Debian: python3-[a-z]*; PYTHON=.*)' "$scratch/out") $(wc -l < "$scratch/out")" = "1 1" ] ||
-    fail "$script does not say in one line what is missing"
-done
