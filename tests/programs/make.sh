@@ -117,6 +117,7 @@ called launched "LAUNCH= is ignored"
 grep -q -- '--threads' "$STUB_LOG" && fail "srun is told how many threads to use"
 run all-data QUICK=1
 called '--out build/quick/data/.* --quick' "QUICK=1"
+rm -r build/quick
 run all-data QUICK=0
 ran "" "QUICK=0 is quick"
 
