@@ -238,3 +238,9 @@ TEST_CASE("a train of pushes by hand", "[unit][pulse]") {
   CHECK(time_above({0, 1}, {0, 2}, 1) == 0);
   CHECK(time_above({0, 1}, {2, 0}, 1) == 0);
 }
+
+TEST_CASE("a surface mode is what the first sites hold", "[unit][observe]") {
+  const Numbers e{1, 2, 3, 4, 5, 6};
+  check_close(boundary_share(e), 15.0 / 21, 1e-15);
+  check_close(boundary_share(e, 2), 3.0 / 21, 1e-15);
+}

@@ -254,3 +254,40 @@ TEST_CASE("an endless chain is as long as the fastest wave of its stiffest conta
           100 + std::size_t(1.15e6 * speed));
   }
 }
+
+TEST_CASE("a chain is long enough for what travels in it", "[unit][model]") {
+  struct Run {
+    Chain like;
+    double velocity, time;
+  };
+  for (const auto& [like, velocity, time] : {Run{{0, Quartic{1}}, 1.9, 200},
+                                             {{0, None{}}, 1.9, 200},
+                                             {{0, None{}}, 100, 60},
+                                             {{0, None{}, CompressedHertz{4}}, 1, 60}}) {
+    const Impact impact = on_long_chain({velocity, like, time});
+    CAPTURE(velocity, impact.chain.sites);
+    CHECK(impact.chain.sites < 4 * std::size_t(time) + 100);
+    CHECK(strike(EventCorrected{0.05}, impact).far_end <= 1e-12 * velocity);
+  }
+}
+
+TEST_CASE("a run that its far end sends back is no result", "[unit][model]") {
+  Impact impact{1.9, {30}, 100};
+  CHECK_THROWS_AS(strike(EventCorrected{0.05}, impact), FarEndReached);
+  impact.far_end = may_move;
+  CHECK(strike(EventCorrected{0.05}, impact).far_end > 0.01);
+  // The packet leaves before it is back, so here the same chain will do
+  impact.far_end = 1e-9, impact.until = 20;
+  CHECK(strike(EventCorrected{0.05}, impact).path.centre.back() >= 20);
+}
+
+TEST_CASE("an impact in two parts is the impact", "[unit][model]") {
+  const Impact impact{1.9, {60, Quartic{1}}, 60};
+  const ImpactRun whole = strike(EventCorrected{0.1}, impact);
+  ImpactRun parts{struck(60, 1.9)};
+  follow(EventCorrected{0.1}, impact, parts, 20);
+  follow(EventCorrected{0.1}, impact, parts, 60);
+  CHECK(whole.end.y == parts.end.y);
+  CHECK(whole.density == parts.density);
+  CHECK(whole.run.steps == parts.run.steps);
+}

@@ -1,12 +1,15 @@
-// What is shown of a computation while it runs: the line, and the time that it still takes.
+// Numbers with errors, fits of lines, workers, and what is shown of a computation while it runs.
 
-#include "report/heartbeat.hpp"
-
+#include <chrono>
+#include <set>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "lattice/integrators/refinement.hpp"
+#include "lattice/numerics/line_fit.hpp"
 #include "lattice/numerics/parallel.hpp"
+#include "report/heartbeat.hpp"
 #include "support/check.hpp"
 
 using namespace lattice;
@@ -19,6 +22,63 @@ double hand_set() {
 }
 
 }  // namespace
+
+TEST_CASE("estimates are never without an error unless they are exact", "[unit][accuracy]") {
+  CHECK(compare(1.0, 1.0).error > 0);
+  CHECK(compare(0.0, 0.0).error > 0);
+  CHECK(compare(2.0, 1.5).error == 0.5);
+  CHECK_FALSE(compare(1.0, 1.0).is_exact);
+  CHECK(std::isnan(compare(std::nan(""), 1.0).error));
+  CHECK(exact(3).is_exact);
+  CHECK(compare(3, 3).is_exact);
+  CHECK_FALSE(compare(3, 4).is_exact);
+  CHECK(compare(3, 4).error == 1);
+  check_close(compare(Estimate{1, 0.1}, Estimate{1.5, 0.2}).error, 0.7, 1e-15);
+}
+
+TEST_CASE("a curve that is no line is found out although its fit is good", "[unit][accuracy]") {
+  std::vector<double> t, steady, slowing;
+  for (int k = 0; k < 1000; ++k) {
+    t.push_back(k);
+    steady.push_back(0.3 * k + 0.1 * std::sin(k));
+    slowing.push_back(0.3 * k - 2e-5 * k * k);
+  }
+  const Line fit = fit_line(t, slowing);
+  CHECK(fit.slope_error < 0.002 * fit.slope);      // the standard error sees nothing,
+  CHECK(std::abs(bend(t, slowing).value) > 0.05);  // the halves do
+  CHECK(std::abs(bend(t, steady).value) < 1e-3);
+}
+
+TEST_CASE("the vertex of a parabola through three samples, by hand", "[unit][formulas]") {
+  // 3 - 2 (x - 1/4)^2 at -1, 0 and 1
+  const Parabola top(-0.125, 2.875, 1.875);
+  check_close(top.slope, 1, 1e-15);
+  check_close(top.bend, -4, 1e-15);
+  check_close(top.vertex(), 0.25, 1e-15);
+  check_close(top.extremum(), 3, 1e-15);
+}
+
+TEST_CASE("the number of workers is a choice without influence", "[unit][accuracy]") {
+  const auto workers = [] {
+    std::vector<double> square(200);
+    std::vector<std::thread::id> by(200);
+    parallel_for("squares", square.size(), [&](std::size_t i) {
+      square[i] = double(i) * double(i);
+      by[i] = std::this_thread::get_id();
+      std::this_thread::sleep_for(std::chrono::microseconds(100));
+    });
+    for (std::size_t i = 0; i < square.size(); ++i) CHECK(square[i] == double(i * i));
+    return std::set(by.begin(), by.end()).size();
+  };
+  CHECK(granted_cores() >= 1);
+  CHECK(threads() == granted_cores());
+  set_threads(1);
+  CHECK(workers() == 1);
+  set_threads(3);
+  CHECK(threads() == 3);
+  CHECK(workers() > 1);
+  set_threads(0);
+}
 
 TEST_CASE("the line of progress says how far it is and how long it takes", "[unit][progress]") {
   CHECK(progress_line("p run", 71.9, {}) == "p run 71 s");

@@ -43,14 +43,10 @@ TEST_CASE("a line that cannot be meant is answered in one line, and nothing is c
       // Numbers and names
       {run + "--sites 2.5", "--sites: '2.5' is not a whole number (allowed: [2, 1000000])"},
       {run + "--sites ''", "--sites: '' is not a number"},
-      {run + "--sites 0x20", "--sites: '0x20' is not a number"},
       {run + "--s 1e", "--s: '1e' is not a number (allowed: [-10, 10])"},
       {run + "--velocity inf", "--velocity: "},
       {run + "--s 1/0", "--s: '1/0' is not a number"},
-      {run + "--s '1 /2'", "--s: '1 /2' is not a number"},
-      {run + "--s 1/2/3", "--s: '1/2/3' is not a number"},
       {run + "--s 41/4", "'41/4' is not in the allowed range [-10, 10]"},
-      {run + "--precompression -0.5", "--precompression"},
       {run + "--well pendulum --s 1", "--s: 'pendulum' has no parameter s"},
       {run + "--output ''", "--output"},
       {"sec34_impact --threads many", "--threads: 'many' is not a number (allowed: [1, 1024])"},
@@ -71,7 +67,6 @@ TEST_CASE("a line that cannot be meant is answered in one line, and nothing is c
       {run + "--zzzzzz 3", "--zzzzzz: there is no such option (allowed: --output, "},
       {run + "--quick", "--quick: belongs to a full run, without a command"},
       {"sec34_impact --quick run --time 20", "--quick: belongs to a full run, without 'run'"},
-      {"sec34_impact --out x run --time 20", "--out: belongs to a full run, without 'run'"},
       {run + "run", "'run': there is a command already"},
       {run + "--s 1 --s 2", "--s: given twice, '1' and '2' (allowed: once)"},
       {run + "--profile=yes", "--profile: takes no value, but got 'yes'"},
@@ -80,7 +75,6 @@ TEST_CASE("a line that cannot be meant is answered in one line, and nothing is c
       {run + "--output --profile", "--output: needs a value, and '--profile' is an option"},
       {run + "--velocity", "--velocity: needs a value (allowed: [1e-06, 100])"},
       {run + "--well --s 1", "allowed: none, harmonic, quartic"},
-      {run + "--well -v", "--well: needs a value"},
       {run + "--output=", "--output: needs a value"},
       {run + "--s --4", "--s: needs a value"},
       {"sec34_impact rum", "'rum': there is no such command; did you mean 'run'? (allowed: run)"},
@@ -96,10 +90,9 @@ TEST_CASE("a line that cannot be meant is answered in one line, and nothing is c
 }
 
 TEST_CASE("numbers are decimal, or fractions of decimal numbers", "[cli]") {
-  const std::string sites = "sec32_dps_profiles profile --centre site --sites ";
-  for (const char* same : {"031", "31.0", "3.1e+01", "+31", "62/2"})
-    CHECK(rows(sites + same) == rows(sites + "31"));
-  const std::string run = "sec4_precompression_mi coefficients --d 1/2 --s ";
+  const std::string sites = "sec32_dps_profiles profile --centre site --sites ",
+                    run = "sec4_precompression_mi coefficients --d 1/2 --s ";
+  CHECK(rows(sites + "62/2") == rows(sites + "31"));
   CHECK(rows(run + "-1/6 --q 3/4") == rows(run + "-0.16666666666666666 --q 0.75"));
   CHECK(rows(run + "-.5") == rows("sec4_precompression_mi coefficients --d=.5 --s=-5e-1"));
   const Table table = table_of(run + "-1/6");
@@ -193,13 +186,8 @@ TEST_CASE("coarse tables do not come into the place of full ones", "[cli]") {
   REQUIRE(run("").code == 0);
   CHECK(is_quick(full) == "quick = no");
   const Result refused = run("--quick --out " + full);
-  CAPTURE(refused.errors);
-  CHECK(refused.code == 2);
-  CHECK(refused.error_lines() == 1);
-  CHECK(refused.errors.find("--out: '" + full + "' holds the tables of a full run") !=
-        std::string::npos);
-  CHECK(refused.errors.find("(allowed: another folder, such as " + quick + ")") !=
-        std::string::npos);
+  check_refused(refused, "--out: '" + full + "' holds the tables of a full run");
+  check_refused(refused, "(allowed: another folder, such as " + quick + ")");
   CHECK(is_quick(full) == "quick = no");
   // Into a coarse folder both may go
   REQUIRE(run("--out " + quick).code == 0);
@@ -233,11 +221,8 @@ TEST_CASE("what does not exist has a reason", "[cli]") {
       {"sec33_mobility kick --c 0.05 --omega 1.2 --sites 24 --time 1000", "velocity",
        "averaged four times over eleven periods"},
       {"sec34_boomeron run --time 60", "apex_site", "not come back by five sites by t = 60"},
-      {"sec34_boomeron run --time 60", "return_time", "not come back by five sites by t = 60"},
       {"sec34_boomeron run --time 60", "decorrelation_time", "have not parted by t = 240"},
       {"sec4_precompression_mi ring --longest 200", "gathered",
-       "the energy has not gathered by t = 200"},
-      {"sec4_precompression_mi ring --longest 200", "width",
        "the energy has not gathered by t = 200"},
       {"sec4_precompression_mi impact --velocity 20 --d 10 --s 10 --time 60", "width",
        "beyond the 21 sites of the fit"},
@@ -258,10 +243,14 @@ TEST_CASE("a computation that fails says why, and leaves nothing", "[cli]") {
 
 TEST_CASE("every command reports the contract's quantities, and says what they are", "[cli]") {
   const auto any = std::nan("");
-  // Open are tables of another kind, single parts of maps, and what takes long and has tests of its own
+  // Open are tables of another kind, and what takes long and is judged in an exercise or a test of its own
   check_answers(
       {{"sec31_dps_limit impact --tau 250",
-        {{"centre", any}, {"amplitude", any}, {"residual_boundary", any}}},
+        {{"centre", any},
+         {"speed", 0.361292, 0, 1e-4},
+         {"norm_window", 0.448899965, 0, 1e-6},
+         {"amplitude", any},
+         {"residual_boundary", any}}},
        {"sec32_barrier barrier --omega 1.1 --s 0",
         {{"equal_frequency", 1.62422472e-11, 0, 1e-8}, {"equal_area", -2.35229159e-13, 0, 1e-7}}},
        {"sec32_newton_breathers breather --centre site --omega 1.1 --s 0 --sites 31",
@@ -270,7 +259,6 @@ TEST_CASE("every command reports the contract's quantities, and says what they a
          {"area", 8.9264257072819404e-4, 0, 1e-12},
          {"residual", 0, 1e-13},
          {"iterations", 3, 3}}},
-       {"sec33_floquet exchange --omega 1.3", {{"s0", any}}},
        {"sec33_mobility kick --centre bond --phase stretched --c 2e-4 --time 8000",
         {{"velocity", -5.363e-4, 0, 1e-3}, {"drift", 0, 1e-8}, {"sites_travelled", -4.25, 0.06}}},
        {"sec34_boomeron run --time 60", {}},
@@ -295,18 +283,13 @@ TEST_CASE("every command reports the contract's quantities, and says what they a
        {"sec4_precompression_mi impact --s 1 --time 724",
         {{"centre", 439.4, 0.5}, {"width", any}, {"energy_fraction", any}}},
        {"sec4_precompression_mi ring --longest 200", {}}},
-      {"sec32_dps_profiles profile", "sec33_dps_stability spectrum", "sec33_floquet multipliers",
-       "sec33_mobility threshold", "sec35_scales scales"});
+      {"sec32_dps_profiles profile", "sec33_dps_stability spectrum", "sec33_floquet exchange",
+       "sec33_floquet multipliers", "sec33_mobility threshold", "sec35_scales scales"});
 }
 
-TEST_CASE("the commands agree with the chapters and with each other", "[cli]") {
-  const Result free = call("sec31_dps_limit impact --tau 250"),
-               fixed = call("sec31_dps_limit impact --tau 250 --end fixed");
-  const Table facts = read(fs::path(DATA_DIR) / "sec34_dps_impact/facts.ecsv");
-  const auto fact = [&](const char* name) { return facts.numbers("value")[row_of(facts, name)]; };
-  check_close(quantity(free, "speed"), fact("dps_speed"), 0, 1e-4);
-  check_close(quantity(free, "norm_window"), fact("dps_packet_norm"), 0, 1e-6);
-  CHECK(quantity(fixed, "amplitude") > 1.2 * quantity(free, "amplitude"));
+TEST_CASE("the commands agree with each other", "[cli]") {
+  const std::string dps = "sec31_dps_limit impact --tau 250";
+  CHECK(quantity(call(dps + " --end fixed"), "amplitude") > 1.2 * quantity(call(dps), "amplitude"));
   // The length of the chain does not spoil the speed; weak waves ahead are not the strongest packet
   const std::string run = "sec34_impact run --velocity 1.87 --s -0.1667 --time 587 --sites ";
   check_close(quantity(call(run + "80"), "speed"), quantity(call(run + "82"), "speed"), 0, 0.01);
@@ -319,15 +302,34 @@ TEST_CASE("profiles and spectra have a row for each site and each eigenvalue", "
   const struct {
     const char *command, *names;
     std::size_t rows;
-  } all[] = {
-      {"sec32_dps_profiles profile --centre bond --sites 12 --mu 2", "\nn,u,quasi_continuum\n-5,",
-       12},
-      {"sec32_dps_profiles profile --centre site --sites 13", "\nn,u,quasi_continuum\n-6,", 13},
-      {"sec32_newton_breathers breather --centre bond --phase stretched --profile", "\nn,y\n-15,",
-       32},
-      {"sec33_dps_stability spectrum --mu 10 --centre site --sites 21", "\nreal,imag,", 42},
-      {"sec33_dps_stability spectrum --mu 10 --centre bond --sites 20", "\nreal,imag,", 40},
-      {"sec34_impact run --precompression 0.5 --sites 50 --time 20 --profile", "\nn,y,v,e\n1,",
-       50}};
+  } all[] = {{"sec32_dps_profiles profile --centre bond --sites 12 --mu 2",
+              "\nn,u,quasi_continuum\n-5,", 12},
+             {"sec32_newton_breathers breather --centre bond --phase stretched --profile",
+              "\nn,y\n-15,", 32},
+             {"sec33_dps_stability spectrum --mu 10 --centre site --sites 21", "\nreal,imag,", 42},
+             {"sec34_impact run --precompression 0.5 --sites 50 --time 20 --profile",
+              "\nn,y,v,e\n1,", 50}};
   for (const auto& [command, names, rows] : all) check_rows(command, names, rows);
+}
+
+TEST_CASE("what a strong kick sheds and the ends send back is in the error", "[cli][kick]") {
+  // From chains of 212 sites, from whose ends nothing has come back by then
+  const std::pair<std::string, double> far[] = {
+      {"--omega 2 --c 0.5", -8.0950373096}, {"--omega 1.8 --c 0.2 --centre site", -7.0425377916}};
+  for (const auto& [kick, way] : far) {
+    const Result r = call("sec33_mobility kick --time 1000 " + kick);
+    CAPTURE(kick, r.output);
+    check_close(quantity(r, "sites_travelled"), way, quantity(r, "sites_travelled", "error"));
+  }
+}
+
+TEST_CASE("the program that judges says what it cannot use in one line", "[cli]") {
+  Scratch scratch;
+  for (const auto& [options, said] : std::vector<std::array<std::string, 2>>{
+           {"--data nowhere", "--data: 'nowhere' is no folder"},
+           {"--root . --data .", "--root: '.' has no list of claims"},
+           {"--dta .", "--dta: there is no such option; did you mean --data?"}}) {
+    check_refused(call_in(scratch.path, "verdicts " + options), said);
+    CHECK_FALSE(fs::exists(scratch.path / "build"));
+  }
 }

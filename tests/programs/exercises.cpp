@@ -87,23 +87,9 @@ std::string malformed(const Exercise& e) {
 
 }  // namespace
 
-TEST_CASE("exercises are read", "[cli]") {
-  const std::string list =
-      "x */\n/**\n## Try it\n\n1. *Easy.* How? `build/bin/sec1_a b --c 1`\n   gives `u` = 1.20 and "
-      "`v` "
-      "= -3e-4.\n   Hint: so.\n2. *Open.* Why? */\nint x;\n";
-  const auto found = exercises("a", list);
-  REQUIRE(found.size() == 2);
-  const auto expected = found[0].expected();
-  REQUIRE(expected.size() == 2);
-  CHECK(expected[0].command == "sec1_a b --c 1");
-  CHECK((expected[1].quantity == "v" && expected[1].number == "-3e-4"));
-  check_close(expected[0].half_unit(), 0.005, 1e-12);
-  check_close(expected[1].half_unit(), 5e-5, 1e-12);
-  for (const Exercise& one : found) CHECK(malformed(one).empty());
-  CHECK(malformed({"a", "How?"}) == "no grade");
-  CHECK(malformed({"a", "*Harder.* How? Hint: so."}) == "no command with a number");
-  CHECK(malformed({"a", "*Easy.* `build/bin/sec1_a b` gives `u` = 2. So."}) == "no hint");
+TEST_CASE("a number is as sharp as its last digit", "[cli]") {
+  check_close(Expected{"", "", "1.20"}.half_unit(), 0.005, 1e-12);
+  check_close(Expected{"", "", "-3e-4"}.half_unit(), 5e-5, 1e-12);
 }
 
 TEST_CASE("each chapter ends with exercises", "[cli]") {
@@ -138,10 +124,7 @@ TEST_CASE("the commands of the exercises print what they say", "[exercises]") {
           answers.emplace(expected.command, read(file));
         }
         const Table& table = answers.at(expected.command);
-        const auto names = table.texts("quantity");
-        const auto at = std::find(names.begin(), names.end(), expected.quantity);
-        REQUIRE(at != names.end());
-        const auto row = std::size_t(at - names.begin());
+        const std::size_t row = row_of(table, expected.quantity);
         const double error = table.numbers("error")[row], number = std::stod(expected.number);
         check_close(table.numbers("value")[row], number, expected.half_unit() + error);
         CHECK((table.texts("kind")[row] == "exact" ||

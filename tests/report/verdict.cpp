@@ -3,10 +3,10 @@
 #include "report/verdict.hpp"
 
 #include <cmath>
-#include <fstream>
 
+#include "report/table.hpp"
 #include "support/check.hpp"
-#include "support/run.hpp"
+#include "support/scratch.hpp"
 
 using namespace lattice;
 
@@ -103,37 +103,16 @@ TEST_CASE("a criterion holds by more than the errors", "[unit]") {
     CHECK_THROWS_AS(on(wrong, facts), std::invalid_argument);
 }
 
-TEST_CASE("the program that judges says what it cannot use in one line", "[cli]") {
-  Scratch scratch;
-  for (const auto& [options, said] : std::vector<std::array<std::string, 2>>{
-           {"--data nowhere", "--data: 'nowhere' is no folder"},
-           {"--root . --data .", "--root: '.' has no list of claims"},
-           {"--dta .", "--dta: there is no such option; did you mean --data?"}}) {
-    const Result refused = call_in(scratch.path, "verdicts " + options);
-    CAPTURE(options, refused.errors);
-    CHECK(refused.code == 2);
-    CHECK(refused.error_lines() == 1);
-    CHECK(refused.errors.find(said) != std::string::npos);
-    CHECK_FALSE(std::filesystem::exists(scratch.path / "build"));
-  }
-}
-
 TEST_CASE("a list that could not be judged is refused with its row", "[unit]") {
   const Claims good = read_claims(SOURCE_DIR "/paper/claims.ecsv");
   CHECK(good.size() == 115);
-  std::ifstream in(SOURCE_DIR "/paper/claims.ecsv");
-  const Table table = from_text(in);
+  const Table table = read(SOURCE_DIR "/paper/claims.ecsv");
   Scratch scratch;
   const auto refused = [&](const std::string& column, const std::string& text) {
     Table changed = table;
     changed.rows[1][changed.find(column)] = text;
     write(scratch.path / "claims.ecsv", changed);
-    try {
-      read_claims(scratch.path / "claims.ecsv");
-      return std::string();
-    } catch (const std::runtime_error& error) {
-      return std::string(error.what());
-    }
+    return refusal<std::runtime_error>([&] { read_claims(scratch.path / "claims.ecsv"); });
   };
   for (const auto& [column, text, said] : std::vector<std::array<std::string, 3>>{
            {"tolerance", "rel x", "the tolerance 'rel x' is none"},
@@ -143,7 +122,7 @@ TEST_CASE("a list that could not be judged is refused with its row", "[unit]") {
            {"reason", "they erred", "a reason is for what is missed"},
            {"id", "thm.mean_force", "two rows of this id"}}) {
     CAPTURE(column, text);
-    CHECK(refused(column, text).find("claims.ecsv: row 2: ") != std::string::npos);
-    CHECK(refused(column, text).find(said) != std::string::npos);
+    check_line(refused(column, text), said);
+    check_line(refused(column, text), "claims.ecsv: row 2: ");
   }
 }

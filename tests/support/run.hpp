@@ -2,7 +2,6 @@
 // A program called as a reader calls it, through a shell, and what it answers.
 
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
 #include <cstdio>
@@ -13,6 +12,7 @@
 
 #include "report/table.hpp"
 #include "support/check.hpp"
+#include "support/scratch.hpp"
 
 /// One word for the shell, whatever characters a path has.
 inline std::string word(const std::filesystem::path& path) {
@@ -20,17 +20,6 @@ inline std::string word(const std::filesystem::path& path) {
   for (char c : path.string()) out += c == '\'' ? "'\\''" : std::string(1, c);
   return out + "'";
 }
-
-/// A fresh folder that goes away again.
-struct Scratch {
-  inline static int count = 0;
-  std::filesystem::path path =
-      std::filesystem::temp_directory_path() /
-      ("lattice cli " + std::to_string(::getpid()) + " " + std::to_string(++count));
-  Scratch() { std::filesystem::create_directories(path); }
-  ~Scratch() { std::filesystem::remove_all(path); }
-  bool empty() const { return std::filesystem::is_empty(path); }
-};
 
 struct Result {
   int code;
@@ -111,17 +100,19 @@ inline std::string body(const std::string& text) {
 /// The rows that a command prints; it must succeed.
 inline std::string rows(const std::string& command) {
   const Result answer = call(command);
-  CAPTURE(command, answer.errors);
-  REQUIRE(answer.code == 0);
+  table_of(answer);
   return body(answer.output);
 }
 
-/// A command must be refused: exit code 2, no table, and one line that contains `what`.
-inline void check_refused(const std::string& command, const std::string& what) {
-  const Result answer = call(command);
-  CAPTURE(command, answer.errors);
+/// An answer must be a refusal: exit code 2, no table, and one line that contains `what`.
+inline void check_refused(const Result& answer, const std::string& what) {
+  CAPTURE(answer.errors);
   CHECK(answer.code == 2);
   CHECK(answer.error_lines() == 1);
   CHECK(answer.output.empty());
   CHECK(answer.errors.find(what) != std::string::npos);
+}
+inline void check_refused(const std::string& command, const std::string& what) {
+  CAPTURE(command);
+  check_refused(call(command), what);
 }

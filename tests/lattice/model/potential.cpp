@@ -1,32 +1,92 @@
-// Each potential: force and stiffness are the derivatives they claim to be, and known values.
+// Wells and contacts: force and stiffness are the derivatives they claim to be, known values, names. One's own are
+// checked when they are made: what is wrong is refused, what is right passes.
 
-#include "support/check_potential.hpp"
+#include <functional>
+#include <vector>
+
+#include "lattice/impact/impact.hpp"
+#include "lattice/model/potential_names.hpp"
+#include "lattice/orbits/breather.hpp"
+#include "support/check.hpp"
 
 using namespace lattice;
 
 namespace {
 
-template <class Any>
-std::string refusal(const std::string& name, const Settings& given) {
-  try {
-    named<Any>(name, given);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
+/// Force and stiffness are the derivatives that they claim to be, a bead at rest feels exactly
+/// nothing, and higher precision gives the same function with more digits.
+template <class Potential>
+void check_potential(const Potential& p, const std::vector<double>& at) {
+  for (double x : at) {
+    CAPTURE(x);
+    const auto wide = (long double)x;
+    check_close(double(p.energy(wide)), p.energy(x), 1e-15, 1e-14);
+    check_close(double(p.force(wide)), p.force(x), 1e-15, 1e-14);
+    check_close(double(p.stiffness(wide)), p.stiffness(x), 1e-15, 1e-14);
+    // Central differences with one Richardson step, whose error is of the order h^4, to more digits than double has
+    const auto slope = [&](auto f) {
+      const auto d = [&](long double k) { return (f(wide + k) - f(wide - k)) / (2 * k); };
+      return (4 * d(0.5e-4L) - d(1e-4L)) / 3;
+    };
+    const auto energy = slope([&](long double u) { return p.energy(u); });
+    const auto force = slope([&](long double u) { return p.force(u); });
+    check_close(double(p.force(wide) + energy), 0, 2e-13 * (1 + std::abs(p.force(x))));
+    check_close(p.stiffness(x), -double(force), 1e-8, 1e-8);
   }
-  return "";
+  CHECK(p.energy(0.0) == 0);
+  CHECK(p.force(0.0) == 0);
+  CHECK(p.force(0.0L) == 0);
+}
+
+/// Up to its rim, if it has one, a well also pulls a bead back from either side; at the rim the force vanishes
+/// and the well is unstable.
+template <class Onsite>
+void check_well(const Onsite& well) {
+  check_potential(well, {-1.3, -0.4, -0.1, 0.2, 0.9, 1.7});
+  const double rim = rim_of(well);
+  CHECK(rim > 0);
+  if (!std::isfinite(rim)) return;
+  for (double share : {0.1, 0.5, 0.99}) {
+    CHECK(well.force(share * rim) < 0);
+    CHECK(well.force(-share * rim) > 0);
+  }
+  check_close(well.force(rim), 0, 1e-14);
+  CHECK(well.stiffness(rim) < 0);
+}
+
+/// A contact also never pulls more than its compression, is open beyond `opening`, and begins there with its
+/// exponent.
+template <class Contact>
+void check_contact(const Contact& contact) {
+  check_potential(contact, {-1.3, -0.4, -0.1, 0.2, 0.9, 1.7});
+  const double d = contact.opening(), open = contact.force(d);
+  CHECK(contact.force(d + 0.1) == open);
+  CHECK(contact.force(d + 7) == open);
+  CHECK(contact.stiffness(d + 0.1) == 0);
+  CHECK(contact.force(d - 0.1) > open);
+  const double ratio = (contact.force(d - 2e-3) - open) / (contact.force(d - 1e-3) - open);
+  check_close(std::log2(ratio), contact.exponent, 1e-9);
 }
 
 }  // namespace
 
 TEST_CASE("wells: force is minus the gradient, stiffness its slope", "[unit][potential]") {
-  for (double s : {1.0, -1.0 / 6, -0.7}) {
-    CAPTURE(s);
-    check_well(Quartic{s});
-  }
-  for_each_potential<Well>([](const auto& well) {
+  const auto check = [](const auto& well) {
     CAPTURE(well.name);
     check_well(well);
-  });
+    // Chosen at run time it has the same bits
+    const Well chosen{well};
+    for (double y : {-1.7, -1e-3, 0.0, 2.5}) {
+      CHECK(chosen.energy(y) == well.energy(y));
+      CHECK(chosen.force(y) == well.force(y));
+      CHECK(chosen.stiffness(y) == well.stiffness(y));
+      CHECK(chosen.force((long double)y) == well.force((long double)y));
+    }
+    CHECK(chosen.rim() == rim_of(well));
+  };
+  for_each_potential<Well>(check);
+  for (double s : {1.0, -1.0 / 6, -0.7}) check(Quartic{s});
+  check_close(Quartic{-0.5}.rim(), std::sqrt(2.0), 1e-15);
 }
 
 TEST_CASE("contacts: the same, and where they open", "[unit][potential]") {
@@ -40,12 +100,18 @@ TEST_CASE("contacts: the same, and where they open", "[unit][potential]") {
   check_contact(PowerContact{1.2, 0.25});
 }
 
-TEST_CASE("contacts push and never pull", "[unit][potential]") {
+TEST_CASE("wells and contacts by hand", "[unit][potential]") {
+  CHECK(Harmonic{}.energy(-3.0) == 4.5);
+  CHECK(Quartic{-0.5}.energy(2.0) == 0);
+  CHECK(Quartic{2}.energy(-1.0) == 1);
+  check_close(Pendulum{}.energy(M_PI / 3), 0.5, 1e-15);
+  check_close(Hertz{}.energy(-4.0), 12.8, 1e-14);
+  check_close(CompressedHertz{4}.energy(-5.0), 44.4, 1e-13);
+  check_close(CompressedHertz{4}.energy(5.0), 0.4 * -32 + 40, 1e-13);
   CHECK(Hertz{}.force(-0.25) == 0.125);  // (1/4)^(3/2)
   CHECK(Hertz{}.force(0.25) == 0);
   CHECK(Hertz{}.force(-1e-61) == 0);  // below the floor
   CHECK(Hertz{.floor = 0}.force(-1e-61) > 0);
-  CHECK(Hertz{}.stiffness(0.1) == 0);
   CHECK(CompressedHertz{0.25}.force(0.3) == -0.125);  // open: only the compression is missing
 }
 
@@ -68,7 +134,7 @@ TEST_CASE("little strains of a compressed contact have an energy too", "[unit][p
 }
 
 TEST_CASE("the power 3/2 takes the root of the 3/2 law", "[unit][potential]") {
-  for (double r : {-2.0, -0.3, -1e-3, 0.1}) {
+  for (double r : {-2.0, -1e-3, 0.1}) {
     CHECK(PowerContact{}.force(r) == Hertz{}.force(r));
     CHECK(PowerContact{}.stiffness(r) == Hertz{}.stiffness(r));
     check_close(PowerContact{}.energy(r), Hertz{}.energy(r), 1e-300, 1e-15);
@@ -76,19 +142,13 @@ TEST_CASE("the power 3/2 takes the root of the 3/2 law", "[unit][potential]") {
     // The general power is another computation of nearly the same law.
     check_close(PowerContact{1.5 + 1e-13}.force(r), Hertz{}.force(r), 1e-300, 1e-11);
   }
-}
-
-TEST_CASE("potentials work in extended precision", "[unit][potential]") {
-  const long double x = -0.3L;
-  check_close(double(Hertz{}.force(x) - 0.3L * sqrtl(0.3L)), 0, 1e-19);
-  check_close(double(Quartic{1}.force(x) - (0.3L + 0.027L)), 0, 1e-18);
+  check_close(double(Hertz{}.force(-0.3L) - 0.3L * sqrtl(0.3L)), 0, 1e-19);
 }
 
 TEST_CASE("potentials are found by name and parameters", "[unit][potential]") {
   const std::string wells = comma_list(names_of<Well>());
-  const std::string contacts = comma_list(names_of<Contact>());
   CHECK(wells.find("none, harmonic, quartic, pendulum") == 0);
-  CHECK(contacts.find("hertz, power") == 0);  // each name once
+  CHECK(comma_list(names_of<Contact>()).find("hertz, power") == 0);  // each name once
   CHECK(std::get<Quartic>(named<Well>("quartic", {{"s", -0.5}})).s == -0.5);
   CHECK(std::holds_alternative<Hertz>(named<Contact>("hertz")));
   CHECK(std::get<CompressedHertz>(named<Contact>("hertz", {{"precompression", 0.5}})).d == 0.5);
@@ -96,21 +156,309 @@ TEST_CASE("potentials are found by name and parameters", "[unit][potential]") {
   CHECK(std::get<PowerContact>(power).exponent == 2);
   CHECK(std::get<PowerContact>(power).d == 0.5);
   CHECK(describe(named<Well>("quartic", {{"s", -0.5}})) == "quartic, s = -0.5");
+  const auto refused = []<class Any>(const Any*, const char* name, const Settings& given) {
+    return refusal<std::invalid_argument>([&] { named<Any>(name, given); });
+  };
+  const Well* well = nullptr;
+  CHECK(refused(well, "cubic", {}) == "'cubic' is not one of " + wells);
+  CHECK(refused(well, "pendulum", {{"s", 0}}) == "'pendulum' has no parameter s, nor any other");
+  CHECK(refused(well, "quartic", {{"s", 11}}) == "s = 11 is not in the allowed range [-10, 10]");
+  check_line(refused(well, "quartic", {{"s", std::nan("")}}), "allowed range");
+  CHECK(refused(static_cast<const Contact*>(nullptr), "hertz", {{"alpha", 2}}) ==
+        "'hertz' has no parameter alpha (it has precompression)");
 }
 
-TEST_CASE("a law that is Hertz's becomes Hertz", "[unit][potential]") {
+TEST_CASE("a well and a contact are what they were made from", "[unit][model]") {
+  const Chain chain{7, Quartic{-0.5}, CompressedHertz{0.5}, Ends::periodic};
+  CHECK(chain.well.as<Quartic>().s == -0.5);
+  CHECK(chain.contact.as<CompressedHertz>().d == 0.5);
+  CHECK(chain.contact.opening() == 0.5);
+  CHECK(std::holds_alternative<Harmonic>(Chain{}.well));
+  CHECK(std::holds_alternative<Hertz>(Chain{}.contact));
+  CHECK_THROWS_AS(chain.well.as<Pendulum>(), std::bad_variant_access);
+  // A law that is Hertz's becomes Hertz
   CHECK(std::holds_alternative<Hertz>(simplest(Contact{CompressedHertz{0}})));
   CHECK(std::holds_alternative<Hertz>(simplest(Contact{PowerContact{1.5, 0}})));
   CHECK(std::get<CompressedHertz>(simplest(Contact{PowerContact{1.5, 0.3}})).d == 0.3);
   CHECK(std::holds_alternative<PowerContact>(simplest(Contact{PowerContact{2, 0}})));
 }
 
-TEST_CASE("what is not known is refused in one line that says what is", "[unit][potential]") {
-  const std::string wells = comma_list(names_of<Well>());
-  CHECK(refusal<Well>("cubic", {}) == "'cubic' is not one of " + wells);
-  CHECK(refusal<Well>("pendulum", {{"s", 0}}) == "'pendulum' has no parameter s, nor any other");
-  CHECK(refusal<Well>("quartic", {{"s", 11}}) == "s = 11 is not in the allowed range [-10, 10]");
-  CHECK(refusal<Well>("quartic", {{"s", std::nan("")}}).find("allowed range") != std::string::npos);
-  CHECK(refusal<Contact>("hertz", {{"alpha", 2}}) ==
-        "'hertz' has no parameter alpha (it has precompression)");
+TEST_CASE("breathers begin only in wells of frequency one", "[unit][model]") {
+  CHECK_THROWS_AS(breather_problem(Centre::site, 1.1, None{}, 31), std::invalid_argument);
+  CHECK_NOTHROW(breather_problem(Centre::site, 1.1, Pendulum{}, 31));
+}
+
+namespace {
+
+/// Any three functions, of one number.
+struct Functions {
+  std::function<double(double)> e, f, k;
+  double energy(double x) const { return e(x); }
+  double force(double x) const { return f(x); }
+  double stiffness(double x) const { return k(x); }
+};
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+struct MyWell : Functions {
+  static constexpr const char* name = "mine";
+  double edge = inf;
+  double rim() const { return edge; }
+};
+
+struct MyContact : Functions {
+  double open = 0, exponent = 1.5;
+  double opening() const { return open; }
+};
+
+/// What is said of a potential when it is made; nothing if it is taken.
+std::string said_of(const MyWell& well) {
+  return refusal<std::invalid_argument>([&] { OwnWell{well}; });
+}
+std::string said_of(const MyContact& contact) {
+  return refusal<std::invalid_argument>([&] { OwnContact{contact}; });
+}
+
+template <class Mine>
+void refused(const Mine& mine, const std::string& part) {
+  check_line(said_of(mine), part);
+}
+
+/// W = a^2 (cosh(y/a) - 1) times `k`, with factors by which its three functions may be wrong.
+MyWell cosh_well(double a, double k = 1, double e = 1, double f = 1, double s = 1) {
+  return {[=](double y) { return e * k * 2 * std::pow(a * std::sinh(y / a / 2), 2); },
+          [=](double y) { return -f * k * a * std::sinh(y / a); },
+          [=](double y) { return s * k * std::cosh(y / a); }};
+}
+
+/// (d - r)^alpha times `k`, in the same way, without the force at rest.
+MyContact power_contact(double alpha, double d = 0, double k = 1, double e = 1, double f = 1,
+                        double s = 1) {
+  const auto overlap = [=](double r) { return std::max(d - r, 0.0); };
+  const double rest = std::pow(d, alpha);
+  return {{[=](double r) {
+             const double all = std::pow(overlap(r), alpha + 1) - std::pow(d, alpha + 1);
+             return e * k * (all / (alpha + 1) + rest * r);
+           },
+           [=](double r) { return f * k * (std::pow(overlap(r), alpha) - rest); },
+           [=](double r) { return r < d ? s * k * alpha * std::pow(overlap(r), alpha - 1) : 0; }},
+          d,
+          alpha};
+}
+
+/// A spring that is `hard` times stiffer beyond the displacement `knee`.
+MyWell bilinear(double knee, double hard) {
+  const auto beyond = [=](double y) { return std::max(std::abs(y) - knee, 0.0); };
+  return {[=](double y) { return y * y / 2 + (hard - 1) * std::pow(beyond(y), 2) / 2; },
+          [=](double y) { return -y - (hard - 1) * std::copysign(beyond(y), y); },
+          [=](double y) { return std::abs(y) < knee ? 1 : hard; }};
+}
+
+/// Toda's well, written so that digits are lost.
+MyWell losing(double a) {
+  return {[=](double y) { return a * a * (std::exp(-y / a) - 1 + y / a); },
+          [=](double y) { return a * (std::exp(-y / a) - 1); },
+          [=](double y) { return std::exp(-y / a); }};
+}
+
+/// Stiff on one side only.
+const MyWell lopsided{{[](double y) { return y * y * (y > 0 ? 2 : 0.5); },
+                       [](double y) { return -y * (y > 0 ? 4 : 1); },
+                       [](double y) { return y > 0 ? 4 : 1; }}};
+
+}  // namespace
+
+TEST_CASE("honest wells are taken, steep or flat, large or small", "[unit][potential]") {
+  const auto taken = [](const auto& well) {
+    CHECK(refusal<std::invalid_argument>([&] { OwnWell{well}; }) == "");
+  };
+  for_each_potential<Well>(taken);
+  for (const double s : {10.0, 1e8, -1.0 / 6, -10.0, -1e6}) taken(Quartic{s});
+  for (const double a : {1e-8, 1e-3, 1.0, 1e3, 1e8})
+    for (const double k : {1e-12, 1.0, 1e12}) taken(cosh_well(a, k));
+  for (const double knee : {1e-3, 0.3, 0.31, 0.8, 0.835, 5.0})
+    for (const double hard : {0.0, 0.9, 1.1, 1e6}) taken(bilinear(knee, hard));
+  for (const double a : {1e-4, 1.0, 1e4}) taken(losing(a));
+  taken(lopsided);
+  // One that ends in walls, two wells with a hill between, and ripples
+  taken(MyWell{{[](double y) { return -std::log(1 - 100 * y * y) / 200; },
+                [](double y) { return -y / (1 - 100 * y * y); },
+                [](double y) { return (1 + 100 * y * y) / std::pow(1 - 100 * y * y, 2); }},
+               0.1});
+  taken(MyWell{{[](double y) { return y * y * (y * y / 2 - 1) / 2; },
+                [](double y) { return y * (1 - y * y); }, [](double y) { return 3 * y * y - 1; }}});
+  taken(MyWell{{[](double y) { return y * y / 2 + 1e-5 * (1 - std::cos(1e4 * y)); },
+                [](double y) { return -y - 0.1 * std::sin(1e4 * y); },
+                [](double y) { return 1 + 1e3 * std::cos(1e4 * y); }}});
+  // Structure that is finer than the first steps of the check
+  for (const double a : {1e-4, 3e-5, 1e-5, 1e-6})
+    taken(MyWell{{[=](double y) { return 2 * std::pow(a * std::sin(y / a / 2), 2); },
+                  [=](double y) { return -a * std::sin(y / a); },
+                  [=](double y) { return std::cos(y / a); }}});
+}
+
+TEST_CASE("honest contacts are taken, and a chain of links that never open", "[unit][potential]") {
+  const auto taken = [](const auto& contact) {
+    CHECK(refusal<std::invalid_argument>([&] { OwnContact{contact}; }) == "");
+  };
+  for_each_potential<Contact>(taken);
+  for (const double d : {1e-9, 0.25, 1.0, 10.0, 1e3}) taken(CompressedHertz{d});
+  for (const double alpha : {1.0, 1.2, 2.0, 10.0, 40.0})
+    for (const double d : {0.0, 1e-3, 0.5, 10.0})
+      for (const double k : {1e-9, 1.0, 1e9}) {
+        taken(PowerContact{alpha, d});
+        taken(power_contact(alpha, d, k));
+      }
+  const auto link = [&](auto e, auto f, auto k) { taken(MyContact{{e, f, k}, 0, 1}); };
+  link([](double r) { return std::exp(-r) - 1 + r; }, [](double r) { return std::exp(-r) - 1; },
+       [](double r) { return std::exp(-r); });
+  // Links that pull when they are pressed too far, and those of Lennard-Jones, beyond their centre as well
+  for (const double k : {-2.0, 1.3, 2.0})
+    link([=](double r) { return r * r / 2 + k * r * r * r / 3; },
+         [=](double r) { return -r - k * r * r; }, [=](double r) { return 1 + 2 * k * r; });
+  for (const double a : {0.1, 0.3, 0.5, 0.7, 0.8, 2.0}) {
+    const auto power = [=](double r, int n) { return std::pow(1 + r / a, -n); };
+    link([=](double r) { return a * a * (power(r, 12) - 2 * power(r, 6) + 1) / 72; },
+         [=](double r) { return a * (power(r, 13) - power(r, 7)) / 6; },
+         [=](double r) { return (13 * power(r, 14) - 7 * power(r, 8)) / 6; });
+  }
+}
+
+TEST_CASE("a well whose functions do not belong together is refused", "[unit][potential]") {
+  for (const double a : {1e-6, 1.0, 1e3})
+    for (const double wrong : {1.01, 0.99, -1.0, 0.0}) {
+      CAPTURE(a, wrong);
+      refused(cosh_well(a, 1, wrong), "minus the slope of its energy is");
+      refused(cosh_well(a, 1, 1, wrong), "minus the slope of its");
+      refused(cosh_well(a, 1, 1, 1, wrong), "minus the slope of its force is");
+    }
+  const auto half = [](double y) { return y * y / 2; };
+  const auto pull = [](double y) { return -y; };
+  const auto one = [](double) { return 1; };
+  CHECK(said_of(MyWell{{half, pull, one}}) == "");
+  CHECK(said_of(MyWell{{half, pull, [](double) { return 2; }}}) ==
+        "the well's stiffness(-0.83541) is 2, and minus the slope of its force is 1 there");
+  refused(MyWell{{pull, half, one}}, "the well's force(-0.83541) is 0.348955");
+  refused(MyWell{{half, [](double y) { return y; }, one}}, "is -0.83541, and minus the slope");
+  // Wrong on one side, in a small term, and only close to rest
+  refused(MyWell{{half, [](double y) { return -std::abs(y); }, one}}, "the well's force(-0.83541)");
+  refused(MyWell{{half, [](double y) { return -y - 0.01 * y * y * y; }, one}}, "force(-0.83541)");
+  refused(
+      MyWell{{[](double y) { return y * y / 2 + 1e8 * std::pow(y, 4) / 4; },
+              [](double y) { return -y - 1e8 * y * y * y; }, [](double y) { return 3e8 * y * y; }}},
+      "stiffness(-0.00061343)");
+}
+
+TEST_CASE("a well must rest at zero, be finite and have a rim beyond it", "[unit][potential]") {
+  const MyWell good = cosh_well(1);
+  refused(MyWell{{[](double y) { return std::cosh(y); }, good.f, good.k}},
+          "energy(0) is 1 and must be 0");
+  refused(MyWell{{[](double y) { return y + y * y / 2; }, [](double y) { return -1 - y; },
+                  [](double) { return 1; }}},
+          "force(0) is -1 and must be 0: count displacements from the place of rest");
+  for (const double bad : {none, inf, -inf}) {
+    const auto broken = [=](double) { return bad; };
+    refused(MyWell{{broken, good.f, good.k}}, "energy(0) is");
+    refused(MyWell{{good.e, broken, good.k}}, "force(0) is");
+    refused(MyWell{{good.e, good.f, broken}}, "stiffness(0) is");
+  }
+  // A root that is not real on one side
+  refused(MyWell{{[](double y) { return 0.4 * std::pow(y, 2.5); },
+                  [](double y) { return -std::pow(y, 1.5); },
+                  [](double y) { return 1.5 * std::sqrt(y); }}},
+          "nan, not a finite number");
+  for (const double rim : {0.0, -1.0, -inf, none}) {
+    MyWell well = good;
+    well.edge = rim;
+    refused(well, "the well's rim is ");
+  }
+  // Beyond its rim a well is not looked at
+  MyWell cut = cosh_well(0.1);
+  cut.edge = 0.05;
+  cut.f = [f = cut.f](double y) { return std::abs(y) < 0.05 ? f(y) : 7; };
+  CHECK(said_of(cut) == "");
+}
+
+TEST_CASE("a contact whose functions do not belong together is refused", "[unit][potential]") {
+  for (const double alpha : {1.0, 1.5, 2.5, 10.0})
+    for (const double d : {0.0, 0.1, 10.0})
+      for (const double wrong : {1.01, 0.99, -1.0, 0.0}) {
+        CAPTURE(alpha, d, wrong);
+        refused(power_contact(alpha, d, 1, wrong), "minus the slope of its energy is");
+        refused(power_contact(alpha, d, 1, 1, wrong), "minus the slope of its");
+        refused(power_contact(alpha, d, 1, 1, 1, wrong), "minus the slope of its force is");
+      }
+  // Attraction, an opening that is none, and exponents
+  refused(power_contact(1.5, 0, -1), "it pulls");
+  const MyContact good = power_contact(1.5);
+  for (const double open : {none, inf}) refused(MyContact{good, open}, "the contact's opening is ");
+  for (const double exponent : {none, inf, 0.5, -1.0})
+    refused(MyContact{good, 0, exponent}, "the contact's exponent is ");
+  refused(MyContact{{good.e, [&](double r) { return good.f(r) + 1; }, good.k}},
+          "force(0) is 1 and must be 0");
+  refused(MyContact{{[](double r) { return 0.4 * std::pow(-r, 2.5); },
+                     [](double r) { return std::pow(-r, 1.5); },
+                     [](double r) { return 1.5 * std::sqrt(-r); }}},
+          "nan, not a finite number");
+}
+
+TEST_CASE("the check is made once, and what a potential throws passes", "[unit][potential]") {
+  int calls = 0;
+  MyWell well = cosh_well(1);
+  well.f = [&calls, f = well.f](double y) { return ++calls, f(y); };
+  const OwnWell own(well);
+  const int made = calls;
+  CHECK(made > 0);
+  CHECK(made < 1000);
+  const OwnWell copy = own;
+  Chain chain{4, copy};
+  chain.well = own;
+  const Chain other = chain;
+  CHECK(calls == made);
+  CHECK(other.well.force(0.5) == -std::sinh(0.5));
+  struct Mine {};
+  well.f = [](double) -> double { throw Mine{}; };
+  CHECK_THROWS_AS(OwnWell(well), Mine);
+}
+
+TEST_CASE("a well that loses digits near zero is known", "[unit][potential]") {
+  const auto loses = [](const MyWell& well) { return loses_digits(Well(well)); };
+  for (const double a : {1e-3, 1.0, 1e3}) {
+    CAPTURE(a);
+    CHECK(loses(losing(a)));
+    CHECK_FALSE(loses({{[=](double y) { return a * a * (std::expm1(-y / a) + y / a); },
+                        [=](double y) { return a * std::expm1(-y / a); }, losing(a).k}}));
+    CHECK_FALSE(loses(cosh_well(a)));
+  }
+  CHECK_FALSE(loses(bilinear(0.3, 2)));
+  CHECK_FALSE(loses(lopsided));
+  CHECK_FALSE(loses({{[](double y) { return y * y * y * y / 4; },
+                      [](double y) { return -y * y * y; }, [](double y) { return 3 * y * y; }}}));
+  for_each_potential<Well>([](const auto& well) {
+    CHECK_FALSE(loses_digits(Well(well)));
+    CHECK_FALSE(loses_digits(OwnWell(well)));
+  });
+}
+
+TEST_CASE("a well of one's own needs a place in a list for its name, no more",
+          "[unit][potential]") {
+  using Wells = std::variant<None, Harmonic, Quartic, Pendulum, MyWell>;
+  CHECK(std::holds_alternative<MyWell>(named<Wells>("mine")));
+  CHECK(comma_list(names_of<Wells>()) == "none, harmonic, quartic, pendulum, mine");
+}
+
+TEST_CASE("a chain of potentials of one's own has the bits of the same ones in the list",
+          "[unit][potential]") {
+  const auto copied = [](const auto& p) {
+    return Functions{[=](double x) { return p.energy(x); }, [=](double x) { return p.force(x); },
+                     [=](double x) { return p.stiffness(x); }};
+  };
+  const Chain listed{60, Quartic{0.5}};
+  const Chain own{60, MyWell{copied(Quartic{0.5})}, MyContact{copied(Hertz{})}};
+  State<double> one = struck(60, 1.5), other = one;
+  const Run run = evolve(EventCorrected{0.05}, listed, one, 60, 60);
+  CHECK(evolve(EventCorrected{0.05}, own, other, 60, 60).energy_drift == run.energy_drift);
+  CHECK(one.y == other.y);
+  CHECK(one.v == other.v);
 }

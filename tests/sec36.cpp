@@ -1,0 +1,47 @@
+// Sections 3.5 and 3.6: two beads that collide, the cradle, and the table of all scales of the cantilevers' array.
+
+#include <map>
+
+#include "commands/all_scales.hpp"
+#include "sec3/array_impact.hpp"
+#include "support/check.hpp"
+
+using namespace lattice;
+
+TEST_CASE("two beads collide, and a cradle's ratio", "[unit][cantilever]") {
+  const Collision by_energy = collision_by_energy();
+  // The integral of ds / sqrt(1 - s^(5/2)) with 1 - s = u^2
+  const double x = std::pow(5 / 8.0, 2 / 5.0);
+  double time = 0;
+  for (int k = 0; k < 4000; ++k) {
+    const double u = (k + 0.5) / 4000, s = 1 - u * u;
+    time += 2 * u / std::sqrt(1 - s * s * std::sqrt(s)) / 4000;
+  }
+  check_close(by_energy.compression, x, 1e-14);
+  check_close(by_energy.contact_time, 2 * x * time, 1e-6);
+  check_close(cradle(9.81, 2.43), std::pow(0.5 / 9.81, 2.5) * std::pow(2.43 / 0.077e-3, 5), 0,
+              1e-12);
+}
+
+TEST_CASE("the table of scales has its closed forms", "[unit][cantilever]") {
+  const Table table = AllScales{.velocity = 2}.table();
+  std::map<std::string, double> value;
+  const auto names = table.texts("quantity");
+  for (std::size_t i = 0; i < names.size(); ++i) value[names[i]] = table.numbers("value")[i];
+  const auto close = [&](const char* name, double expected) {
+    CAPTURE(name);
+    check_close(value.at(name), expected, 0, 1e-12);
+  };
+  const Scales s = CantileverArray{}.scales();
+  const Collision hit = collision_by_energy();
+  const double V = 2, tau = std::pow(s.m * s.m / (s.gamma * s.gamma * V), 0.2);
+  const double gamma = 193e9 * std::sqrt(2 * 2.38e-3) / 3 / (1 - 0.46 * 0.46);
+  close("impact_velocity", 2);
+  close("contact_time", hit.contact_time * tau);
+  close("max_compression", hit.compression * std::pow(s.m * V * V / s.gamma, 0.4));
+  close("cradle_lambda_5_2", cradle(9.81, hit.contact_time));
+  close("gamma_with_beam_modulus", gamma);
+  close("lambda_with_beam_modulus", s.m / s.k * std::pow(gamma * gamma * V / s.m / s.m, 0.4));
+  // Eqs. (29) and (30): so fast is the first bead of the chain
+  close("lambda_5_2", StruckArray{.velocity = V}.struck_velocity());
+}
