@@ -303,8 +303,7 @@ second: install-deps
 	@PYTHONPATH=tests:$(PYTHONPATH) $(call with,numpy; import mpmath) -m second --write
 
 ## mutants: errors put into the sources one at a time; the tests must notice (long)
-mutants: configure
-	@sh tools/build.sh $(B) $(JOBS) all
+mutants:
 	@$(or $(PYTHON),python3) tools/mutants.py $(MUTANTS)
 
 ## test-platforms: the same bytes from other compilers, Debian 13 and ARM64 (an hour; PLATFORMS='clang trixie')

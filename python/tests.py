@@ -1,6 +1,5 @@
 """Tests of the Python module. Argument: the folder of the programs, whose numbers and complaints are the measure."""
 
-import ast
 import concurrent.futures
 import csv
 import functools
@@ -10,6 +9,8 @@ import math
 import multiprocessing
 import os
 import pickle
+import random
+import re
 import resource
 import signal
 import subprocess
@@ -44,6 +45,11 @@ def program(command, *options):
     return {name: [row[k] for row in rows[1:]] for k, name in enumerate(rows[0])}
 
 
+def python(code, env=(), **more):
+    """An interpreter of its own that runs this code."""
+    return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120, env=os.environ | dict(env), **more)
+
+
 def bits(x):
     return np.asarray(x, float).tobytes()
 
@@ -52,7 +58,7 @@ class SameBits(unittest.TestCase):
     """Numbers are those of the programs to the last bit, and so are errors, units and profiles."""
 
     def check(self, function, command, profile=(), **options):
-        words = [f"--{name}={value}" for name, value in options.items()]
+        words = [f"--{name.replace('_', '-')}={value}" for name, value in options.items()]
         found = function(**options)
         table = program(command, *words)
         self.assertEqual(list(found.quantities), table["quantity"])
@@ -72,8 +78,7 @@ class SameBits(unittest.TestCase):
 
     def test_strike(self):
         found = self.check(lattice.strike, "sec34_impact run", "nyve", velocity=1.5, time=150, s="-1/6")
-        self.assertEqual(len(found.y), found.chain.sites)
-        self.assertEqual(len(found.t), len(found.track_centre))
+        self.assertEqual((len(found.y), len(found.t)), (found.chain.sites, len(found.track_centre)))
         self.assertEqual(found.track_centre[-1], found.centre)
         self.check(lattice.strike, "sec34_impact run", "y", velocity=1, time=60, contact="power", alpha=2, well="pendulum")
 
@@ -82,20 +87,11 @@ class SameBits(unittest.TestCase):
         self.assertTrue(math.isnan(found.speed) and found.speed.reason)
         self.assertIn(f"= nan ({found.speed.reason})", repr(found))
 
-    def test_earlier_names_are_taken(self):
-        self.assertEqual(lattice.Chain(4, onsite="pendulum").onsite, lattice.Chain(4, well="pendulum").well)
-        self.assertEqual(bits(lattice.breather(onsite="pendulum").y), bits(lattice.breather(well="pendulum").y))
-
-    def test_a_chain_says_the_same_as_options(self):
-        chain = lattice.Chain(well="quartic", s=-1 / 6)
+    def test_a_chain_and_an_earlier_name_say_the_same_as_options(self):
+        chain = lattice.Chain(onsite="quartic", s=-1 / 6)
         found, other = lattice.strike(chain, velocity=1.5, time=100), lattice.strike(velocity=1.5, time=100, s="-1/6")
         self.assertEqual(bits(found.y), bits(other.y))
         self.assertEqual(found.quantities.keys(), other.quantities.keys())
-
-    def test_breather(self):
-        found = self.check(lattice.breather, "sec32_newton_breathers breather", "ny", centre="bond", omega=1.2,
-                           well="pendulum")
-        self.assertEqual(len(found.y), found.chain.sites)
 
     def test_multipliers(self):
         found = lattice.multipliers(centre="site", omega=1.1)
@@ -105,36 +101,23 @@ class SameBits(unittest.TestCase):
         self.assertEqual(bits(found.multiplier_error), bits(table["error"]))
         z = found.multiplier[2]
         self.assertAlmostEqual(((z + 1 / z - 2) / 4).real, found.kappa, delta=1e-15)
-        # The pair next to +1 is on the circle, another one is not; moduli by a program of their own
-        for omega, s, modulus in ((3, 10, 1.0468009382067568), (1.91, -1 / 6, 1.843417022224)):
-            found = lattice.multipliers(omega=omega, well="quartic", s=s)
-            self.assertLess(found.kappa, 0)
-            self.assertAlmostEqual(found.largest_modulus, modulus, delta=1e-11)
-            self.assertAlmostEqual(found.largest_modulus, np.abs(found.multiplier).max(), delta=1e-15)
+        self.assertAlmostEqual(found.largest_modulus, np.abs(found.multiplier).max(), delta=1e-15)
 
-    def test_barrier(self):
-        self.check(lattice.barrier, "sec32_barrier barrier", omega=1.1, s=0)
-
-    def test_other_chains(self):
+    def test_breathers_and_barriers(self):
         breather = "sec32_newton_breathers breather"
+        self.check(lattice.breather, breather, "ny", centre="bond", omega=1.2, well="pendulum")
         self.check(lattice.breather, breather, "ny", omega=1.2, contact="power", alpha=1.8)
         self.check(lattice.breather, breather, "y", omega=1.3, precompression=1e-3, centre="bond")
         self.check(lattice.barrier, "sec32_barrier barrier", omega=1.2, contact="power", alpha=2)
-        found = lattice.breather(omega=1.3, mass_ratio=0.8)
-        self.assertEqual(bits(found.y), bits(program(breather, "--omega=1.3", "--mass-ratio=0.8", "--profile")["y"]))
+        found = self.check(lattice.breather, breather, "y", omega=1.3, mass_ratio=0.8)
         period = 2 * np.pi / 1.3
         run = found.chain.evolve(found.y, 0 * found.y, period, sample=period / 1000, tolerance=1e-9)
         self.assertAlmostEqual(found.area / (period * np.mean(run.v[1:] ** 2 @ found.chain.mass)), 1, delta=1e-7)
         # A chain says the same, in numbers that are not rounded alike
         chain = lattice.Chain(31, mass=np.resize([0.8, 1], 31))
-        given = lattice.breather(chain, omega=1.3)
-        self.assertEqual(given.chain.mass.tolist(), chain.mass.tolist())
-        self.assertAlmostEqual(given.energy, found.energy, delta=1e-14)
+        self.assertAlmostEqual(lattice.breather(chain, omega=1.3).energy, found.energy, delta=1e-14)
         self.assertAlmostEqual(lattice.multipliers(chain, omega=1.3).kappa, lattice.multipliers(omega=1.3, mass_ratio=0.8).kappa,
                                delta=1e-14)
-        chain = lattice.Chain(contact="power", alpha=2, well="pendulum")
-        self.assertEqual(bits(lattice.barrier(chain, omega=1.2).equal_area),
-                         bits(lattice.barrier(omega=1.2, contact="power", alpha=2, well="pendulum").equal_area))
 
     def test_dps(self):
         found = self.check(lattice.dps, "sec31_dps_limit impact", tau=60)
@@ -149,91 +132,123 @@ class Refusals(unittest.TestCase):
             function(**options)
         self.assertEqual(str(caught.exception), program(command, *(f"--{n}={v}" for n, v in options.items())))
 
-    def test_wrong_input(self):
-        run = "sec34_impact run"
-        self.check(ValueError, lattice.strike, run, velocity=-1.0)
-        self.check(ValueError, lattice.strike, run, velocity="fast")
+    def test_options(self):
+        breather = "sec32_newton_breathers breather"
+        self.check(ValueError, lattice.strike, "sec34_impact run", velocity="fast")
+        self.check(ValueError, lattice.breather, breather, centre="bond", sites=31)
+        self.check(ValueError, lattice.breather, breather, precompression=0.01, omega=1.2)
+        self.check(RuntimeError, lattice.strike, "sec34_impact run", velocity=1.3, s=-0.7, time=100)
         with self.assertRaisesRegex(ValueError, "there is no such option; did you mean --velocity"):
             lattice.strike(velocty=None)
-        self.check(ValueError, lattice.strike, run, well="pendulum", s=1.0)
-        self.check(ValueError, lattice.breather, "sec32_newton_breathers breather", centre="bond", sites=31)
-        self.check(ValueError, lattice.breather, "sec32_newton_breathers breather", well="none")
-        self.check(ValueError, lattice.dps, "sec31_dps_limit impact", end="loose")
-        self.check(ValueError, lattice.breather, "sec32_newton_breathers breather", precompression=0.01, omega=1.2)
-
-    def test_breathers_of_chains(self):
-        for message, call in [
-                ("symmetric about the centre", lambda: lattice.breather(lattice.Chain(31, mass=range(1, 32)), omega=1.2)),
-                ("--mass-ratio: such beads", lambda: lattice.breather(mass_ratio=2, centre="bond")),
-                ("--sites: 31 does not fit --centre bond", lambda: lattice.breather(lattice.Chain(31), centre="bond")),
-                ("free ends", lambda: lattice.breather(lattice.Chain(31, ends="fixed"))),
-                ("--s: belongs to the chain", lambda: lattice.breather(lattice.Chain(31), s=1)),
-                ("--mass_ratio: belongs to the chain", lambda: lattice.multipliers(lattice.Chain(31), mass_ratio=2)),
-                ("linear waves of the chain, .1, 1.26491.", lambda: lattice.multipliers(lattice.Chain(precompression=0.01))),
-                ("chain: 31 beads", lambda: lattice.barrier(lattice.Chain(31)))]:
-            with self.assertRaisesRegex(ValueError, message) as caught:
-                call()
-            self.assertNotIn("\n", str(caught.exception))
-        with self.assertRaisesRegex(TypeError, "chain: 5 is not a lattice.Chain"):
-            lattice.breather(5)
-
-    def test_failures(self):
-        self.check(RuntimeError, lattice.strike, "sec34_impact run", velocity=1.3, s=-0.7, time=100)
-
-    def test_chains(self):
-        for message, options in [("mass", {"sites": 3, "mass": [1, -1, 1]}), ("mass", {"sites": 3, "mass": [1, 1]}),
-                                 ("--well", {"well": "cubic"}), ("--sites", {"sites": 1}), ("--ends", {"ends": "open"})]:
-            with self.assertRaisesRegex(ValueError, message):
-                lattice.Chain(**options)
-        with self.assertRaisesRegex(ValueError, "--s: belongs to the chain"):
-            lattice.strike(lattice.Chain(sites=30), s=1)
-
-    def test_whatever_is_not_a_state(self):
-        """Lengths, types and numbers that cannot be meant, said with the name and in a few words."""
-        chain, zero = lattice.Chain(4), np.zeros(4)
-        long = list(range(100000))
-        for message, y in [(f"{n} entries .allowed: 4", range(n)) for n in (0, 3, 5)] + [
-                ("None", None), ("'abc' is no array", "abc"), ("no array of real", zero + 1j),
-                ("no array of real", ["1"] * 4), ("no array of real", [[1], [2, 3]]),
-                ("no array of real", np.ma.masked_equal([0, 1, 2, 3], 1)),
-                ("nan in entry 1", [0, math.nan, 0, 0]), ("inf in entry 3", [0, 0, 0, math.inf]),
-                ("nan in entry 0", np.array([None, 1, 2, 3], object)), ("100000 entries", long), ("shapes", [zero, zero])]:
-            for call in (chain.accelerations, lambda y: chain.energy_density(y, zero), lambda y: chain.evolve(y, zero, 1)):
-                if message != "shapes" or call != chain.accelerations:
-                    with self.assertRaisesRegex(ValueError, f"^y.*{message}"):
-                        call(y)
-        with self.assertRaisesRegex(ValueError, "v: inf in entry 2"):
-            chain.evolve(zero, [0, 0, math.inf, 0], 1)
-        with self.assertRaisesRegex(ValueError, "no number of sites"):
-            lattice.Chain().accelerations([])
-        with self.assertRaisesRegex(RuntimeError, "the acceleration of bead 0 is -inf"):
-            chain.accelerations([1e308, -1e308, 0, 0])
-        same = chain.accelerations([1, 2, 3, 4])
-        for y in ((1, 2, 3, 4), np.arange(1, 5), np.arange(1, 5, dtype=np.float32), [Fraction(n) for n in (1, 2, 3, 4)]):
-            self.assertEqual(bits(chain.accelerations(y)), bits(same))
-
-    def test_runs_that_cannot_be_meant(self):
-        chain, v = lattice.Chain(4), np.eye(4)[0]
-        for name, values in {"time": (-1, math.nan, math.inf, None, "20", 1j, True, [1], np.ones(3)),
-                             "sample": (0, -1, math.nan), "tolerance": (0, -1, 1, 1e300, 1e-30, math.nan)}.items():
-            for value in values:
-                with self.assertRaisesRegex(ValueError, f"^{name}: "):
-                    chain.evolve(0 * v, v, **{"time": 1, name: value})
-        with self.assertRaisesRegex(ValueError, "sample: y and v would take 160 GB .allowed: 2;"):
-            lattice.Chain(1000).evolve(np.zeros(1000), np.eye(1000)[0], time=1e6, sample=0.1)
-        self.assertEqual(chain.evolve(0 * v, v, 0).t.tolist(), [0])
-
-    def test_a_value_that_is_none(self):
-        for value in (True, False, np.True_, 1j, np.complex128(1), b"1", [1], np.ones(1)):
+        for value in (True, np.True_, 1j, b"1", np.ones(1)):
             with self.assertRaisesRegex(ValueError, "--velocity: .* is not a number"):
                 lattice.strike(velocity=value)
+
+    def refused(self, *cases, kind=ValueError):
+        """Each call is refused in one line that has its words."""
+        for words, call in cases:
+            with self.assertRaisesRegex(kind, words) as caught:
+                call()
+            self.assertNotIn("\n", str(caught.exception))
+
+    def test_chains(self):
+        self.refused(
+            ("mass must be finite and > 0", lambda: lattice.Chain(3, mass=[1, -1, 1])), ("mass", lambda: lattice.Chain(3, mass=[1, 1])),
+            ("--well", lambda: lattice.Chain(well="cubic")), ("--ends", lambda: lattice.Chain(ends="open")),
+            ("mass: the chain has no number of sites", lambda: lattice.Chain(mass=[1, 0.5])),
+            ("symmetric about the centre", lambda: lattice.breather(lattice.Chain(31, mass=range(1, 32)), omega=1.2)),
+            ("--sites: 31 does not fit --centre bond", lambda: lattice.breather(lattice.Chain(31), centre="bond")),
+            ("free ends", lambda: lattice.breather(lattice.Chain(31, ends="fixed"))),
+            ("--mass_ratio: belongs to the chain", lambda: lattice.multipliers(lattice.Chain(31), mass_ratio=2)),
+            ("linear waves of the chain, .1, 1.26491.", lambda: lattice.multipliers(lattice.Chain(precompression=0.01))),
+            ("chain: 31 beads", lambda: lattice.barrier(lattice.Chain(31))))
+        self.refused(("chain: 5 is not a lattice.Chain", lambda: lattice.breather(5)), kind=TypeError)
+
+    def test_states_and_runs(self):
+        """Lengths, types and numbers that cannot be meant, said with the name and in a few words."""
+        chain, zero, v = lattice.Chain(4), np.zeros(4), np.eye(4)[0]
+        for message, y in [("5 entries .allowed: 4", range(5)), ("None", None), ("no array of real", zero + 1j),
+                           ("no array of real", np.ma.masked_equal([0, 1, 2, 3], 1)), ("nan in entry 1", [0, math.nan, 0, 0])]:
+            for call in (chain.accelerations, lambda y: chain.energy_density(y, zero), lambda y: chain.evolve(y, zero, 1)):
+                self.refused((f"^y.*{message}", lambda: call(y)))
+        for name, value in [("time", -1), ("time", "20"), ("time", True), ("sample", 0), ("tolerance", 1), ("tolerance", 1e-30)]:
+            self.refused((f"^{name}: ", lambda: chain.evolve(zero, v, **{"time": 1, name: value})))
+        self.refused(("^y.*shapes", lambda: chain.energy_density([zero, zero], zero)),
+                     ("no number of sites", lambda: lattice.Chain().accelerations([])),
+                     ("sample: y and v would take 160 GB .allowed: 2;",
+                      lambda: lattice.Chain(1000).evolve(np.zeros(1000), np.eye(1000)[0], time=1e6, sample=0.1)))
+        self.refused(("the acceleration of bead 0 is -inf", lambda: chain.accelerations([1e308, -1e308, 0, 0])), kind=RuntimeError)
+        for y in ((1, 2, 3, 4), np.arange(1, 5, dtype=np.float32), [Fraction(n) for n in (1, 2, 3, 4)]):
+            self.assertEqual(bits(chain.accelerations(y)), bits(chain.accelerations(np.arange(1, 5))))
+
+    def test_what_is_no_orbit(self):
+        chain, rest = lattice.Chain(5, well="quartic", s=1), np.zeros(5)
+        self.refused(("shrinks to rest", lambda: chain.orbit(rest, 5)), ("period: -5", lambda: chain.orbit(np.ones(5), -5)),
+                     ("misses its start", lambda: chain.multipliers(np.eye(5)[2], rest, 5)),
+                     (r"\(5,\), one number a site", lambda: chain.multipliers(np.zeros((2, 5)), np.zeros((2, 5)), 5)),
+                     ("no number of sites", lambda: lattice.Chain().orbit([1], 5)), kind=(ValueError, RuntimeError))
+
+    def test_potentials_that_are_none(self):
+        """They used to give wrong multipliers, or a drift, without a word."""
+        energy, force = lambda y: y * y / 2, lambda y: -y
+        self.refused(
+            ("force", lambda: lattice.Well(energy, lambda y: -1.01 * y, np.ones_like)), ("stiffness", lambda: lattice.Well(energy, force, lambda y: 2)),
+            (r"force returns (\d+) numbers for \d+ .allowed: as many, or one", lambda: lattice.Well(energy, lambda y: -y[1:], np.ones_like)),
+            ("energy returns something else", lambda: lattice.Well(lambda y: y * y / 2 + 0j, force, np.ones_like)),
+            ("rim is nan", lambda: lattice.Well(energy, force, np.ones_like, math.nan)),
+            ("exponent", lambda: lattice.Contact(overlap_energy, overlap_force, overlap_stiffness, exponent=math.inf)),
+            ("--s: a Well of your own does not have it", lambda: lattice.breather(well=lattice.Well(energy, force, np.ones_like), s=0.1)),
+            ("frequency at rest is one", lambda: lattice.breather(well=lattice.Well(lambda y: y * y, lambda y: -2 * y, lambda y: 2 * np.ones_like(y)))))
+        self.refused(("stiffness: 1 is not a function", lambda: lattice.Well(energy, force, 1)), kind=TypeError)
+        one = lattice.Chain(3, well=lattice.Well(energy, force, lambda y: 1.0))  # a number stands for a row of it
+        self.assertEqual(list(one.accelerations([1, 1, 1])), [-1, -1, -1])
+
+
+# What nobody can mean, or hardly
+ODD = [math.nan, math.inf, -math.inf, 0, -0.0, -1, 1e-3, 5e-324, -1e-9, 1e20, 1e308, -1e308, 2**31, 2**63, 2**64, 10**400,
+       -(10**5000), Fraction(1, 3), Fraction(10**400), np.int8(3), np.longdouble("1e4000"), None, True, np.True_, "", "x", "1/0",
+       "nan", "1\n2", "\0", "\udcff", "é", "9" * 5000, b"1", 1j, [1], [[1, 2], [3]], [], {}, object(), np.ones(100000),
+       np.array(None), np.array([None, 1], object), np.array(["a"]), ..., np.datetime64("2020-01-01"), type, np.array(2.0),
+       (n for n in range(3)), np.ma.masked, memoryview(b"1"), [0, 1e300, math.nan, 1e-310], np.ones((3, 4), np.float32)]
+
+
+class Whatever(unittest.TestCase):
+    def test_it_is_answered_with_what_is_known_or_refused_in_one_line(self):
+        """Random calls in which arguments are odd: `tests.py BIN Whatever`, with COUNT and SEED in the environment."""
+        count, chance = int(os.environ.get("COUNT", "400")), random.Random(os.environ.get("SEED", "1"))
+        chain, v = lattice.Chain(4), np.eye(4)[0]
+        calls = [(chain.evolve, {"y": 0 * v, "v": v, "time": 3, "sample": 1, "tolerance": 1e-3}), (chain.accelerations, {"y": v}),
+                 (chain.energy_density, {"y": v, "v": v}), (lattice.Chain, {"sites": 4, "mass": 1, "eta": 1}),
+                 (lattice.Well, {"energy": lambda y: y * y / 2, "force": lambda y: -y, "stiffness": np.ones_like, "rim": 2.0})]
+        calls += [(getattr(lattice, name), dict.fromkeys((o[0].replace("-", "_") for o in options if not o[1]))) for name, options
+                  in lattice._lattice.options.items() if name != "Chain"]
+        kinds = set()
+        for _ in range(count):
+            function, right = chance.choice(calls)
+            odd = {name: chance.choice(ODD) for name in right if chance.random() < 1 / len(right)} or {chance.choice(list(right)): chance.choice(ODD)}
+            given = {name: value for name, value in right.items() if value is not None} | odd
+            with self.subTest(function.__name__, given=lattice._short(odd)), warnings.catch_warnings():
+                warnings.filterwarnings("error", "(?!.*(expm1|longdouble|encountered))")
+                try:
+                    found = function(**given)
+                except (ValueError, TypeError, RuntimeError) as error:
+                    kinds.add(type(error))
+                    self.assertTrue(str(error).isprintable() and 5 <= len(str(error)) <= 400, str(error)[:1000])
+                    self.assertNotRegex(str(error), "std::|bad |incompatible|variant|vector|stod")
+                else:
+                    kinds.add(True)
+                    if function == chain.evolve:
+                        self.assertAlmostEqual(found.t[-1], float(given["time"]), delta=1e-12 * abs(found.t[-1]))
+                    for name, value in getattr(found, "quantities", {}).items():
+                        self.assertTrue(value.error >= 0 if math.isfinite(value) else math.isnan(value) and value.reason, name)
+                    self.assertRegex(repr(found), r"\A[ -~\n]{1,4000}\Z")
+        self.assertLessEqual({True, ValueError}, kinds)
 
 
 class OwnChains(unittest.TestCase):
     def test_a_struck_chain_keeps_its_length(self):
         """Against the method of Runge and Kutta, with the far end in the run."""
-        for n, mass, eta, ends in [(10, 1, 1, "free"), (12, np.ones(12), 1, "free"), (12, [1, 1.5], 1, "free"),
-                                   (9, np.linspace(1, 0.5, 9), np.linspace(0.5, 2, 10), "fixed")]:
+        for n, mass, eta, ends in [(12, [1, 1.5], 1, "free"), (9, np.linspace(1, 0.5, 9), np.linspace(0.5, 2, 10), "fixed")]:
             chain = lattice.Chain(n, mass, eta, ends=ends)
             found = lattice.strike(chain, velocity=1.5, time=40, tolerance=1e-7)
             self.assertEqual((len(found.y), found.chain.mass.tolist()), (n, chain.mass.tolist()))
@@ -251,44 +266,19 @@ class OwnChains(unittest.TestCase):
                 z = z + h / 6 * (a + 2 * b + 2 * c + rate(z + h * c))
             np.testing.assert_allclose(np.concatenate([found.y, found.v]), z, rtol=0, atol=1e-6)
             self.assertEqual(found.far_end_moved, 1)
-            if np.all(masses == 1) and np.all(eta == 1):
-                same = lattice.strike(sites=n, velocity=1.5, time=40, tolerance=1e-7)
-                self.assertEqual(bits(list(found.quantities.values())), bits(list(same.quantities.values())))
         self.assertEqual(lattice.strike(lattice.Chain(60), velocity=1, time=20).far_end_moved, 0)
         chain = lattice.Chain(17, mass=[1.2, 1])  # shorter than breathers usually are
-        found = lattice.breather(chain, omega=1.3)
-        self.assertEqual((len(found.y), found.chain.mass.tolist()), (17, chain.mass.tolist()))
         self.assertEqual(len(lattice.multipliers(chain, omega=1.3).multiplier), 34)
 
-    def test_forces_of_a_dimer(self):
-        """Eq. (32), written once more: masses, stiffnesses, another exponent, and the ends."""
-        rng = np.random.default_rng(1)
-        n, alpha = 9, 1.75
-        mass, eta, y = rng.uniform(0.5, 2, n), rng.uniform(0.5, 2, n + 1), rng.normal(size=n)
-        for ends in ("free", "fixed"):
-            chain = lattice.Chain(n, mass, eta, well="quartic", s=0.3, contact="power", alpha=alpha, ends=ends)
-            z = np.concatenate([[0], y, [0]])
-            push = eta * np.maximum(z[:-1] - z[1:], 0) ** alpha
-            if ends == "free":
-                push[[0, -1]] = 0
-            a = (-(y + 0.3 * y**3) + push[:-1] - push[1:]) / mass
-            np.testing.assert_allclose(chain.accelerations(y), a, rtol=1e-13, atol=1e-14)
-
     def test_a_dimer_keeps_its_energy(self):
-        chain = lattice.Chain(sites=40, mass=[1, 3])
-        v = np.zeros(40)
-        v[0] = 1
-        run = chain.evolve(np.zeros(40), v, time=20, sample=0.5, tolerance=1e-8)
-        self.assertEqual(run.y.shape, (len(run.t), 40))
+        chain, v = lattice.Chain(sites=40, mass=[1, 3]), np.eye(40)[0]
+        run = chain.evolve(0 * v, v, time=20, sample=0.5, tolerance=1e-8)
         self.assertLess(run.energy_drift, 1e-8)
         e = chain.energy_density(run.y, run.v)
-        self.assertEqual(e.shape, run.y.shape)
+        self.assertTrue(e.shape == run.y.shape == (len(run.t), 40))
         np.testing.assert_allclose(e.sum(axis=1), 0.5, rtol=0, atol=1e-8)
         self.assertEqual(bits(e[7]), bits(chain.energy_density(run.y[7], run.v[7])))
         self.assertEqual(bits(chain.accelerations(run.y)[7]), bits(chain.accelerations(run.y[7])))
-        light = lattice.strike(lattice.Chain(sites=40, mass=np.ones(40)), velocity=1, time=20)
-        heavy = lattice.strike(chain, velocity=1, time=20)
-        self.assertLess(heavy.centre, light.centre)
 
     def test_any_orbit_of_any_chain(self):
         """Values of a program of its own: extrapolated midpoint rule with 64 bits and step control, no event location."""
@@ -318,60 +308,22 @@ class OwnChains(unittest.TestCase):
                 np.testing.assert_allclose(size * size[::-1], 1, atol=1e-9)
             np.testing.assert_allclose(np.sort(at_rest.multiplier.real), np.sort(moving.multiplier.real), atol=1e-9)
 
-    def test_what_is_no_orbit_is_refused(self):
-        chain = lattice.Chain(5, well="quartic", s=1)
-        for said, call in [("shrinks to rest", lambda: chain.orbit(np.zeros(5), 5)), ("period: -5", lambda: chain.orbit(np.ones(5), -5)),
-                           ("misses its start", lambda: chain.multipliers(np.eye(5)[2], np.zeros(5), 5)),
-                           ("misses its start", lambda: chain.multipliers(np.eye(5)[2], np.eye(5)[1], 5)),
-                           (r"\(5,\), one number a site", lambda: chain.multipliers(np.zeros((2, 5)), np.zeros((2, 5)), 5)),
-                           ("no number of sites", lambda: lattice.Chain().orbit([1], 5))]:
-            with self.assertRaisesRegex((ValueError, RuntimeError), said):
-                call()
-
-    def test_what_is_faster_than_the_steps(self):
-        """A stiff contact of 0.02 units of time (DOP853 between the zeros of the overlap)."""
-        a, f = 1 + 4.8e-5, 3.29614
-        run = lattice.Chain(2, mass=[1, 1e6], eta=[0, 1e5, 0]).evolve([a * math.cos(f), 1], [-a * math.sin(f), 0], 6)
-        np.testing.assert_allclose(run.y[-1], [-0.991841245840, 0.999982001374], rtol=0, atol=3e-9)
-
     def test_a_pattern_is_repeated(self):
-        self.assertEqual(bits(lattice.Chain(20, mass=[1, 0.5]).mass), bits([1, 0.5] * 10))
         self.assertEqual(bits(lattice.Chain(5, mass=(1, 0.5)).mass), bits([1, 0.5, 1, 0.5, 1]))
-        self.assertEqual(bits(lattice.Chain(4, mass=2, eta=[1, 3]).eta), bits([1, 3, 1, 3, 1]))
-        self.assertEqual(bits(lattice.Chain(4, eta=[1, 3, 5, 7, 9]).eta), bits([1, 3, 5, 7, 9]))
         self.assertEqual(bits(lattice.Chain(6, eta=[1, 3], ends="periodic").eta), bits([1, 3, 1, 3, 1, 3, 1]))
-        for name in ("mass", "eta"):
-            with self.assertRaisesRegex(ValueError, f"{name}: a pattern of 2 does not close after 5 sites"):
-                lattice.Chain(5, ends="periodic", **{name: [1, 3]})
-        for mass in ([1, 2, 3], [1] * 5, [], [[1, 2], [1, 2]]):  # more than half of it, which may be a slip
-            with self.assertRaisesRegex(ValueError, "mass: .*allowed: 4, or a pattern that fits in at least twice"):
-                lattice.Chain(4, mass=mass)
-        with self.assertRaisesRegex(ValueError, "mass: the chain has no number of sites"):
-            lattice.Chain(mass=[1, 0.5])
-        with self.assertRaisesRegex(ValueError, "mass must be finite and > 0"):
-            lattice.Chain(4, mass=[1, -1])
-
-    def test_a_chain_says_what_it_is(self):
-        for words, chain in [("Chain of 10 beads: wells harmonic; contacts hertz; ends free", lattice.Chain(10)),
-                             ("; ends free", lattice.Chain(10, mass=1)), ("free; mass 2", lattice.Chain(10, mass=2)),
-                             ("; mass 1 and 0.5 in turn", lattice.Chain(10, mass=[1, 0.5])),
-                             ("; mass 1 to 10", lattice.Chain(10, mass=range(1, 11))),
-                             ("free; eta 1 to 3", lattice.Chain(2, eta=[1, 2, 3]))]:
-            self.assertEqual(repr(chain)[-len(words):], words)
+        for message, options in [("eta: a pattern of 2 does not close after 5 sites", {"sites": 5, "eta": [1, 3], "ends": "periodic"}),
+                                 ("mass: .*allowed: 4, or a pattern that fits in at least twice", {"sites": 4, "mass": [1, 2, 3]})]:
+            with self.assertRaisesRegex(ValueError, message):
+                lattice.Chain(**options)
 
     def test_a_run_that_ends_before_its_time(self):
         """In a soft well the solution itself ends. It used to be a run of 44 units with the error zero."""
-        soft, zero = lattice.Chain(sites=60, well="quartic", s="-1/6"), np.zeros(60)
+        soft, v = lattice.Chain(sites=60, well="quartic", s="-1/6"), np.eye(60)[0]
         with self.assertRaisesRegex(RuntimeError, r"a bead runs away at t = 44\.4"):
-            soft.evolve(zero, 2.12 * np.eye(60)[0], 100)
-        for huge in (1e20, 1e300):
-            with self.assertRaises(ValueError):
-                soft.evolve(zero, huge * np.eye(60)[0], 100)
-
-        def broken_later(y):
-            return np.where(abs(y) < 1.2, -y, math.nan)
-
-        well = lattice.Well(lambda y: y * y / 2, broken_later, np.ones_like)
+            soft.evolve(0 * v, 2.12 * v, 100)
+        with self.assertRaises(ValueError):
+            soft.evolve(0 * v, 1e300 * v, 100)
+        well = lattice.Well(lambda y: y * y / 2, lambda y: np.where(abs(y) < 1.2, -y, math.nan), np.ones_like)
         with self.assertRaisesRegex(RuntimeError, "no step is short enough"):
             lattice.Chain(4, well=well).evolve(np.zeros(4), 3e4 * np.eye(4)[0], 10)  # soon: slow in Python
 
@@ -380,68 +332,33 @@ class OwnChains(unittest.TestCase):
         contact = lattice.Contact(overlap_energy, overlap_force, functools.partial(overlap_stiffness))
         for chain in (lattice.Chain(), lattice.Chain(12, mass=[1, 1.1], eta=range(13), ends="fixed"),
                       lattice.Chain(12, well="quartic", s="-1/6", contact="power", alpha=1.75, precompression=0.3),
-                      lattice.Chain(12, well="pendulum", precompression=0.1, ends="periodic", eta=2),
                       lattice.Chain(12, well=lattice.Well(cosh_energy, cosh_force, np.cosh, rim=9), contact=contact)):
             again = pickle.loads(pickle.dumps(chain))
             self.assertEqual(repr(again), repr(chain))
-            y = np.random.default_rng(1).normal(size=(12 if chain.sites else 1))
             if chain.sites:
+                y = np.random.default_rng(1).normal(size=12)
                 self.assertEqual(bits(again.accelerations(y)), bits(chain.accelerations(y)))
         with concurrent.futures.ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as pool:
             there = pool.submit(lattice.strike, chain, velocity=1, time=20).result()
         here = lattice.strike(chain, velocity=1, time=20)
         self.assertEqual((repr(there), repr(there.chain), bits(there.y)), (repr(here), repr(here.chain), bits(here.y)))
         self.assertEqual(there.speed.reason, here.speed.reason)
-        found = lattice.breather(omega=1.1)
-        self.assertEqual(repr(pickle.loads(pickle.dumps(found)).chain), repr(found.chain))
 
     def test_potentials_in_python(self):
         """The article's well and contact, written in Python, against those of the library."""
         well = lattice.Well(lambda y: y * y / 2, lambda y: -y, np.ones_like)
-        contact = lattice.Contact(lambda r: 2 / r.dtype.type(5) * np.maximum(-r, 0) ** 2 * np.sqrt(np.maximum(-r, 0)),
-                                  lambda r: np.maximum(-r, 0) * np.sqrt(np.maximum(-r, 0)),
-                                  lambda r: 3 / r.dtype.type(2) * np.sqrt(np.maximum(-r, 0)))
+        contact = lattice.Contact(overlap_energy, overlap_force, overlap_stiffness)
         mine = lattice.strike(lattice.Chain(sites=30, well=well, contact=contact), velocity=1, time=20)
         theirs = lattice.strike(lattice.Chain(sites=30), velocity=1, time=20)
         np.testing.assert_allclose(mine.y, theirs.y, rtol=0, atol=1e-12)
-
-    def test_a_breather_in_a_well_of_ones_own(self):
-        well = lattice.Well(lambda y: y * y / 2, lambda y: -y, np.ones_like)
-        mine, theirs = lattice.breather(well=well, omega=1.05, sites=31), lattice.breather(s=0, omega=1.05, sites=31)
-        self.assertAlmostEqual(mine.energy, theirs.energy, delta=1e-12 * theirs.energy)
-        with self.assertRaisesRegex(ValueError, "frequency at rest is one"):
-            lattice.breather(well=lattice.Well(lambda y: y * y, lambda y: -2 * y, lambda y: 2 * np.ones_like(y)))
 
     def test_what_python_raises_arrives(self):
         def broken(y):
             raise KeyError("mine")
 
         with self.assertRaisesRegex(KeyError, "mine"):
-            lattice.Well(broken, broken, broken)
-        with self.assertRaisesRegex(KeyError, "mine"):
             late = lattice.Well(lambda y: y * y / 2, lambda y: broken(y) if abs(y).max() > 1.5 else -y, np.ones_like)
             lattice.Chain(4, well=late).accelerations([2, 0, 0, 0])
-
-    def test_potentials_that_are_none(self):
-        """They used to give wrong multipliers, or a drift, without a word."""
-        energy, force = lambda y: y * y / 2, lambda y: -y
-        for message, functions in [("force", (energy, lambda y: -1.01 * y, np.ones_like)),
-                                   (r"force returns (\d+) numbers for \d+ .allowed: as many, or one", (energy, lambda y: -y[1:], np.ones_like)),
-                                   ("energy returns something else", (lambda y: y * y / 2 + 0j, force, np.ones_like)),
-                                   ("force returns something else", (energy, lambda y: None, np.ones_like)),
-                                   ("stiffness", (energy, force, lambda y: 2))]:
-            with self.assertRaisesRegex(ValueError, message):
-                lattice.Well(*functions)
-        one = lattice.Chain(3, well=lattice.Well(energy, force, lambda y: 1.0))  # a number stands for a row of it
-        self.assertEqual(list(one.accelerations([1, 1, 1])), [-1, -1, -1])
-        with self.assertRaisesRegex(ValueError, "rim is nan"):
-            lattice.Well(energy, force, np.ones_like, math.nan)
-        with self.assertRaisesRegex(ValueError, "exponent"):
-            lattice.Contact(overlap_energy, overlap_force, overlap_stiffness, exponent=math.inf)
-        with self.assertRaisesRegex(TypeError, "stiffness: 1 is not a function"):
-            lattice.Well(energy, force, 1)
-        with self.assertRaisesRegex(ValueError, "--s: a Well of your own does not have it"):
-            lattice.breather(well=lattice.Well(energy, force, np.ones_like), s=0.1)
 
     def test_digits_that_are_lost(self):
         with self.assertWarnsRegex(UserWarning, "expm1"):
@@ -477,20 +394,13 @@ def overlap_stiffness(r):
 class LongWork(unittest.TestCase):
     def test_it_can_be_interrupted_and_leaves_others_alone(self):
         ticks, over = [], threading.Event()
-
-        def tick():
-            while not over.wait(0.01):
-                ticks.append(0)
-
-        other = threading.Thread(target=tick)
-        for call in (lambda: lattice.strike(velocity=1, time=1e5, sites=3000, tolerance=1e-10),
-                     lambda: lattice.dps(tau=1e4, sites=2000),
+        other = threading.Thread(target=lambda: ticks.extend(0 for _ in iter(lambda: over.wait(0.01), True)))
+        other.start()
+        for call in (lambda: lattice.strike(velocity=1, time=1e5, sites=3000, tolerance=1e-10), lambda: lattice.dps(tau=1e4, sites=2000),
                      lambda: lattice.Chain(3000).evolve(np.ones(3000), np.zeros(3000), 1e6, sample=1e6),
                      lambda: lattice.multipliers(omega=1.1, sites=301)):
             timer = threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT))
             timer.start()
-            if not ticks:
-                other.start()
             begin = time.monotonic()
             with self.assertRaises(KeyboardInterrupt):
                 call()
@@ -514,15 +424,14 @@ class LongWork(unittest.TestCase):
                     threading.Thread(target=work, daemon=True).start()
                 time.sleep(0.3)"""
             for _ in range(3):
-                run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)
+                run = python(code)
                 self.assertEqual((run.returncode, run.stderr), (0, ""))
 
     def test_where_no_thread_can_start(self):
         """Every new thread asks for a stack that no memory holds."""
         code = "import lattice, numpy as np; print(lattice.Chain(3).evolve(np.zeros(3), np.eye(3)[0], 20).error.hex())"
-        run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True,
-                             env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
-                             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_STACK, (1 << 47, resource.getrlimit(resource.RLIMIT_STACK)[1])))
+        stack = (1 << 47, resource.getrlimit(resource.RLIMIT_STACK)[1])
+        run = python(code, {"OPENBLAS_NUM_THREADS": "1"}, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_STACK, stack))
         self.assertEqual((run.stderr, run.stdout.strip()), ("", lattice.Chain(3).evolve(np.zeros(3), np.eye(3)[0], 20).error.hex()))
 
     def test_threads_decide_nothing(self):
@@ -535,16 +444,13 @@ class LongWork(unittest.TestCase):
 class Documentation(unittest.TestCase):
     def test_everything_is_described(self):
         for name in lattice.__all__:
-            text = inspect.getdoc(getattr(lattice, name))
-            self.assertTrue(text, name)
+            self.assertTrue(text := inspect.getdoc(getattr(lattice, name)), name)
             self.assertNotIn("OPTIONS", text)
         for name, options in lattice._lattice.options.items():
             target = getattr(lattice, name)
-            for option, *_ in options:
-                option = option.replace("-", "_")
-                if option != "profile":
-                    self.assertIn(f"{option}:", target.__doc__, name)
-                    self.assertIn(option, inspect.signature(target).parameters)
+            for option in {option.replace("-", "_") for option, *_ in options} - {"profile"}:
+                self.assertIn(f"{option}:", target.__doc__, name)
+                self.assertIn(option, inspect.signature(target).parameters)
         self.assertIn("Eq. (26)", lattice.strike.__doc__)
         self.assertEqual(inspect.signature(lattice.breather).parameters["omega"].default, 1.1)
 
@@ -553,8 +459,7 @@ class Documentation(unittest.TestCase):
         told = (folder / "__init__.pyi").read_text()
         self.assertEqual(told, stubs.stub(lattice))
         self.assertTrue((folder / "py.typed").exists())
-        names = {node.name for node in ast.parse(told).body if isinstance(node, (ast.ClassDef, ast.FunctionDef))}
-        self.assertEqual(names, set(lattice.__all__))
+        self.assertEqual(set(re.findall(r"^(?:class|def) (\w+)", told, re.M)), set(lattice.__all__))
         self.assertIn('ends: Literal["free", "fixed", "periodic"] = ', told)
 
     def test_a_wheel_has_all_that_an_import_needs_and_says_so(self):
@@ -566,31 +471,19 @@ class Documentation(unittest.TestCase):
                 listed = [row[0] for row in csv.reader(wheel.read(f"{'-'.join(name.split('-')[:2])}.dist-info/RECORD").decode().splitlines())]
                 self.assertEqual(sorted(wheel.namelist()), sorted(listed))
                 self.assertIn("lattice/__init__.pyi", listed)
-            run = subprocess.run([sys.executable, "-c", "import lattice; print(lattice.__file__, lattice.Chain(3).sites)"],
-                                 capture_output=True, text=True, cwd=folder, env={**os.environ, "PYTHONPATH": folder})
+            run = python("import lattice; print(lattice.__file__, lattice.Chain(3).sites)", {"PYTHONPATH": folder}, cwd=folder)
             self.assertEqual(run.stdout, f"{Path(folder) / 'lattice/__init__.py'} 3\n", run.stderr)
 
     def test_a_number_shows_what_is_known(self):
-        self.assertEqual(str(lattice.Estimate(0.361294, 2e-5, "site")), "0.36129 +- 2e-05 site")
-        self.assertEqual(str(lattice.Estimate(4, 0, "", True)), "4")
-        self.assertEqual(str(lattice.Estimate(math.nan, math.nan)), "nan")
-        self.assertEqual(str(lattice.Estimate(math.nan, math.nan, "site", reason="no packet left")), "nan (no packet left)")
+        self.assertEqual([str(lattice.Estimate(*of)) for of in ((0.361294, 2e-5, "site"), (4, 0, "", True), (math.nan, math.nan))],
+                         ["0.36129 +- 2e-05 site", "4", "nan"])
         copy = pickle.loads(pickle.dumps(lattice.Estimate(1.5, 0.1, "site", reason="none")))
         self.assertEqual((copy, copy.error, copy.unit, copy.reason), (1.5, 0.1, "site", "none"))
-
-    def test_a_strict_terminal_can_show_everything(self):
-        code = "import lattice; print(lattice.strike(velocity=1, time=10)); help(lattice)"
-        run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True,
-                             env={**os.environ, "PYTHONIOENCODING": "ascii:strict"})
-        self.assertEqual(run.stderr, "")
-        self.assertRegex(run.stdout, r"centre += [0-9.]+ \+- ")
-        self.assertIn("set_threads(count=0)", run.stdout)
 
     def test_what_an_import_needs(self):
         for setting, message in [("numpy", "ImportError: lattice needs numpy, .*python3-numpy"),
                                  ("lattice._lattice", "ImportError: lattice: .*_lattice")]:
-            run = subprocess.run([sys.executable, "-c", f"import sys; sys.modules['{setting}'] = None; import lattice"],
-                                 capture_output=True, text=True)
+            run = python(f"import sys; sys.modules['{setting}'] = None; import lattice")
             self.assertRegex(run.stderr.splitlines()[-1], message)
 
 

@@ -1,6 +1,7 @@
 """Tests of the package: on texts, on a small repository that is made and broken, and on this one.
 
-`python3 -m lineage.tests` runs them all; what needs a tool that is not installed is skipped, with a word."""
+`python3 -m lineage.tests` runs them all; what needs a tool that is not installed is skipped, with a word. A file is named
+after the module that it tests, and here is what they share."""
 
 import contextlib
 import io
@@ -18,8 +19,6 @@ from lineage.values import Finding
 ROOT = Path(__file__).resolve().parents[2]
 # The volume that is asked for: what is said of this repository is said of it.
 VOLUME = ROOT / os.environ.get("LINEAGE_VOLUME", "")
-
-
 # Volume two may be left out of a checkout.
 WHOLE = (ROOT / "beyond").is_dir()
 
@@ -46,8 +45,6 @@ Options:
   --speed [0, 1]              how fast it is, in
                               sites (default: 0.5)
   --well none, harmonic, quartic, pendulum  well of every bead
-
-A remark.
 END
 else cat <<'END'
 A demonstration (section 1)
@@ -55,12 +52,9 @@ Usage: sec1_demo [options]
 
 Options:
   --help                      this text
-  --quick                     coarse
 
 Commands, each with its own --help:
   one                         one thing, of two
-
-Without a command everything is computed.
 END
 fi
 """
@@ -112,6 +106,11 @@ class Scratch(unittest.TestCase):
 
     def read(self, name):
         return ecsv.text_of(self.root / name)
+
+    def change(self, name, old, new):
+        """Puts `new` where `old` stands in a file."""
+        self.assertIn(old, text := self.read(name))
+        self.write(name, text.replace(old, new))
 
     def judged(self, verdict="discrepant"):
         """What `verdicts` would have written."""

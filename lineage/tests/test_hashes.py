@@ -2,116 +2,85 @@
 
 from unittest import mock
 
-from lineage import ecsv, hashes
+from lineage import hashes
 
 from . import FACTS_OF_DEMO, VOLUME, Scratch, of_volume, of_run, table
+
+FACTS, RECORD = "build/data/sec1_demo/facts.ecsv", "paper/hashes.ecsv"
 
 
 class Hashes(Scratch):
     def setUp(self):
         super().setUp()
         self.quick("1")
-        self.renew()
+        self.says(0)
 
     def quick(self, value, quick="yes"):
         self.computed("sec1_demo/facts.ecsv", of_run(quick, table(["quantity", "value"], [["one", float(value)]])), "build/quick/data")
 
-    def call(self, *more):
-        code, out, err = self.lineage("hashes", *more)
-        return code, out + err
-
-    def renew(self):
-        code, said = self.call()
-        self.assertEqual(code, 0, said)
-        return said
-
-    def leave_out(self, names, reason):
-        record, meta = hashes.read_record(self.root)
-        record["sec1_demo", "facts"].left_out, record["sec1_demo", "facts"].reason = names, reason
-        rows = [dict(zip((c.name for c in hashes.COLUMNS), (*key, *vars(e).values()))) for key, e in record.items()]
-        self.write("paper/hashes.ecsv", ecsv.to_text(ecsv.Table(hashes.COLUMNS, rows, meta)))
-
-    def test_what_is_recorded_is_found_again(self):
-        self.assertEqual(self.call("--check"), (0, "hashes     : 1 of 1 tables of the full run have the recorded bytes\n"))
+    def says(self, code, *words, check=""):
+        """What the verb answers, which has these words."""
+        got, out, err = self.lineage("hashes", *check.split())
+        self.assertEqual(got, code, out + err)
+        for word in words:
+            self.assertIn(word, out + err)
+        return out + err
 
     def test_a_header_does_not_count_and_the_last_digit_does(self):
-        name, text = "build/data/sec1_demo/facts.ecsv", self.read("build/data/sec1_demo/facts.ecsv")
-        self.write(name, "# another machine\n" + text)
-        self.assertEqual(self.call("--check")[0], 0)
-        self.write(name, text.replace("fact,2,", "fact,2.0000000000000004,"))
-        code, said = self.call("--check")
-        self.assertEqual(code, 1, said)
-        self.assertIn(f"differs  {name}: not the bytes that are recorded\n", said)
-        self.assertIn("0 of 1 tables", said)
-
-    def test_another_platform_tells_the_row(self):
-        self.write("twin/sec1_demo/facts.ecsv", self.read("build/data/sec1_demo/facts.ecsv"))
-        self.facts(*FACTS_OF_DEMO[:2], ["fact", 2.5, 0.1, ""])
-        self.assertIn("row 3, value: 2.5 instead of 2.0 (1 of 3 rows differ)",
-                      self.call("--check", "--against", "twin")[1])
-
-    def test_another_processor_is_no_failure(self):
-        self.facts(["fact", 2.5, 0.1, ""])
+        text = self.read(FACTS)
+        self.write(FACTS, "# another machine\n" + text)
+        said = self.says(0, check="--check")
+        self.assertEqual(said, "hashes     : 1 of 1 tables of the full run have the recorded bytes\n")
+        self.write("twin/sec1_demo/facts.ecsv", text)
+        self.write(FACTS, text.replace("fact,2,", "fact,2.0000000000000004,"))
+        self.says(1, f"differs  {FACTS}: not the bytes that are recorded", "0 of 1 tables", "row 3, value: 2.0000000000000004 "
+                  "instead of 2.0 (1 of 3 rows differ)", check="--check --against twin")
         with mock.patch("platform.machine", return_value="aarch64"):
-            self.assertEqual(self.call("--check")[0], hashes.OTHER_PROCESSOR)
+            self.says(hashes.OTHER_PROCESSOR, check="--check")
 
     def test_a_table_more_or_less_is_told(self):
         self.computed("sec1_demo/speeds.ecsv", table(["value"], [[1.0]]))
-        self.renew()
+        self.says(0, "new      sec1_demo speeds")
         speeds = self.root / "build/data/sec1_demo/speeds.ecsv"
-        self.computed("sec1_demo/new.ecsv", ecsv.text_of(speeds))
-        speeds.unlink()
-        self.computed("sec1_demo/facts.ecsv", self.read("build/data/sec1_demo/facts.ecsv"))
-        code, said = self.call("--check")
-        self.assertEqual(code, 1)
-        self.assertIn("new.ecsv: not recorded", said)
-        self.assertIn("speeds.ecsv: recorded and not there", said)
+        speeds.rename(speeds.with_name("new.ecsv"))
+        self.computed("sec1_demo/facts.ecsv", self.read(FACTS))
+        self.says(1, "new.ecsv: not recorded", "speeds.ecsv: recorded and not there", check="--check")
 
     def test_the_quick_run_has_its_own_bytes(self):
         self.quick("2")
-        self.assertEqual(self.call("--check")[0], 0)
-        self.assertEqual(self.call("--check", "--run", "quick", "--data", "build/quick/data")[0], 1)
-        self.assertIn("moved    sec1_demo facts: quick\n", self.renew())
+        self.says(0, check="--check")
+        self.says(1, check="--check --run quick --data build/quick/data")
+        self.says(0, "moved    sec1_demo facts: quick\n")
 
-    def test_each_folder_has_runs_of_its_kind(self):
-        """And tables that were not changed since: else nothing is recorded."""
-        record = self.read("paper/hashes.ecsv")
+    def test_nothing_is_recorded_of_a_run_of_another_kind_or_that_was_changed_or_did_not_finish(self):
+        record = self.read(RECORD)
 
-        def refused(words, *more):
-            code, said = self.call(*more)
-            self.assertEqual((code, said.count("\n")), (1, 1), said)
-            self.assertIn(words, said)
-            self.assertEqual(self.read("paper/hashes.ecsv"), record)
+        def refused(words, check=""):
+            self.assertEqual(self.says(1, words, check=check).count("\n"), 1)
+            self.assertEqual(self.read(RECORD), record)
 
         self.quick("1", "no")
         refused("quick/data/sec1_demo/facts.ecsv: of a full run; remove")
         self.quick("1")
-        self.computed("sec1_demo/facts.ecsv", of_run("yes", self.read("build/data/sec1_demo/facts.ecsv")))
-        for more in ((), ("--check",)):
-            refused("build/data/sec1_demo/facts.ecsv: of a quick run; remove", *more)
+        self.computed("sec1_demo/facts.ecsv", of_run("yes", self.read(FACTS)))
+        for check in ("", "--check"):
+            refused(f"{FACTS}: of a quick run; remove", check)
         self.facts(*FACTS_OF_DEMO)
-        name, text = "build/data/sec1_demo/facts.ecsv", self.read("build/data/sec1_demo/facts.ecsv")
-        self.write(name, text.replace("fact,2,", "fact,3,"))
+        self.change(FACTS, "fact,2,", "fact,3,")
         refused("sec1_demo/facts.ecsv: not what sec1_demo wrote; remove it to have it computed again")
-
-    def test_a_row_or_a_column_is_left_out_by_hand_and_with_a_reason(self):
-        for names, same, other in [("fact", ["other", 1.0, 0.0, ""], ["other", 1.5, 0.0, ""]),
-                                   ("error", ["other", 1.5, 7.0, ""], ["other", 1.25, 7.0, ""])]:
-            self.leave_out(names, "rounding")
-            self.renew()
-            for row, code in ((same, 0), (other, 1)):
-                self.facts(FACTS_OF_DEMO[0], row, ["fact", 2.5, 0.2, ""])
-                self.assertEqual(self.call("--check")[0], code)
-            self.renew()
-            self.assertEqual(hashes.read_record(self.root)[0]["sec1_demo", "facts"].reason, "rounding")
-        self.leave_out("fact", "")
-        self.assertIn("with a reason", self.call("--check")[1])
-
-    def test_a_run_that_did_not_finish_is_not_recorded(self):
         (self.root / "build/quick/data/sec1_demo/facts.ecsv").unlink()
-        code, said = self.call()
-        self.assertEqual((code, said.count("\n")), (1, 1))
-        self.assertIn("sec1_demo did not finish", said)
+        self.facts(*FACTS_OF_DEMO)
+        refused("sec1_demo did not finish")
+
+    def test_rows_and_columns_are_left_out_by_hand_and_with_a_reason(self):
+        self.change(RECORD, ',"",""', ",fact error,rounding")
+        self.says(0)
+        for row, code in ((["other", 1.0, 7.0, ""], 0), (["other", 1.5, 0.0, ""], 1)):
+            self.facts(FACTS_OF_DEMO[0], row, ["fact", 2.5, 0.2, ""])
+            self.says(code, check="--check")
+        self.says(0)
+        self.change(RECORD, ",fact error,rounding", ',fact error,""')
+        self.says(1, "with a reason", check="--check")
 
     @of_volume
     def test_this_record_is_complete(self):

@@ -1,151 +1,141 @@
-"""Nothing dangles: every figure has its script, program and tables, every claim and figure named in the prose exists, and
-the sources keep the shape that CONTRIBUTING.md asks for. Each rule of shape is shown texts that are wrong."""
+"""C++ sources as a reader sees them: prose, code, and the line that made a number; then the sources, figures and pages of
+this repository: nothing that they name is missing, and they keep the shape that CONTRIBUTING.md asks for."""
 
 import re
 import unittest
 
-from lineage import chapters, ecsv
-from lineage.claims import programs_of, read_claims
-from lineage.lock import sources
+from lineage import ecsv, sources
+from lineage.claims import read_claims
+from lineage.lock import sources as sources_in
 from lineage.refresh import read_figures
-from lineage.volumes import below, joined
+from lineage.values import Finding
+from lineage.volumes import below, joined, volumes
 
 from . import ROOT, VOLUME, WHOLE, of_volume
 
-TYPE = re.compile(r"(struct|class|enum|union|namespace|extern|using|static_assert)\b")
-DEFINED = re.compile(r"^(?:(?:struct|class|enum class|enum) (\w+)(?: [^<\n]*)?|using (\w+) =.*)$", re.M)
+
+class Sources(unittest.TestCase):
+    def test_prose_and_code_in_turn_with_their_lines(self):
+        self.assertEqual(sources.blocks_of("/**\n# T\n\nwords */\n\nint x;\n\n/** more\nwords. */\nint y;\n"),
+                         [(True, 1, "\n# T\n\nwords"), (False, 6, "int x;"), (True, 8, "more\nwords."), (False, 10, "int y;")])
+        self.assertEqual(sources.blocks_of("  /**\n  One\n    deep */\n  int x;")[0][2], "\nOne\n  deep")
+        self.assertEqual([prose for prose, *_ in sources.blocks_of("/* a */ int x; /// b\n/**/ int y;")], [False])
+        for wrong in ("/**\nwords\n", "/** words */ int x;\n"):
+            with self.assertRaisesRegex(ecsv.Fault, "a.cpp:1: a block of prose without an end"):
+                sources.blocks_of(wrong, "a.cpp")
+
+    def test_definitions_begin_a_line(self):
+        text = ("struct Well {\n  int inner() { return 1; }\n};\ntemplate <class T>\nT sup(const V<T>& x) {\n  return f(x);\n}\n"
+                "using History = int;\ninline constexpr double fit_from = 20;\ntemplate <class T> struct Shot {};\n")
+        self.assertEqual(sources.definitions(text), {"Well": 1, "sup": 5, "History": 8, "fit_from": 9, "Shot": 10})
+
+    def test_a_number_has_the_line_of_the_function_that_made_it(self):
+        source = sources.Source("src/p.cpp", (
+            'void f() {\n  facts.add("trapped_" + name, s.trapped);\n  facts.add("packet_" + name,\n            s.packet);\n'
+            '  facts.add("b", {1, 2});\n}\nvoid c() {\n  facts.add("speed_" + well, x);\n}\n'))
+        for id, made_by, line in [("b", "f", 5), ("packet_soft", "f", 3), ("unlike", "f", 1), ("slower_speed_s", "c", 8),
+                                  ("trapped_soft", "f", 2)]:
+            self.assertEqual(sources.made_at(Finding("p", id, 1, made_by=made_by), [source]), (source, line), id)
+        self.assertIsNone(sources.made_at(Finding("p", "b", 1, made_by="none_such"), [source]))
+
+    def test_every_source_is_in_the_book(self):
+        known, rest = sources.sources_of(ROOT, volumes(ROOT), ["sec1_the_chain"])
+        there = known + [s for module in rest.values() for s in module]
+        self.assertEqual({s.path for s in there},
+                         {str(p.relative_to(ROOT)) for folder in volumes(ROOT) for p in (folder / "src").rglob("*.[ch]pp")})
+        self.assertEqual(len(there), len({s.page for s in there}))
+
+
 LAST_EQUATION = 39
 # What we used to call what the field calls otherwise; none of these can be mistaken for plain English.
 HOUSE_WORDS = re.compile(r"\b(?:wider types?|look-out|bereft|phase pair|switch-landing|nearly free|ledger|workshop|"
                          r"reduced curvature|wanders)\b", re.I)
+TYPE = re.compile(r"(?:struct|class|enum class|enum|using) (\w+)(?: [^<\n]*)?(?: \{|=.*)")
 
 
 def unreadable(text):
     """No page of code is without a title (40 lines without a comment of their own), no function has more than 60 lines,
     and two blocks of prose have code between them. Empty and preprocessor lines are not counted."""
-    out, code, function, inside, seen = [], 0, None, False, False
-    for number, line in enumerate(text.split("\n") + ["// the end"], 1):
-        body, at_margin = line.strip(), not line.startswith((" ", "\t"))
-        if not body:
-            continue
-        if not inside and body.startswith(("/**", "//")):
-            if code > 40:
-                out.append(f"line {number}: {code} lines of code without a title")
-            inside = body.startswith("/**")
-            if inside and seen and code == 0:
-                out.append(f"line {number}: no code between two blocks of prose")
-            seen, code = inside, 0
-            body = body[3:]
-        elif not inside and body[0] != "#":
-            code += 1
-            if at_margin and body[-1] == "{" and not TYPE.match(body):
-                function = -1
-            if function is not None:
-                function += 1
-            if at_margin and body[0] == "}":
-                if function and function > 61:
-                    out.append(f"line {number}: a function of {function - 1} lines")
-                function = None
-        if inside:
-            inside = "*/" not in body
-    return out
+    blocks = [block for block in sources.blocks_of(text) if block[0] or re.search(r"^\s*[^#\s]", block[2], re.M)]
+    for (prose, line, _), (follows, *_) in zip(blocks, blocks[1:]):
+        if prose and follows:
+            yield f"line {line}: no code before the next block of prose"
+    for _, line, code in (block for block in blocks if not block[0]):
+        for piece in re.split(r"^\s*//.*\n", code, flags=re.M):
+            if (count := len(re.findall(r"^\s*[^#\s]", piece, re.M))) > 40:
+                yield f"line {line}: {count} lines of code without a title"
+    for function in re.findall(r"^(?!struct|class|enum|union|namespace|extern)\w.*\{\n(?s:.*?)^\}", text, re.M):
+        if (count := len(re.findall(r"^ +(?!//|\s)", function, re.M))) > 60:
+            yield f"{function.splitlines()[0]}: {count} lines"
 
 
-def in_sentences(text):
-    """How many numbers a chapter quotes outside of the rows of tables."""
-    return sum(line.count("](num:") for line in text.split("\n") if not line.startswith("|"))
-
-
-def misquoted(text):
-    """Citations of an equation by anything but a number that the article has."""
-    return re.findall(r"\bEqs?\.\s+[a-z]\w*", text) + [
-        found[0] for found in re.finditer(r"\bEqs?\.\s+\((\d+)\)", text) if not 1 <= int(found[1]) <= LAST_EQUATION]
-
-
-def foreign_sections(file, text):
+def foreign(path, text):
     """Includes by which a file of a section reaches for the code of another one. Commands may take from every one."""
-    return [f"{file} -> {name}" for name in re.findall(r'^#include "(\w+)/', text, re.M)
-            if name not in ("lattice", "report") and not file.split("/")[0].startswith(name) and not (file.startswith("commands/") and name.startswith("sec"))]
-
-
-def defined_twice(texts):
-    """Types that two headers define under one name. All are in one namespace, so that whoever includes both could
-    not compile; most chapters include only one, and nobody notices."""
-    home = {}
-    for header, text in texts.items():
-        for name in (a or b for a, b in DEFINED.findall(text)):
-            home.setdefault(name, set()).add(header)
-    return [f"{name} in {' and '.join(sorted(where))}" for name, where in home.items() if len(where) > 1]
-
-
-def without(wanted, texts):
-    """Headers that include `wanted` neither by themselves nor through others."""
-    reached = {wanted}
-    while more := {name for name, text in texts.items() if name not in reached
-                   and reached & set(re.findall(r'^#include "(.*)"', text, re.M))}:
-        reached |= more
-    return sorted(set(texts) - reached)
-
-
-class Rules(unittest.TestCase):
-    def test_prose_and_code_are_counted(self):
-        def block(n):
-            return "/**\n" + "words\n" * n + "*/\n"
-
-        x, long = "x;\n", "x;\n" * 41
-        for text, count in [(block(30) + x * 40 + block(1) + x * 40, 0), (block(1) + long, 1),
-                            (block(1) + long + block(1) + x, 1), (block(1) + x * 40 + "// A title\n" + x * 40, 0),
-                            (block(1) + x * 40 + "y;  // a remark\n", 1), (long + "  // Late\n" + x, 1), (block(1) * 2 + x, 1),
-                            (block(1) + "\n#include <x>\n\n" + block(1) + x, 1), ("#include <x>\n" * 50 + block(1) + "x;\n\n" * 40, 0),
-                            ("/** one line */\nx;\n/** another\n * line */\ny;\n", 0), ("/** one line */\n/** another */\ny;\n", 1)]:
-            self.assertEqual(len(unreadable(text)), count, text)
-
-    def test_numbers_in_sentences_are_counted(self):
-        self.assertEqual(in_sentences("It is [1](num:a.b), [2](num:a.c).\n| row | [3](num:a.d) |\n"), 2)
-
-    def test_a_long_function_is_seen(self):
-        def function(head, count):
-            return f"{head} {{\n" + "  x;\n" * (count // 2) + "  // Half way\n" + "  y;\n" * (count - count // 2) + "}\n"
-
-        for text, count in [(function("void f()", 60), 0), (function("void f()", 61), 1), (function("struct S", 70), 0),
-                            (function("void f()", 36) + function("void g()", 36), 0)]:
-            self.assertEqual(len(unreadable(text)), count, text)
-
-    def test_an_equation_without_its_number_is_seen(self):
-        eq, eqs = "Eq", "Eqs"  # or this file would misquote
-        for text, count in [(f"by {eq}. (24) and {eqs}. (1) and (39)", 0), (f"by {eq}. eqm, and", 1), (f"{eqs}.\nun1 and un2", 1),
-                            (f"by {eq}. (40)", 1), (f"by {eq}. (0)", 1)]:
-            self.assertEqual(len(misquoted(text)), count, text)
-
-    def test_a_section_that_uses_another_one_is_seen(self):
-        for file, name, count in [("sec4/a.cpp", "lattice/model/a.hpp", 0), ("sec4/a.cpp", "sec4/b.hpp", 0),
-                                  ("sec33/a.cpp", "sec3/b.hpp", 0), ("sec3/a.cpp", "sec33/b.hpp", 1), ("sec4/a.cpp", "sec5/b.hpp", 1), ("sec4/a.cpp", "commands/b.hpp", 1),
-                                  ("commands/a.cpp", "sec5/b.hpp", 0), ("commands/a.cpp", "commands/b.hpp", 0)]:
-            self.assertEqual(len(foreign_sections(file, f'#include "{name}"\n')), count, (file, name))
-
-    def test_one_name_for_two_types_is_seen(self):
-        part = "struct Part {\n};\n"
-        for one, two, count in [(part, part, 1), (part, "using Part = int;\n", 1), ("enum class Part { a, b };\n", "class Part : Whole {\n};\n", 1),
-                                (part, "struct Whole {\n  struct Part {\n  };\n};\n", 0), (part, "struct Part;\nstruct Party {\n};\n", 0),
-                                (part + part, "", 0)]:
-            self.assertEqual(len(defined_twice({"a.hpp": one, "b.hpp": two})), count, (one, two))
+    home = path.split("/")[1]
+    return [name for name in re.findall(r'^#include "(\w+)/', text, re.M) if name not in ("lattice", "report")
+            and not home.startswith(name) and not (home == "commands" and name.startswith("sec"))]
 
 
 @of_volume
 class Here(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.texts = {str(path.relative_to(VOLUME)): ecsv.text_of(path) for path in sources(VOLUME)}
+        cls.texts = {str(path.relative_to(VOLUME)): ecsv.text_of(path) for path in sources_in(VOLUME)}
+        cls.headers = {path: text for path, text in cls.texts.items() if path.endswith(".hpp")}
 
     def none(self, found):
         self.assertEqual(list(found), [])
 
-    def test_cases_of_the_article_are_called_after_claims(self):
-        """The index of the README and the book leads from a claim to the line of its test."""
-        tests, lines = chapters.article_tests(ROOT), ecsv.text_of(ROOT / "tests/article.cpp").split("\n")
-        self.assertEqual(sorted(set(tests) - set(read_claims(ROOT))), [])
-        self.assertGreater(len(tests), 50)
-        self.assertTrue(all("TEST_CASE" in lines[line - 1] for line in tests.values()))
+    def test_they_keep_their_shape(self):
+        self.none(f"{path}: {what}" for path, text in self.texts.items() for what in unreadable(text))
+        self.none(f"{path} -> {name}" for path, text in self.texts.items() if re.match(r"src/(sec\w+|commands)/", path)
+                  for name in foreign(path, text))
+        self.none(f"{path}: {count} numbers in sentences (allowed: 14, others are rows of tables)" for path, text in self.texts.items()
+                  if VOLUME == ROOT and re.match(r"src/sec\w+\.cpp$", path)
+                  and (count := sum(line.count("](num:") for line in text.split("\n") if line[:1] != "|")) > 14)
+
+    def test_every_name_that_a_header_offers_is_explained_and_no_type_has_two_homes(self):
+        """All are in one namespace, so that whoever includes two headers could not compile."""
+        homes = {}
+        for path, text in self.headers.items():
+            for name, line in sources.definitions(text).items():
+                paragraph = "\n".join(text.split("\n")[:line]).rpartition("\n\n")[2]
+                self.assertRegex(paragraph, r"//|\*/(\n|$)", f"{path}:{line}: {name}")
+            for found in filter(None, map(TYPE.match, text.split("\n"))):
+                homes.setdefault(found[1], set()).add(path)
+        self.none(f"{name} in {' and '.join(sorted(where))}" for name, where in homes.items() if len(where) > 1)
+
+    def test_every_header_of_the_library_refuses_what_changes_values(self):
+        """It includes lattice/numerics/ieee.hpp by itself or through others."""
+        left = {path.removeprefix("src/"): set(re.findall(r'^#include "(.*)"', text, re.M))
+                for path, text in self.headers.items() if path.startswith("src/lattice/")}
+        reached = {"lattice/numerics/ieee.hpp"}
+        while more := {path for path, includes in left.items() if path not in reached and includes & reached}:
+            reached |= more
+        self.assertLessEqual(set(left) - reached, {"lattice/model/instances.hpp"})  # which is no header
+
+    def test_the_words_are_those_of_the_field_and_equations_have_the_articles_numbers(self):
+        def these(*patterns):
+            return {str(path.relative_to(VOLUME)): ecsv.text_of(path) for one in patterns for path in VOLUME.glob(one)}
+
+        pages = self.texts | these("README.md", "figures/*.[gp]*")
+        words = pages | these("[D-Z]*.md", "CON*.md", "paper/*.tex", "paper/[cf]*.ecsv", "book/**/*.md")
+        self.none(f"{path}: {word}" for path, text in words.items() for word in HOUSE_WORDS.findall(text))
+        for path, text in (pages | these("tests/**/*.[ch]pp", "bench/*.cpp")).items():
+            self.none(f"{path}: {found[0]}" for found in re.finditer(r"\bEqs?\.\s+(?:[a-z]\w*|\((\d+)\))", text)
+                      if not found[1] or not 1 <= int(found[1]) <= LAST_EQUATION)
+
+    def test_what_is_named_is_there(self):
+        claims, figures = read_claims(VOLUME), joined(read_figures, below(VOLUME))
+        claim = re.compile(rf"`((?:{'|'.join(sorted({id.split('.')[0] for id in claims}))})\.\w+)`")
+        for path, text in self.texts.items():
+            self.none(f"{path}: {id}" for id in re.findall(r"\]\(fig:(\w+)\)", text) if id not in figures)
+            self.none(f"{path}: {id}" for id in claim.findall(text) if id not in claims)
+            self.none(f"{path}: a program names {id}" for id in re.findall(r'"(\w+\.\w+)"', text) if id in claims)
+        for page in (path for name in ("README", "CONTRIBUTING") for path in VOLUME.glob(f"{name}.md")):
+            for link in re.findall(r'(?:\]\(|src=")([^)"]+)[)"]', ecsv.text_of(page)):
+                left_out = link.startswith("beyond/") and not WHOLE
+                self.assertTrue(":" in link or link.startswith("#") or left_out or (VOLUME / link.partition("#")[0]).exists(), f"{page}: {link}")
 
     def test_every_figure_has_its_script_program_and_tables(self):
         for id, figure in read_figures(VOLUME).items():
@@ -156,55 +146,3 @@ class Here(unittest.TestCase):
                 text = ecsv.text_of(ROOT / "build/data" / figure["program"] / f"{name}.ecsv")
                 columns, rows = ecsv.header_of(text)[0], ecsv.rows_of(text)
                 self.assertTrue(len(rows) > 1 and all(column.description for column in columns), (id, name))
-
-    def test_every_chapter_has_its_cost(self):
-        costs = chapters.read_costs(VOLUME)
-        self.assertEqual(list(costs), programs_of(VOLUME))
-        self.assertTrue(all(seconds >= 0 for seconds in costs.values()))
-
-    def test_the_words_are_those_of_the_field(self):
-        texts = {path.relative_to(VOLUME): ecsv.text_of(path) for pattern in ("*.md", "paper/*.tex", "paper/[cf]*.ecsv", "book/**/*.md",
-                 "figures/*.[gp]*") for path in VOLUME.glob(pattern)}
-        self.none(f"{path}: {word}" for path, text in (self.texts | texts).items() if str(path) != "CHANGELOG.md"
-                  for word in HOUSE_WORDS.findall(text))
-        self.assertEqual(HOUSE_WORDS.findall("Phase pair in a wider shape, a wider type"), ["Phase pair", "wider type"])
-
-    def test_what_the_prose_names_is_there(self):
-        claims, figures = read_claims(VOLUME), joined(read_figures, below(VOLUME))
-        claim = re.compile(rf"`((?:{'|'.join(sorted({id.split('.')[0] for id in claims}))})\.\w+)`")
-        for path, text in self.texts.items():
-            self.none(f"{path}: {id}" for id in re.findall(r"\]\(fig:(\w+)\)", text) if id not in figures)
-            self.none(f"{path}: {id}" for id in claim.findall(text) if id not in claims)
-
-    def test_few_numbers_stand_in_sentences(self):
-        """At most fourteen in a chapter of the article; the others are rows of tables."""
-        self.none(f"{path}: {count} numbers in prose" for path, text in self.texts.items()
-                  if VOLUME == ROOT and re.match(r"src/sec\w+\.cpp$", path) and (count := in_sentences(text)) > 14)
-
-    def test_the_sources_keep_their_shape(self):
-        self.none(f"{path}: {what}" for path, text in self.texts.items() for what in unreadable(text))
-        self.none(defined_twice({path: text for path, text in self.texts.items() if path.endswith(".hpp")}))
-        self.none(what for path, text in self.texts.items() if re.match(r"src/(sec\w+|commands)/", path)
-                  for what in foreign_sections(path.removeprefix("src/"), text))
-
-    def test_every_header_of_the_library_refuses_what_changes_values(self):
-        self.assertEqual(without("a", {"a": "", "b": '#include "a"\n', "c": '#include "b"\n', "d": '#include <a>\n'}), ["d"])
-        headers = {path.removeprefix("src/"): text for path, text in self.texts.items() if re.match(r"src/lattice/.*hpp$", path)}
-        if headers:
-            self.assertEqual(without("lattice/numerics/ieee.hpp", headers), ["lattice/model/instances.hpp"])  # which is no header
-
-    def test_equations_are_cited_by_the_articles_numbers(self):
-        for folder in ("src", "tests", "tools", "bench", "figures"):
-            for path in sorted((VOLUME / folder).rglob("*.*")) + sorted(VOLUME.glob("READ*.md")):
-                if path.suffix in (".cpp", ".hpp", ".py", ".gp", ".ecsv", ".md"):
-                    self.none(f"{path}: {what}" for what in misquoted(ecsv.text_of(path)))
-
-    def test_a_program_names_no_claim(self):
-        claims = read_claims(VOLUME)
-        self.none(f"{path}: {id}" for path, text in self.texts.items() for id in re.findall(r'"(\w+\.\w+)"', text) if id in claims)
-
-    def test_the_pages_link_to_files_that_exist(self):
-        for page in (path for name in ("README", "CONTRIBUTING") for path in VOLUME.glob(f"{name}.md")):
-            for link in re.findall(r'(?:\]\(|src=")([^)"]+)[)"]', ecsv.text_of(page)):
-                left_out = link.startswith("beyond/") and not WHOLE
-                self.assertTrue(":" in link or link.startswith("#") or left_out or (VOLUME / link.partition("#")[0]).exists(), f"{page}: {link}")

@@ -68,15 +68,11 @@ for python in /usr/bin/python3 python3 none; do
 done
 label="the Python module"
 if PYTHONPATH="$build/python" there "$python" -c "import lattice"; then
-  cat > a.py << 'PY'
-import scan
-scan.scan("scan.csv", [(1.0, 0.0), (0.5, 1.0), (2.5, -0.25)])
-PY
+  printf 'import scan\nscan.scan("scan.csv", [(1.0, 0.0), (0.5, 1.0), (2.5, -0.25)])\n' > a.py
   scan() { PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$build/python:$root/examples" SLURM_CPUS_PER_TASK=2 "$python" a.py; }
   scan
-  awk -F, 'NR == 1 { ok = $0 == "velocity,s,speed,speed_error,reason" }
-    $1 != 2.5 && NR > 1 { good += $3 > 0.1 && $4 > 0 && $4 < 1e-4 && NF == 5 && $5 == "" }
-    $1 == 2.5 { failed += $3 == "nan" && $5 != "" } END { exit !(ok && good == 2 && failed == 1 && NR == 4) }' scan.csv ||
+  awk -F, '$1 < 2.5 && NR > 1 { good += $3 > 0.1 && $4 > 0 && $4 < 1e-4 && NF == 5 && $5 == "" }
+    $1 == 2.5 { failed += $3 == "nan" && $5 != "" } END { exit !(good == 2 && failed == 1 && NR == 4) }' scan.csv ||
     { cat scan.csv; echo "examples/scan.py"; exit 1; }
   sort scan.csv > whole
   head -c -20 scan.csv > part

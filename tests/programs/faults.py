@@ -5,12 +5,10 @@
     faults.py ROOT BIN maps           those of the maps in parts, which volume two has
 
 COUNT is how often runs are killed, at random moments. Every fault is a function; what is asked of it stands in the
-table of CONTRIBUTING.md. A line is printed for each, and one that starts with `skipped` where a machine cannot
-show it. What needs no program of ours is in make.sh and lineage/tests."""
+table of CONTRIBUTING.md. A line is printed for each, and one that starts with `skipped` where a machine cannot show it."""
 
 import contextlib
 import os
-import pty
 import random
 import re
 import resource
@@ -81,44 +79,27 @@ def disturbed(command, soon, number, **more):
     return started.wait(60)
 
 
-def duration(command, **more):
-    start = time.monotonic()
-    answer = run(command, **more)
-    check(answer[0] == 0, answer)
-    return time.monotonic() - start
-
-
 def killed_at_random(scratch):
     """Runs killed at random moments: whole tables or none, and the next run is as if nothing had been."""
-    chance = random.Random(SEED)
-    takes = duration(QUICK + [scratch / "whole"])
-    whole, ended = tables(scratch / "whole"), 0
+    chance, hurt = random.Random(SEED), scratch / "hurt"
+    start = time.monotonic()
+    check(run(QUICK + [scratch / "whole"])[0] == 0, "a run that is not disturbed fails")
+    takes, whole, ended = time.monotonic() - start, tables(scratch / "whole"), 0
     for k in range(COUNT):
-        number = chance.choice([signal.SIGKILL, signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGXCPU])
+        number = [signal.SIGKILL, signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGXCPU][k % 5]  # the last out of time
         end = time.monotonic() + (takes * chance.uniform(0, 1.1) if k else 0)
-        ended += disturbed(QUICK + [scratch / "hurt"], lambda: time.monotonic() > end, number) != 0
-        if (scratch / "hurt").exists():
-            check(tables(scratch / "hurt") in (None, whole), "a killed run leaves tables that are not whole")
-            check(not debris(scratch / "hurt", "*.part"), f"a killed run leaves {debris(scratch / 'hurt')}")
+        ended += disturbed(QUICK + [hurt], lambda: time.monotonic() > end, number) != 0
+        if hurt.exists():
+            check(tables(hurt) in (None, whole), "a killed run leaves tables that are not whole")
+            check(not debris(hurt, "*.part"), f"a killed run leaves {debris(hurt)}")
     check(ended > 0, "no run was killed in time")
-    duration(QUICK + [scratch / "hurt"])
-    check(tables(scratch / "hurt") == whole and not debris(scratch / "hurt"), "the run after the killed ones is not whole")
+    check(run(QUICK + [hurt])[0] == 0 and tables(hurt) == whole and not debris(hurt), "the run after the killed ones is not whole")
     return f"{ended} of {COUNT} runs killed, seed {SEED}"
-
-
-def out_of_time(scratch):
-    """A scheduler's limit, in seconds of the processor: no table has its name."""
-    def limited():
-        resource.setrlimit(resource.RLIMIT_CPU, (1, 5))
-    got = run([BIN / "sec34_boomeron", "run", "--time", "1e5", "--threads", "1", "--output", "late.ecsv"],
-              cwd=scratch, preexec_fn=limited)[0]
-    check(got == -signal.SIGXCPU, f"the limit ends the run with {got}")
-    check(not list(scratch.iterdir()), f"left: {list(scratch.iterdir())}")
 
 
 def interrupted_map(scratch):
     """A map that is ended again and again keeps its rows; in the end it has the bytes of one that was not."""
-    duration(MAP, cwd=scratch)
+    check(run(MAP, cwd=scratch)[0] == 0, "a map that is not disturbed fails")
     check([path.name for path in scratch.iterdir()] == ["map.ecsv"], "a map leaves more than its table")
     whole = rows(scratch / "map.ecsv")
     (scratch / "map.ecsv").unlink()
@@ -144,20 +125,14 @@ def interrupted_map(scratch):
 
 def full_disk(scratch):
     """Writing fails: for a size limit as for a full disk, which is tried too where one can be mounted."""
-    def small():
-        resource.setrlimit(resource.RLIMIT_FSIZE, (600, 600))
-
     def refused(folder, **more):
-        if MAPS:
-            one_line(run(MAP + ["--folder", folder / "rows"], cwd=scratch, **more), 1, "cannot write")
-        else:
-            one_line(run(QUICK + [folder / "out"], **more), 1, "cannot write")
-            one_line(run(BAND + ["--output", folder / "band.ecsv"], **more), 1, "cannot write")
+        for command in [MAP + ["--folder", folder / "rows"]] if MAPS else [QUICK + [folder / "out"], BAND + ["--output", folder / "band.ecsv"]]:
+            one_line(run(command, cwd=scratch, **more), 1, "cannot write")
         left = debris(folder, ".*.rows-*", "filling") + [path.name for path in folder.rglob("facts.ecsv")]
         check(not left and not (scratch / "map.ecsv").exists(), f"left on a full disk: {left}")
 
     (scratch / "limited").mkdir()
-    refused(scratch / "limited", preexec_fn=small)
+    refused(scratch / "limited", preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (600, 600)))
     disk = scratch / "disk"
     disk.mkdir()
     if not shutil.which("mount") or run(["mount", "-t", "tmpfs", "-o", "size=16k", "tmpfs", disk])[0] != 0:
@@ -201,62 +176,28 @@ def closed_channels(scratch):
         return run(["sh", "-c", line, "sh", *BAND], cwd=scratch)
 
     whole = through('"$@"')[1]
-    one_line(through('"$@" > /dev/full'), 1, "cannot write to standard output")
-    one_line(through('"$@" >&-'), 1, "cannot write to standard output")
-    for word in ("--help", "--version"):
-        one_line(through(f'"$1" {word} > /dev/full'), 1, "cannot write to standard output")
+    for line in ('"$@" > /dev/full', '"$@" >&-', '"$1" --help > /dev/full', '"$1" --version > /dev/full'):
+        one_line(through(line), 1, "cannot write to standard output")
     check(through('"$@" | head -n 1')[1:] == (whole.splitlines(True)[0], ""), "a closed pipe is complained of")
-    code, said, errors = through('"$@" --output x.ecsv 2>&- <&- >&-')
-    rows_of = "".join(line for line in whole.splitlines(True) if not line.startswith("#"))
-    check((code, said, errors) == (0, "", "") and rows(scratch / "x.ecsv") == rows_of, "a table without any channel")
+    check(through('"$@" --output x.ecsv 2>&- <&- >&-') == (0, "", "") and (scratch / "x.ecsv").exists(), "a table without any channel")
     check(through('"$@" --d nonsense --output y.ecsv 2>&-')[0] == 2 and not (scratch / "y.ecsv").exists(), "refused unheard")
-
-
-def unread_report(scratch):
-    """What Python prints: a full device is one line, a closed pipe none."""
-    line = 'cd "$1" && PYTHONDONTWRITEBYTECODE=1 "$2" -m lineage show pn.omega11'
-    words = ["sh", ROOT, sys.executable]
-    one_line(run(["sh", "-c", line + " > /dev/full", *words]), 1, "lineage show: cannot write to standard output")
-    pipe = run(["sh", "-c", line + " | head -n 1", *words])
-    check(pipe[2] == "" and pipe[1].count("\n") == 1, pipe)
-    check(not list(scratch.iterdir()), "something was written")
-
-
-def seen_on_a_terminal(scratch):
-    """Who waits sees how far a run, a search and a sweep are; where nobody looks nothing is said."""
-    for words, shown in ((["sec34_impact", "run", "--time", "2500"], r"sec34_impact run \d+ s, step 0\.\d+: \d+ %"),
-                         (["sec33_floquet", "exchange", "--omega", "1.5"], r"exchange \d+ s, (s (up to 1|down to -1)|intervals of s) \d+/\d+"),
-                         (["sec33_mobility", "threshold"], r"threshold \d+ s, thresholds \d+/2")):
-        ours, its = pty.openpty()
-        started = subprocess.Popen([BIN / words[0], *words[1:]], cwd=scratch, stdin=its, stdout=its, stderr=its)
-        os.close(its)
-        said = ""
-        with contextlib.suppress(OSError):  # the end of the program, on Linux
-            while not re.search(shown, said) and (more := os.read(ours, 1000)):
-                said += more.decode()
-        started.kill()
-        started.wait()
-        os.close(ours)
-        check(re.search(shown, said), f"{words} does not show how far it is: {said[-300:]}")
 
 
 def little_memory(scratch):
     """A long run keeps two states and not its history."""
-    def limited():
-        resource.setrlimit(resource.RLIMIT_AS, (150_000_000, 150_000_000))
-    code, said, errors = run([BIN / "sec34_boomeron", "run", "--time", "3000"], cwd=scratch, preexec_fn=limited)
+    code, said, errors = run([BIN / "sec34_boomeron", "run", "--time", "3000"], cwd=scratch,
+                             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (150_000_000, 150_000_000)))
     check(code == 0 and said and not errors, f"a long run takes more than 150 MB, or talks: {errors}")
 
 
 FAULTS = [interrupted_map, full_disk, read_only] if MAPS else [
-    killed_at_random, out_of_time, full_disk, read_only, closed_channels, unread_report, seen_on_a_terminal, little_memory]
+    killed_at_random, full_disk, read_only, closed_channels, little_memory]
 
 
 def main():
     bad = 0
     os.environ["LC_ALL"] = "C.UTF-8"
     for fault in FAULTS:
-        start = time.monotonic()
         with tempfile.TemporaryDirectory() as folder:
             try:
                 said = fault(Path(folder)) or ""
@@ -267,7 +208,7 @@ def main():
                 for path in Path(folder).rglob("*"):
                     if path.is_dir():
                         path.chmod(0o755)
-        print(f"{fault.__name__.replace('_', ' '):18} {verdict:9} {said} ({time.monotonic() - start:.1f} s)", flush=True)
+        print(f"{fault.__name__.replace('_', ' '):18} {verdict:9} {said}", flush=True)
     sys.exit(bad > 0)
 
 

@@ -5,29 +5,28 @@
 
 The options are those that `--help` declares, with their ranges. Half of the values are drawn from them, sizes and times
 from their small ends, so that a run is short; the others are what people mistype, and what nobody does. Asked is of
-every answer: exit code 0, 1 or 2 and no signal, within thirty seconds of a slow processor (times LATTICE_SLACK); a complaint is
-one line and comes without a table; a table can be read, and holds a nan only where a description allows one or a reason
-stands beside it, and no reason elsewhere; nothing is left behind but the file that was asked for. A command that is mistyped
-is answered with the nearest one. Line number k of a seed is always the same."""
+every answer: exit code 0, 1 or 2 and no signal, within thirty seconds (times LATTICE_SLACK); a complaint is one line and
+comes without a table; a table can be read, and holds a nan only where a description or a reason says so; nothing is left
+behind but the file that was asked for. Line number k of a seed is always the same."""
 
 import concurrent.futures
 import math
 import os
 import random
-import re
 import resource
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT))
 sys.dont_write_bytecode = True
-from lineage import ecsv  # noqa: E402
+from lineage import ecsv, inventory  # noqa: E402
 
-BAD = ["0", "-1", "1", "2", "1.1", "1e-3", "nan", "inf", "-inf", "1e400", "1e-400", "-0", "", " ", "x", "1/0", "0x10", "031",
-       "1e999", "99999999999999999999", "--", "-", "site", "bond", "quartic", "hertz", "\t", "é", "a,b", "2/8", "nowhere/x/y",
-       "/", "'", '"', "$(ls)", "*", "0.5", "11", "-1/6", "a\nb", "1" * 400, "0." + "0" * 400 + "1", "\udcff", "+-1", "1_0"]
+BAD = ["0", "-1", "1", "2", "1.1", "nan", "inf", "-inf", "1e400", "1e-400", "-0", "", " ", "x", "1/0", "0x10", "031",
+       "99999999999999999999", "--", "-", "site", "bond", "quartic", "hertz", "\t", "é", "a,b", "2/8", "nowhere/x/y", "/", "'",
+       "$(ls)", "0.5", "-1/6", "a\nb", "1" * 400, "0." + "0" * 400 + "1", "\udcff", "+-1", "1_0"]
 SECONDS = 30 * float(os.environ.get("LATTICE_SLACK", "1"))
 # What decides how long a run takes, and how many times its least value is still short; tolerances at their large end.
 SIZES = {"sites": 2, "columns": 1.5, "rows": 1.5, "time": 1.5, "tau": 5, "patience": 2, "longest": 3, "k": 4, "near": 3,
@@ -39,28 +38,17 @@ LONG = {"sec34_boomeron_map map", "sec5_driving chart",  # a point of a map is a
 FREE = {"output", "out", "folder"}
 
 
-def said(*command):
-    return subprocess.run([str(word) for word in command], capture_output=True, text=True, timeout=300, check=False).stdout
-
-
-def options_of(help_text):
-    """What help declares: the options by name, each a range, a list of names, a flag, or a text."""
-    out = {}
-    for name, rest in re.findall(r"^  --([\w-]+)(.*)$", help_text, re.M):
-        range_ = re.match(r" \[([^,]+), ([^\]]+)\]", rest)
-        names = re.match(r" {((?:[\w-]+\|)+[\w-]+)}  ", rest)
-        out[name] = [float(range_[1]), float(range_[2])] if range_ else names[1].split("|") if names else \
-            "flag" if rest.startswith("  ") else "text"
-    for name in ("help", "version"):
-        out.pop(name, None)
-    return out
-
-
-def declared(program):
-    """The subcommands of a program with their options; '' is the full run."""
-    help_text = said(program, "--help")
-    names = re.findall(r"^  (\w[\w-]*) {2,}", help_text.partition("\nCommands")[2], re.M)
-    return {"": options_of(help_text), **{name: options_of(said(program, name, "--help")) for name in names}}
+def declared(folder):
+    """What help declares, by programs and commands ('' is the full run): the options, each a range, a list of names, a flag
+    or a text."""
+    known = {}
+    for row in inventory.commands(ROOT, folder):
+        allowed, name = row["allowed"], row["option"].lstrip("-")
+        options = known.setdefault(row["program"], {}).setdefault(row["command"], {})
+        if name not in ("", "help", "version"):
+            options[name] = [float(end) for end in allowed[1:].split("]")[0].split(", ")] if allowed.startswith("[") else \
+                allowed[1:-1].split("|") if allowed.startswith("{") else "text" if allowed else "flag"
+    return known
 
 
 def good_value(chance, name, kind):
@@ -83,14 +71,6 @@ def good_value(chance, name, kind):
     return repr(math.floor(x) if whole else min(max(x, least), most))
 
 
-def mistyped(chance, word):
-    """One letter lost, doubled, replaced or exchanged with its neighbour."""
-    k = chance.randrange(len(word))
-    letter = chance.choice("abcdefghijklmnopqrstuvwxyz")
-    return chance.choice([word[:k] + word[k + 1:], word[:k] + letter + word[k:], word[:k] + letter + word[k + 1:],
-                          word[:k] + word[k:k + 2][::-1] + word[k + 2:]])
-
-
 class Line:
     """One command line, and what is expected of the answer."""
 
@@ -98,90 +78,54 @@ class Line:
         chance = random.Random(f"{seed} {number}")
         pairs = sorted((program, name) for program in known for name in known[program])
         self.program, name = chance.choice([(program, name) for program, name in pairs if name or chance.random() < 0.1])
-        commands = sorted(name for name in known[self.program] if name)
         options = known[self.program][name]
-        self.meant, self.words, self.output = None, [name] if name else [], None
-        if name and chance.random() < 0.1:
-            typed = mistyped(chance, name)
-            self.words = [typed]
-            if typed not in known[self.program]:
-                self.meant = set(commands)
+        self.words, self.output = [name] if name else [], None
         share = chance.choice([0, 0, 0, 0.3, 1])  # of bad values in this line
         asked = {option for option in options if chance.random() < 0.4} | {o for o in options if o in SIZES or o in LOOSE}
         for option in sorted(asked - FREE, key=lambda _: chance.random()):
-            self.add(chance, option, options[option], share)
+            self.add(chance, option, options[option], chance.random() < share)
         if chance.random() < 0.1:
             self.words += chance.choice([["--bogus"], ["--bogus=1"], ["-q"], ["word"], ["--s"], ["--", "x"], ["=", "--="]])
-        self.full = not name  # only a line that cannot be good: a full run takes what it takes
-        if self.full:
+        if not name:  # only a line that cannot be good: a full run takes what it takes
             self.words += chance.choice([["--bogus"], ["--threads", "0"], ["--quick=1"], ["--threads", "nan"], ["run!"]])
         elif chance.random() < 0.3:
             self.output = "asked for.ecsv"
             self.words += ["--output", self.output]
 
-    def add(self, chance, option, kind, share):
-        bad = chance.random() < share
-        if kind == "flag":
-            self.words.append("--" + option + (chance.choice(["", "=yes", "=", "x"]) if bad else ""))
-            return
-        value = chance.choice(BAD) if bad else good_value(chance, option, kind)
-        if chance.random() < 0.2:
-            self.words.append(f"--{option}={value}")
+    def add(self, chance, option, kind, bad):
+        value = chance.choice(BAD) if bad else "" if kind == "flag" else good_value(chance, option, kind)
+        if kind == "flag" and not bad:
+            self.words += ["--" + option]
         else:
-            self.words += ["--" + option] + ([value] if not bad or chance.random() < 0.95 else [])
+            self.words += [f"--{option}={value}"] if chance.random() < 0.2 else ["--" + option, value][:1 + (chance.random() < 0.95)]
 
 
-def nan_complaints(table):
-    """Where a printed table holds what nobody announced."""
-    columns = {column.name: column for column in table.columns}
-    quantities = "quantity" in columns
+def in_table(table):
+    """Where a printed table holds what nobody announced, or does not say what a quantity is."""
+    columns, quantities = {column.name: column for column in table.columns}, any(c.name == "meaning" for c in table.columns)
     for row in table.rows:
+        if quantities:  # help says: a quantity that does not exist is nan, and its reason says why
+            value, error = row["value"], row["error"]
+            if not row["meaning"] or math.isnan(value) != bool(row["reason"]) or math.isnan(value) != math.isnan(error):
+                yield f"{row['quantity']} is {value} +- {error} with the meaning '{row['meaning']}' and the reason '{row['reason']}'"
         for name, cell in row.items():
-            if not isinstance(cell, float) or math.isfinite(cell):
-                continue
-            if math.isinf(cell):
+            if isinstance(cell, float) and (math.isinf(cell) or math.isnan(cell) and not quantities
+                                            and "nan" not in columns[name].description):
                 yield f"{name} is {cell} in {dict(row)}"
-            elif quantities:  # help says: a quantity that does not exist is nan, and its reason says why
-                if name == "value" and not row.get("reason"):
-                    yield f"{row['quantity']} is nan without a reason"
-                if not math.isnan(row["error"]):
-                    yield f"{row['quantity']} is nan with the error {row['error']}"
-                elif not math.isnan(row["value"]):
-                    yield f"{row['quantity']} is {row['value']}, its error nan"
-            elif "nan" not in columns[name].description:
-                yield f"the column {name} has a nan and does not say so"
-
-
-def without_meaning(table):
-    """Quantities of which a printed table does not say what they are. Those of `scales` are a table of a full run too."""
-    for row in table.rows:
-        if "quantity" in row and not row.get("meaning"):
-            yield f"{row['quantity']} has no meaning"
-        if row.get("reason") and not math.isnan(row["value"]):
-            yield f"{row['quantity']} is {row['value']}, for the reason: {row['reason']}"
 
 
 def complaints(line, code, out, errors, left):
     if code not in (0, 1, 2):
         yield "is computing for too long" if code in (-24, "hangs") else f"ends with {code}"
-        return
-    if code > 0 and (errors.count("\n") != 1 or not errors.startswith(line.program + ": ")):
-        yield f"complains in {errors.count(chr(10))} lines"
-    if code > 0 and (out or left):
-        yield f"is refused and leaves {left or 'a table'}"
-    if "without a reason" in errors or "has no meaning" in errors:
-        yield "forgets what its own table must say"
-    if code == 0 and errors:
-        yield "succeeds and complains"
-    if code == 0 and left != ([line.output] if line.output else []):
-        yield f"leaves {left}"
-    if code == 0 and out:
-        yield from nan_complaints(table := ecsv.parse(out))
-        if line.words[0] != "scales":
-            yield from without_meaning(table)
-    near = re.search(r"did you mean '([\w-]+)'", errors)
-    if line.meant and code == 2 and "there is no such command" in errors and (not near or near[1] not in line.meant):
-        yield f"does not say which command is the nearest to '{line.words[0]}'"
+    elif code:
+        if errors.count("\n") != 1 or not errors.startswith(line.program + ": ") or out or left:
+            yield f"is refused in {errors.count(chr(10))} lines and leaves {left or out and 'a table' or 'nothing'}"
+        if "without a reason" in errors or "has no meaning" in errors:
+            yield "forgets what its own table must say"
+    else:
+        if errors or left != ([line.output] if line.output else []):
+            yield f"succeeds, complains of '{errors}' and leaves {left}"
+        yield from in_table(ecsv.parse(out)) if out else ()
 
 
 def tried(line, folder):
@@ -189,13 +133,11 @@ def tried(line, folder):
     def limited():
         resource.setrlimit(resource.RLIMIT_CPU, (math.ceil(SECONDS), math.ceil(SECONDS) + 5))
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    if any("\0" in word for word in line.words):
-        return 2, []
     with tempfile.TemporaryDirectory() as scratch:
-        words = [os.path.join(folder, line.program), *line.words]
+        words = [os.fsencode(word) for word in (os.path.join(folder, line.program), *line.words)]
         try:
-            done = subprocess.run([os.fsencode(word) for word in words], cwd=scratch, capture_output=True, preexec_fn=limited,
-                                  stdin=subprocess.DEVNULL, timeout=60 * SECONDS, check=False)
+            done = subprocess.run(words, cwd=scratch, capture_output=True, preexec_fn=limited, stdin=subprocess.DEVNULL,
+                                  timeout=60 * SECONDS, check=False)
             code, out, errors = done.returncode, done.stdout.decode("utf8", "replace"), done.stderr.decode("utf8", "replace")
         except subprocess.TimeoutExpired:
             code, out, errors = "hangs", "", ""
@@ -211,10 +153,8 @@ def tried(line, folder):
 
 def main():
     folder = os.path.abspath(sys.argv[1])
-    count = int(sys.argv[2]) if len(sys.argv) > 2 else 100
-    seed = int(sys.argv[3]) if len(sys.argv) > 3 else 1
-    programs = sorted(name for name in os.listdir(folder) if name.startswith("sec"))
-    known = {name: declared(os.path.join(folder, name)) for name in programs}
+    count, seed = [int(word) for word in sys.argv[2:4]] + [100, 1][len(sys.argv[2:4]):]
+    known = declared(folder)
     for name in LONG:  # only refused: a single point of these is more than a moment
         program, command = name.split()
         known.get(program, {}).pop(command, None)

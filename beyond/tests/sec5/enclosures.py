@@ -37,20 +37,13 @@ def left(centre, n):
     return n - 1 if n > 0 else (1 if centre == "bond" else 0)
 
 
-def strain(force):
-    return force ** (mpf(2) / 3)
-
-
 def shoot(centre):
     """Forces from the centre outwards: the central one is bisected between profiles that rise and that end."""
     def profile(p):
         out, before = [p], None
         for n in range(N + 1):
-            r = strain(out[-1])
-            if n == 0:
-                after = (r - 2 * p) / 2 if centre == "bond" else r - 3 * p
-            else:
-                after = r - 2 * out[-1] - before
+            r = out[-1] ** (mpf(2) / 3)  # the strain
+            after = r - 2 * out[-1] - before if n else (r - 2 * p) / 2 if centre == "bond" else r - 3 * p
             if after <= 0:
                 return out, "ends"
             if after >= out[-1]:
@@ -65,10 +58,7 @@ def shoot(centre):
     assert fates[0] != fates[1], fates
     for _ in range(280):
         middle = (below + above) / 2
-        if profile(middle)[1] == fates[0]:
-            below = middle
-        else:
-            above = middle
+        below, above = (middle, above) if profile(middle)[1] == fates[0] else (below, middle)
     # Where the digits end the tail goes on as P^(3/2)
     out = profile(below)[0][:-1]
     while len(out) < N:
@@ -90,8 +80,7 @@ def equations(centre, r, context, tail=0, slope=None):
     at r."""
     force = [x * context.sqrt(x) for x in r]
     slope = slope or [3 * context.sqrt(x) / 2 for x in r]
-    f = []
-    derivative = context.matrix(N, N)
+    f, derivative = [], context.matrix(N, N)
     for n in range(N):
         after = force[n + 1] if n + 1 < N else tail
         f.append(r[n] - force[left(centre, n)] - 2 * force[n] - after)
@@ -110,7 +99,7 @@ def remainder(inverse, derivative):
 
 def enclose(centre):
     """Strains of the window and of all behind it; the box has its own width in every contact."""
-    guess = newton(centre, [strain(p) for p in shoot(centre)[:N]])
+    guess = newton(centre, [p ** (mpf(2) / 3) for p in shoot(centre)[:N]])
     c = [guess[i] for i in range(N)]
     inverse = equations(centre, c, mp)[1] ** -1
     width = [x * mpf(10) ** -14 for x in c]
@@ -145,10 +134,7 @@ def count_above(s, x):
     before, now, count = iv.mpf(1), None, 0
     for i in range(sites):
         d = (s[i - 1] if i > 0 else 0) + (s[i] if i < len(s) else 0) - x
-        if now is None:
-            before, now = iv.mpf(1), iv.mpf(d)
-        else:
-            before, now = now, d * now - s[i - 1] ** 2 * before
+        before, now = (iv.mpf(1), iv.mpf(d)) if now is None else (now, d * now - s[i - 1] ** 2 * before)
         if low(now) <= 0 <= high(now):
             return None
         count += (low(now) > 0) == (low(before) > 0)
@@ -170,10 +156,7 @@ def second_eigenvalue(centre, r, tail):
         for _ in range(120):
             x = (good + bad) / 2
             n = count_above(s, iv.mpf(x))
-            if n is not None and (n >= 2) == (side == 0):
-                good = x
-            else:
-                bad = x
+            good, bad = (x, bad) if n is not None and (n >= 2) == (side == 0) else (good, x)
         ends[side] = good
     return iv.mpf(ends) + iv.mpf([0, high(4 * iv.sqrt(tail))])
 

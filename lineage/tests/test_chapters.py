@@ -1,0 +1,53 @@
+"""What chapters cost, where a claim is tested, and the commands that compute one number. Which chapters explain a
+claim stands in the README, where test_refresh.py notices a change."""
+
+import unittest
+from unittest import mock
+
+from lineage import chapters, ecsv
+from lineage.claims import by_name, program_of, programs_of, read_claims
+from lineage.lock import quoted, read_lock
+from lineage.volumes import joined, volumes
+
+from . import ROOT, Scratch, table
+
+
+class Chapters(Scratch):
+    def test_a_cost_is_renewed_when_it_has_really_moved(self):
+        """And every program has one, whether it draws a figure or not."""
+        self.write("src/sec2_new.cpp", "/**\n# 2 */\n")
+        self.write("paper/costs.ecsv", table(["program", "seconds"], [["sec1_demo", 10.0], ["sec0_gone", 1.0]]))
+        costs = chapters.renewed_costs(self.root, {"sec1_demo": 11.0, "sec2_new": 0.412})
+        self.assertEqual(costs, {"sec1_demo": 10.0, "sec2_new": 0.41})
+        self.assertEqual(chapters.renewed_costs(self.root, {"sec1_demo": 13.02})["sec1_demo"], 13)
+        self.lineage("refresh")
+        self.assertEqual(self.read("paper/costs.ecsv").splitlines()[-2:], ["sec1_demo,10", "sec2_new,nan"])
+        self.assertEqual([chapters.shown_cost(s) for s in (float("nan"), 0.6, 2.5, 3.4)], ["?", "< 1", "3", "3"])
+        self.write("build/report/cost/sec1_demo", "soon")
+        self.refuses("refresh", "cost/sec1_demo: no time in seconds")
+
+
+class Here(unittest.TestCase):
+    def test_cases_of_the_article_are_called_after_claims(self):
+        """The index of the README and the book leads from a claim to the line of its test."""
+        tests, lines = chapters.article_tests(ROOT), ecsv.text_of(ROOT / "tests/article.cpp").split("\n")
+        self.assertEqual(sorted(set(tests) - set(read_claims(ROOT))), [])
+        self.assertGreater(len(tests), 50)
+        self.assertTrue(all("TEST_CASE" in lines[line - 1] for line in tests.values()))
+
+    def test_commands_that_compute_one_number_exist(self):
+        known = by_name(joined(read_lock, volumes(ROOT)), read_claims(ROOT))
+        for id, (command, quantity) in joined(chapters.read_commands, volumes(ROOT)).items():
+            program, subcommand = command.split()[0].split("/")[-1], command.split()[1]
+            folders = [folder for volume in volumes(ROOT) for folder in [volume / "src/commands", *(volume / "src").glob("sec*/")]
+                       if folder.name == "commands" or program.startswith(folder.name)]
+            texts = [ROOT / chapters.chapter_of(ROOT, program), *(header for folder in folders for header in folder.glob("*.hpp"))]
+            self.assertTrue(id in known and quantity and any(f'"{subcommand}"' in ecsv.text_of(path) for path in texts), id)
+
+    def test_the_article_needs_nothing_of_the_second_volume(self):
+        """Its own programs answer its claims and compute its commands, and it quotes its own numbers."""
+        claims, programs, commands = read_claims(ROOT), set(programs_of(ROOT)), chapters.read_commands(ROOT)
+        self.assertEqual(set(map(program_of, claims.values())) - programs, set())
+        self.assertEqual({command.split()[0].split("/")[-1] for command, _ in commands.values()} - programs, set())
+        with mock.patch("lineage.lock.volumes", lambda root: [ROOT]):
+            self.assertEqual(quoted(ROOT) - set(by_name(read_lock(ROOT), claims)), set())

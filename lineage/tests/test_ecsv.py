@@ -1,0 +1,150 @@
+"""The reader of tables, what is said of files that cannot be used, and whether our tables are known to one per cent."""
+
+import csv
+import math
+import re
+import unittest
+from math import isfinite, nan
+
+from lineage import ecsv
+from lineage.claims import programs_of
+
+from . import LOCK, ROOT, Scratch, of_run, table
+
+COLUMNS = [ecsv.Column("a", "string", "l'un"), ecsv.Column("b", "float64", "x", "m"), ecsv.Column("c", "int64", "n")]
+
+
+class Reader(unittest.TestCase):
+    def test_what_is_written_is_read(self):
+        rows = [{"a": "it's, \"so\" #1", "b": 0.1, "c": 3}, {"a": "", "b": math.inf, "c": -1}]
+        text = ecsv.to_text(ecsv.Table(COLUMNS, rows, {"title": "it's"}))
+        read = ecsv.parse(text)
+        self.assertEqual((read.columns, read.rows, read.meta), (COLUMNS, rows, {"title": "it's"}))
+        self.assertEqual(ecsv.to_text(read), text)
+        self.assertIn("0.10000000000000001", text)
+
+    def test_what_cannot_be_read_is_one_line(self):
+        good = table(LOCK, [["p", "a", 1.0, 0.0, "", "value"], ["p", "b", 2.0, 0.0, "", "value"]])
+        for bad, message in [("", "t: no table (it is empty)"), (good[:300], "t: no table (it ends in its header)"),
+                             (good[:-9], "row 2: 5 cells under 6 columns"), (good[:-1], "t: row 2: the file is cut off"),
+                             (good.replace("p,b,2", "p,b,two"), "t: row 2: 'two' in the column 'value' is not a number"),
+                             (good.replace("p,b,", 'p,"b,'), "t: quotes that do not close"),
+                             (good.replace("program,id", "program,name"), "names above the rows")]:
+            with self.assertRaises(ecsv.Fault) as caught:
+                ecsv.parse(bad, "t")
+            self.assertIn(message, str(caught.exception))
+            self.assertNotIn("\n", str(caught.exception))
+        with self.assertRaisesRegex(ecsv.Fault, "no column 'x'"):
+            ecsv.parse(good, "t", ["x"])
+
+    def test_numbers_are_those_of_the_other_reader(self):
+        """As the tests of src/report/table.cpp ask there: no blanks, no underscores, nothing too large."""
+        real, whole = ecsv.Column("x", "float64"), ecsv.Column("k", "int64")
+        for text, number in [("031", 31), ("+31", 31), ("3.1e+01", 31), (".5", 0.5), ("-5e-324", -5e-324), ("0e9", 0)]:
+            self.assertEqual(ecsv.value_of(text, real), number)
+        for text in (" 1", "1 ", "1_0", "0x1f", "1e", "--1", "+", "one", "1e999", "1e-999", "1,5", "\u0663", "1\r"):
+            self.assertRaises(ValueError, ecsv.value_of, text, real)
+        for text in ("", "+1", " 1", "1.0", "1_0", "9223372036854775808", "1" * 5000, "\u0663"):
+            self.assertRaises(ValueError, ecsv.value_of, text, whole)
+        self.assertEqual(ecsv.value_of("-9223372036854775808", whole), -2 ** 63)
+
+
+class Files(Scratch):
+    """What is wrong with one is a line that names file and row."""
+
+    FACTS, SPEEDS = "build/data/sec1_demo/facts.ecsv", "build/data/sec1_demo/speeds.ecsv"
+
+    def test_what_means_nothing(self):
+        text = self.read("paper/claims.ecsv")
+        self.write("paper/claims.ecsv", text + text.splitlines()[-1].replace('two,yes', 'again,yes') + "\n")
+        for verb in ("show a.one", "lock", "refresh", "macros"):
+            self.refuses(verb, "claims.ecsv: row 3: two claims for 'a.two' (the first: row 2)")
+        self.write("paper/claims.ecsv", text)
+        for rows, words in [([["fact", 1.0, 0.1, ""]] * 2, "row 2: two values for 'fact'"),
+                            ([["fact", 1.0, -0.1, ""]], "row 1: fact: the error -0.1 is negative")]:
+            self.facts(*rows)
+            self.refuses("lock", "sec1_demo/facts.ecsv: " + words)
+        self.facts()
+        self.change("paper/converged.ecsv", "m,value", "m,vaule")
+        self.refuses("refresh", "converged.ecsv: row 1: one: the kind 'vaule' is none")
+        (self.root / "build/data").rename(self.root / "build/gone")
+        self.refuses("lock", "build/data is missing: compute it first")
+        (self.root / "paper/converged.ecsv").unlink()
+        self.refuses("macros", "converged.ecsv is missing")
+
+    def test_a_table_that_was_changed_stops_everything_that_reads_the_run(self):
+        """Also if no number is read from it; a header does not count."""
+        self.computed("sec1_demo/speeds.ecsv", table(["value"], [[1.0], [2.0]]))
+        self.write("apt-packages.txt", "")
+        changed, readers = "not what sec1_demo wrote; remove it to have it computed again", ("lock", "show a.one", "tables", "inventory")
+        for path, old, new, words, verbs in [
+                (self.FACTS, r"(?s).*", "", "no table (it is empty)", readers[:2]), (self.FACTS, r"(?s).{12}$", "", "row 3: ", readers[:2]),
+                (self.FACTS, "one,1,", "one,2,", changed, readers), (self.FACTS, r"fact,.*\n", "", changed, readers),
+                (self.FACTS, "# - {tables: .*\n", "", changed, readers[:2]), (self.SPEEDS, "\n2\n", "\n3\n", changed, readers)]:
+            good = self.read(path)
+            self.write(path, re.sub(old, new, good, count=1))
+            for verb in verbs:
+                self.refuses(verb, f"{path}: {words}")
+            self.write(path, good)
+        self.write(self.SPEEDS, "# another machine\n" + good)
+        for verb in readers:
+            self.assertEqual(self.lineage(*verb.split())[0], 0, verb)
+        self.write("build/data/sec1_demo/older.ecsv", good)
+        self.refuses("tables", f"older.ecsv: {changed}")
+
+    def test_a_run_that_has_lost_a_table_is_made_again(self):
+        self.computed("sec1_demo/speeds.ecsv", table(["value"], [[1.0], [2.0]]))
+        (self.root / self.SPEEDS).unlink()
+        for verb in ("lock", "show a.one", "inventory"):
+            self.refuses(verb, f"{self.SPEEDS} is missing")
+        facts = self.read(self.FACTS)
+        self.assertEqual(self.lineage("tables"), (0, f"  missing  {self.SPEEDS}: its program runs again\n", ""))
+        self.assertFalse((self.root / self.FACTS).exists())
+        self.write(self.FACTS, re.sub("# - {tables: .*\n", "", facts))
+        self.assertIn("facts.ecsv with checksums: its program runs again", self.lineage("tables")[1])
+
+    def test_quick_tables_are_for_quick_folders(self):
+        text = of_run("yes, and = more", self.read(self.FACTS))
+        for data in ("build/data", "build/quick/data"):
+            self.computed("sec1_demo/facts.ecsv", text, data)
+        self.refuses("lock", "ecsv: of a quick run; remove", "build/data/sec1_demo to have it computed again")
+        self.assertEqual(self.lineage("show", "a.one", "--data", "build/quick/data")[0], 0)
+        self.computed("sec1_demo/facts.ecsv", text.replace("quick = yes", "quick = no, not quick = yesterday"))
+        self.assertEqual(self.lineage("lock")[0], 0)
+
+
+def doubts(columns, rows):
+    """A complaint for each column `..._error` that is not known to one per cent, point by point, because a column may span
+    decades. Its description says where another scale is meant (the largest of the column, the neighbouring rows where it
+    crosses zero, or an error that is relative already), that rows may be `nan`, or that all may be `exact`."""
+    for column in (c for c in columns if c.name.endswith("_error")):
+        how, names = column.description, [c.name for c in columns]
+        values, errors = ([float(row[names.index(name)]) for row in rows] for name in (column.name.removesuffix("_error"), column.name))
+        sizes = [abs(x) if isfinite(x) else 0 for x in values]
+        known = [i for i in range(len(rows)) if isfinite(values[i]) and isfinite(errors[i])]
+        bad = [i for i in known if not 0 <= errors[i] <= 0.01 * (
+            max(sizes) if "against the largest" in how else max(sizes[max(0, i - 2):i + 3]) if "against the neighbouring" in how
+            else 1 if "relative" in how else sizes[i])]
+        if bad:
+            yield f"{column.name}: {len(bad)} rows not known to one per cent, first {values[bad[0]]} +- {errors[bad[0]]}"
+        elif not known or len(known) < len(rows) and "nan" not in how:
+            yield f"{column.name}: {len(rows) - len(known)} rows are not numbers"
+        elif not any(errors[i] > 0 for i in known) and "exact" not in how:
+            yield f"{column.name}: every error is zero"
+
+
+class Here(unittest.TestCase):
+    def test_what_is_plotted_is_known_to_one_per_cent_and_says_where_it_comes_from(self):
+        for values, errors, note, count in [
+                ([1, 1e-6], [1e-3, 1e-9], "", 0), ([1, 1e-6], [1e-3, 1e-7], "", 1), ([1, 1e-6], [1e-3, 1e-7], "against the largest", 0),
+                ([1, 1e-3, 1e-6, 1e-9], [1e-4] * 4, "against the neighbouring rows", 1), ([1, 1e-6], [1e-3, 2e-2], "relative", 1),
+                ([nan], [nan], "nan", 1), ([1, nan], [1e-3, nan], "", 1), ([1, 1], [0, 0], "", 1)]:
+            columns = [ecsv.Column("x", "float64", "a quantity"), ecsv.Column("x_error", "float64", note)]
+            self.assertEqual(len(list(doubts(columns, list(zip(values, errors))))), count, (values, errors, note))
+        paths = sorted((ROOT / "build/data").glob("*/[!.]*.ecsv"))
+        self.assertLessEqual(set(programs_of(ROOT)), {path.parent.name for path in paths})
+        for path in paths:
+            with self.subTest(path):
+                columns, meta = ecsv.header_of(text := ecsv.text_of(path))
+                self.assertLessEqual({"program", "section", "command", "revision", "build"}, meta.keys())
+                self.assertEqual(list(doubts(columns, list(csv.reader(ecsv.rows_of(text)))[1:])), [])

@@ -1,0 +1,60 @@
+"""Numbers in prose and the tables of the pages: what is renewed, what is refused, and that nothing here is stale."""
+
+import unittest
+
+from lineage import ecsv, refresh
+
+from . import VOLUME, Scratch, finding, of_volume
+
+NUMBERS = {"pn.omega11": finding(1.62e-11, 1e-13), "p.x": finding(3)}
+
+
+class Texts(unittest.TestCase):
+    def test_links_show_the_value_and_dangle_nowhere(self):
+        prose = "is [](num:pn.omega11), and [17](num:p.x) of [these](fig:07), as `[](num:...)` says."
+        ought = "is [1.62e-11](num:pn.omega11), and [3](num:p.x) of [these](fig:07), as `[](num:...)` says."
+        self.assertEqual(refresh.with_numbers(prose, NUMBERS), ought)
+        row = "a\n| a | [](num:pn.omega11) | [](num:p.x) |\n"
+        self.assertEqual(refresh.with_numbers(row, NUMBERS), "a\n| a | [1.62e-11 ± 1e-13](num:pn.omega11) | [3](num:p.x) |\n")
+        for bad in ("[](num:pn.omega12)", "](num:p.x)", "[](num:p.x"):
+            with self.assertRaises(ecsv.Fault):
+                refresh.with_numbers(bad, NUMBERS)
+
+    def test_a_page_shows_numbers_without_links(self):
+        page = "It is <!--num:pn.omega11-->17<!--/-->, not 1.77e-11."
+        self.assertEqual(refresh.with_marked_numbers(page, NUMBERS), page.replace("17<", "1.62e-11<"))
+        for bad in (page.replace("omega11", "omega12"), page.replace("<!--/-->", ""), page + "<!--/-->"):
+            with self.assertRaises(ecsv.Fault):
+                refresh.with_marked_numbers(bad, NUMBERS)
+
+    def test_a_page_gets_the_tables_for_which_it_has_marks(self):
+        page = "a\n<!-- t -->\nold\n<!-- /t -->\nb\n"
+        self.assertEqual(refresh.fresh_page(page, {"t": ["x", "y"], "u": []}), "a\n<!-- t -->\nx\ny\n<!-- /t -->\nb\n")
+        for bad in (page.replace("t -->", "u -->"), page.replace("/t", "/s"), page + "<!-- /t -->", page * 2):
+            with self.assertRaises(ecsv.Fault):
+                refresh.fresh_page(bad, {"t": []})
+        self.assertEqual(refresh.fresh_page(page, {"t": None}), page)
+
+
+class Refreshing(Scratch):
+    def test_only_what_is_stale_is_written(self):
+        self.change("paper/claims.ecsv", "they erred", "it is {sec1_demo.fact}")
+        self.assertEqual(self.lineage("refresh", "--check")[0], 1)
+        self.assertEqual(self.lineage("refresh")[0], 0)
+        self.assertIn("It is [1.000](num:a.one).", self.read("src/sec1_demo.cpp"))
+        self.assertIn("| `a.one` | 1.02 | 1.000 | it is 2.0 | [`build/bin/sec1_demo`](src/sec1_demo.cpp) (3 s) |", self.read("README.md"))
+        self.assertEqual(self.lineage("refresh", "--check"), (0, "", ""))
+        self.write("build/report/cost/sec1_demo", "9.1\n")
+        self.assertIn("renewed", self.lineage("refresh")[1])
+        self.assertIn("(9 s)", self.read("README.md"))
+
+    def test_what_is_quoted_must_be_locked(self):
+        self.write("src/sec1_demo.cpp", "/** [](num:sec1_demo.other) */\n")
+        self.refuses("refresh", "src/sec1_demo.cpp: nothing is locked under 'sec1_demo.other'")
+
+
+class Here(unittest.TestCase):
+    @of_volume
+    def test_nothing_is_stale(self):
+        stale = [str(path) for path, text in refresh.fresh_texts(VOLUME, {}) if text != ecsv.text_of(path)]
+        self.assertEqual(stale, [], "make refresh")

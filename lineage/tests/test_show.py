@@ -1,0 +1,39 @@
+"""What is said of one number, and of a command line that means nothing."""
+
+from . import Scratch, table
+
+
+class Show(Scratch):
+    def test_one_number(self):
+        self.write("book/commands.txt", "a.one build/bin/sec1_demo one --exactly # exact\n")
+        out = self.lineage("show", "a.one")[1]
+        for line in ["printed    1.02", "converged  1.000 m", "error      0.001", "verdict    discrepant",
+                     "why        they erred", "figure     01 (make fig01)",
+                     "command    build/bin/sec1_demo one --exactly (prints it as exact)",
+                     "chapter    src/sec1_demo.cpp (build/bin/sec1_demo, 3 s on two cores)",
+                     "from       build/data"]:
+            self.assertIn(f"  {line}", out)
+        self.assertIn("converged  1\n", self.lineage("show", "sec1_demo.other")[1])
+        (self.root / "build/data/sec1_demo/facts.ecsv").unlink()
+        self.assertIn("not computed here yet", self.lineage("show", "sec1_demo.fact")[1])
+
+    def test_the_verdict_is_the_one_that_was_given_or_that_is_recorded(self):
+        self.assertIn("verdict    holds\n  condition  sec1_demo.fact > 1\n  assuming   of 1.000, Section wells", self.lineage("show", "a.two")[1])
+        self.judged("reproduced")
+        self.assertIn("verdict    reproduced\n", self.lineage("show", "a.one")[1])
+        self.assertIn("condition  sec1_demo.fact = 2 +- 0.1 > 1\n", self.lineage("show", "a.two")[1])
+        text = self.read("paper/claims.ecsv")
+        self.write("paper/claims.ecsv", text + text.splitlines()[-1].replace("a.two", "a.new") + "\n")
+        self.assertIn("verdict    holds", self.lineage("show", "a.new")[1])  # not judged yet
+
+    def test_a_second_route_is_named_where_it_agrees(self):
+        names = ["quantity", "value", "error", "unit", "method"]
+        for value, told in ((1.0005, True), (1.01, False)):
+            self.write("paper/second.ecsv", table(names, [["a.one", value, 1e-4, "m", "by hand"]]))
+            self.assertEqual("by hand" in self.lineage("show", "a.one")[1], told)
+
+    def test_the_command_line(self):
+        for arguments in (["lock", "--dat"], ["show"], ["show", "a.one", "a.two"]):
+            code, out, err = self.lineage(*arguments)
+            self.assertEqual((code, out, err.count("\n")), (2, "", 1), err)
+        self.refuses("show a.on", "lineage show: ID: there is no number 'a.on' (near it: a.one, a.two)\n", code=2)
