@@ -1,9 +1,13 @@
 #!/bin/sh
-# Builds and runs the tests of one file or folder of tests/ or beyond/tests/:  test.sh BUILD JOBS floquet
+# Builds and runs the tests of files or folders of tests/ and beyond/tests/:  test.sh BUILD JOBS floquet sec33
 set -eu
-build=$1 jobs=$2 name=$3
-found=$(sed -n "\;\(^\|/\)$name\(/.*\)\{0,1\} ;p" "$build/tests.txt")
-[ -n "$found" ] || { echo "T: '$name' is no test (allowed: the names of files and folders in tests/ and beyond/tests/)" >&2; exit 2; }
+build=$1 jobs=$2 names=
+shift 2
+for name; do
+  names=$names${names:+|}$name
+  grep -qE "(^|/)$name[/ ]" "$build/tests.txt" ||
+    { echo "T: '$name' is no test (allowed: files and folders of tests/ and beyond/tests/, such as floquet or orbits)" >&2; exit 2; }
+done
 # shellcheck disable=SC2046
-sh "${0%/*}/build.sh" "$build" "$jobs" $(echo "$found" | cut -d ' ' -f 2 | sort -u)
-exec ctest --test-dir "$build" -j "$jobs" -R "(^|/)$name(/|\$)" --no-tests=error --output-on-failure
+sh "${0%/*}/build.sh" "$build" "$jobs" $(grep -E "(^|/)($names)[/ ]" "$build/tests.txt" | cut -d ' ' -f 2 | sort -u)
+exec ctest --test-dir "$build" -j "$jobs" -R "(^|/)($names)(/|\$)" --no-tests=error --output-on-failure --timeout 900
