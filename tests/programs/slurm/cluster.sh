@@ -3,7 +3,6 @@
 # and munge, all of them below one folder, without cgroups and apart from any cluster that the machine belongs to.
 #   cluster.sh start FOLDER     prints what to evaluate:  eval "$(cluster.sh start FOLDER)"
 #   cluster.sh stop FOLDER
-#   cluster.sh node FOLDER N    starts the daemon of node N again;  cluster.sh lose FOLDER N ends it and its jobs
 # Slurm's commands find the cluster by SLURM_CONF, which `start` prints. Needs root and the packages slurm-wlm and
 # munge, and ends with 77 where they are missing.
 set -eu
@@ -21,10 +20,6 @@ end() {
   for _ in $(seq 50); do kill -0 "$pid" 2>/dev/null || return 0; sleep 0.1; done
   kill -9 "$pid"
 }
-
-# These processes and all that they have started, the youngest last.
-# shellcheck disable=SC2046
-tree() { for each; do echo "$each"; kill -STOP "$each"; tree $(pgrep -P "$each" || true); done; }
 
 configure() {
   cores=$(($(nproc) > 1 ? $(nproc) / 2 : 1))
@@ -74,23 +69,17 @@ start)
   munged --force --key-file="$folder/key" --socket="$folder/munge.socket" --pid-file="$folder/munged.pid" \
     --log-file="$folder/munged.log" --seed-file="$folder/munged.seed" >/dev/null 2>&1 || cannot "munged does not start"
   slurmctld -c >/dev/null 2>&1 || cannot "slurmctld does not start ($folder/slurmctld.log)"
-  for n in 1 2; do sh "$0" node "$folder" $n; done
+  for n in 1 2; do
+    slurmd -N "node$n" >/dev/null 2>&1 || cannot "slurmd does not start ($folder/slurmd-node$n.log)"
+  done
   for _ in $(seq 60); do
     [ "$(sinfo -h -N -t idle -o %N 2>/dev/null | sort -u | wc -l)" = 2 ] && break
     sleep 0.5
   done
   [ "$(sinfo -h -N -t idle -o %N | sort -u | wc -l)" = 2 ] || cannot "the nodes do not answer ($folder/slurmd-*.log)"
   echo "export SLURM_CONF='$SLURM_CONF'" ;;
-node)
-  slurmd -N "node$3" >/dev/null 2>&1 || cannot "slurmd does not start ($folder/slurmd-node$3.log)" ;;
-lose)
-  # As when the power fails: the daemon ends, and with it everything that it runs.
-  steps=$(for job in $(squeue -h -w "node$3" -t running -o %A); do pgrep -f "^slurmstepd: \\[$job\\." || true; done)
-  kill -9 "$(cat "$folder/slurmd-node$3.pid")"
-  # shellcheck disable=SC2086
-  for pid in $(tree $steps); do kill -9 "$pid" 2>/dev/null || true; done ;;
 stop)
   scancel -u root 2>/dev/null || true
   for daemon in slurmd-node1 slurmd-node2 slurmctld munged; do end "$folder/$daemon.pid"; done ;;
-*) echo "cluster.sh start|stop|node|lose FOLDER [N]" >&2; exit 2 ;;
+*) echo "cluster.sh start|stop FOLDER" >&2; exit 2 ;;
 esac
