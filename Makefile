@@ -203,7 +203,7 @@ test-book: test-lineage
 	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt browse
 	@test ! -f $(D)/book/index.html || $(call with,selenium) book/browse.py $(D)/book
 test-lineage:
-	@$(sphinx) -m lineage.tests
+	@$(sphinx) tests/lineage
 
 # Folders that have the name of something that can be made.
 tests: test
@@ -224,7 +224,7 @@ run-tests: configure
 run-tests-beyond: configure
 	@sh tools/build.sh $(B) $(JOBS) programs programs_beyond tests_beyond python_beyond
 	@$(MAKE) volume=beyond QUICK=1 built=yes $(two_by_two) all-data
-	@$(sphinx) -m lineage.tests beyond
+	@$(sphinx) tests/lineage beyond
 	@ctest -j $(JOBS) $(CTEST_ARGS) --label-regex beyond
 
 ## test-faults: runs that are killed, out of time or disk, or that nobody reads (minutes)

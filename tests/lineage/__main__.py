@@ -20,8 +20,7 @@ def chosen(suite):
 
 
 with open(os.devnull, "w", encoding="utf-8") as quiet:
-    here = os.path.dirname(os.path.abspath(__file__))
-    suite = unittest.defaultTestLoader.discover(here, top_level_dir=os.path.dirname(os.path.dirname(here)))
+    suite = unittest.defaultTestLoader.discover(os.path.dirname(os.path.abspath(__file__)))
     runner = unittest.TextTestRunner(sys.stderr if "-v" in sys.argv else quiet, verbosity=2)
     result = runner.run(unittest.TestSuite(chosen(suite)))
 for _, error in result.failures + result.errors:

@@ -11,7 +11,7 @@ import unittest
 
 from lineage import ecsv, markdown as md
 
-from . import ROOT, Scratch
+from common import ROOT, Scratch
 
 LACKING = [name for name in ("sphinx", "myst_parser", "furo") if not importlib.util.find_spec(name)]
 LACKING += [] if shutil.which("node") or shutil.which("nodejs") else ["node"]

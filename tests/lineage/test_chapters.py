@@ -9,7 +9,7 @@ from lineage.claims import by_name, program_of, programs_of, read_claims
 from lineage.lock import quoted, read_lock
 from lineage.volumes import joined, volumes
 
-from . import ROOT, Scratch, table
+from common import ROOT, Scratch, table
 
 
 class Chapters(Scratch):

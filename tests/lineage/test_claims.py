@@ -6,7 +6,7 @@ import unittest
 from lineage import chapters, claims, ecsv
 from lineage.lock import read_lock
 
-from . import ROOT, VOLUME, WHOLE, Scratch, finding, of_volume, table
+from common import ROOT, VOLUME, WHOLE, Scratch, finding, of_volume, table
 
 FINDINGS = ["id", "sentence", "kind", "range", "tried", "criterion", "second", "figure"]
 GOOD = ["pull", "Up to t = 10 it is [](num:a.one) and $x_1 > 0$.", "observed", "Up to t = 10; one well", "longer runs",

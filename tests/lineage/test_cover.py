@@ -9,7 +9,7 @@ import unittest
 
 from lineage import ecsv
 
-from . import ROOT, Scratch
+from common import ROOT, Scratch
 
 ENV = {"PATH": os.environ.get("PATH", "/usr/bin:/bin"), "GIT_CONFIG_GLOBAL": "/dev/null", "GIT_CONFIG_NOSYSTEM": "1",
        "PYTHONPATH": str(ROOT), "PYTHONDONTWRITEBYTECODE": "1",

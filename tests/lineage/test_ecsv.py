@@ -9,7 +9,7 @@ from math import isfinite, nan
 from lineage import ecsv
 from lineage.claims import programs_of
 
-from . import LOCK, ROOT, Scratch, of_run, table
+from common import LOCK, ROOT, Scratch, of_run, table
 
 COLUMNS = [ecsv.Column("a", "string", "l'un"), ecsv.Column("b", "float64", "x", "m"), ecsv.Column("c", "int64", "n")]
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from lineage import gallery
 from lineage.refresh import read_figures
 
-from . import ROOT, VOLUME, of_volume
+from common import ROOT, VOLUME, of_volume
 
 FIGURES = ROOT / "build/figures"
 NAMES = [Path(figure["script"]).stem for figure in read_figures(VOLUME).values()]

@@ -4,7 +4,7 @@ from unittest import mock
 
 from lineage import hashes
 
-from . import FACTS_OF_DEMO, VOLUME, Scratch, of_volume, of_run, table
+from common import FACTS_OF_DEMO, VOLUME, Scratch, of_volume, of_run, table
 
 FACTS, RECORD = "build/data/sec1_demo/facts.ecsv", "paper/hashes.ecsv"
 

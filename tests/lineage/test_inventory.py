@@ -5,7 +5,7 @@ import unittest
 
 from lineage import ecsv, inventory
 
-from . import HELP, Scratch
+from common import HELP, Scratch
 
 
 class Inventory(Scratch):

@@ -5,7 +5,7 @@ import unittest
 from lineage import lock
 from lineage.volumes import joined, volumes
 
-from . import FACTS_OF_DEMO, ROOT, VOLUME, WHOLE, Scratch, finding, of_volume
+from common import FACTS_OF_DEMO, ROOT, VOLUME, WHOLE, Scratch, finding, of_volume
 
 
 class Locking(Scratch):

@@ -7,7 +7,7 @@ import unittest
 
 from lineage import ecsv, metadata
 
-from . import ROOT, Scratch
+from common import ROOT, Scratch
 
 
 class Here(unittest.TestCase):

@@ -4,7 +4,7 @@ import unittest
 
 from lineage import ecsv, refresh
 
-from . import VOLUME, Scratch, finding, of_volume
+from common import VOLUME, Scratch, finding, of_volume
 
 NUMBERS = {"pn.omega11": finding(1.62e-11, 1e-13), "p.x": finding(3)}
 

@@ -1,6 +1,6 @@
 """What is said of one number, and of a command line that means nothing."""
 
-from . import Scratch, table
+from common import Scratch, table
 
 
 class Show(Scratch):

@@ -6,7 +6,7 @@ import unittest
 from lineage import ecsv, metadata, refresh, tex
 from lineage.volumes import joined, volumes
 
-from . import FIGURES, ROOT, WHOLE, Scratch, finding, table
+from common import FIGURES, ROOT, WHOLE, Scratch, finding, table
 
 GOOD = (r"\num{a.one} \err{a.one} \both{a.one} \about{a.one} \pub{a.one} \claimed{a.one} \num{sec1_demo.fact} \fig{01}"
         r" \tally{reproduced, assuming} \meta{code} \wide{01} \gone{a.one}{cause}")

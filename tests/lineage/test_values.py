@@ -5,7 +5,7 @@ import unittest
 
 from lineage.values import distance
 
-from . import finding
+from common import finding
 
 
 class Values(unittest.TestCase):

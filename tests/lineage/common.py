@@ -1,6 +1,6 @@
 """Tests of the package: on texts, on a small repository that is made and broken, and on this one.
 
-`python3 -m lineage.tests` runs them all; what needs a tool that is not installed is skipped, with a word. A file is named
+`make test-lineage` runs them all; what needs a tool that is not installed is skipped, with a word. A file is named
 after the module that it tests, and here is what they share."""
 
 import contextlib
