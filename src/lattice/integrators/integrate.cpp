@@ -19,12 +19,14 @@ std::size_t stage_count(const Scheme& scheme, std::size_t steps) {
 TimeGrid time_grid(double duration, double sample, double step) {
   constexpr double most_steps = 1e12;
   const auto positive = [](double x) { return x > 0 && std::isfinite(x); };
-  const bool good = duration >= 0 && positive(sample) && positive(step) &&
+  // Of a subnormal number nothing might be left in a step
+  const bool good = (duration == 0 || std::isnormal(duration)) && duration >= 0 &&
+                    positive(sample) && positive(step) &&
                     duration / std::min(sample, step) <= most_steps;
   if (!good) {
     std::ostringstream text;
     text << "a run of duration " << duration << " with samples " << sample << " apart and steps of "
-         << step << " (allowed: finite and positive, the duration may vanish, at most "
+         << step << " (allowed: positive and normal, the duration may vanish, at most "
          << most_steps << " steps)";
     throw std::invalid_argument(text.str());
   }

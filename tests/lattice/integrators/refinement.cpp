@@ -168,6 +168,7 @@ TEST_CASE("a run of no duration returns its start", "[unit][accuracy]") {
   CHECK(s.y == start.y);
   CHECK(s.v == start.v);
   CHECK(s.t == 0);
+  CHECK_THROWS_AS(evolve(Converged{1e-9}, Chain{10}, s, 5e-324, 1), std::invalid_argument);
 }
 
 TEST_CASE("a run in which a bead runs away says when, whatever the samples are",
