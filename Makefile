@@ -219,8 +219,9 @@ run-tests: configure
 	@sh tools/build.sh $(B) $(JOBS) all
 	@$(MAKE) QUICK=1 built=yes $(two_by_two) all-data
 	@$(judge) > /dev/null
-	@$(MAKE) test-lineage
-	@ctest -j $(JOBS) $(CTEST_ARGS) --label-exclude beyond
+	@$(MAKE) test-lineage > $(B)/lineage.log 2>&1 & lineage=$$!; \
+	ctest -j $(JOBS) $(CTEST_ARGS) --label-exclude beyond; good=$$?; \
+	wait $$lineage || good=1; cat $(B)/lineage.log; exit $$good
 run-tests-beyond: configure
 	@sh tools/build.sh $(B) $(JOBS) programs programs_beyond tests_beyond python_beyond
 	@$(MAKE) volume=beyond QUICK=1 built=yes $(two_by_two) all-data

@@ -174,7 +174,7 @@ sh tools/build.sh build 1 programs > "$scratch/out" 2>&1
 
 # A run that is killed leaves no answer, and the next make goes on where it was.
 rm -r build/data
-STUB_SLEEP=3 timeout -s INT 5 make DEPS=skip all-data > "$scratch/out" 2>&1 && fail "not killed"
+STUB_SLEEP=1.5 timeout -s INT 2.6 make DEPS=skip all-data > "$scratch/out" 2>&1 && fail "not killed"
 run all-data
 ran "sec2_long sec1_short " "the next make did not go on"
 
