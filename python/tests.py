@@ -332,14 +332,6 @@ class OwnChains(unittest.TestCase):
         self.assertEqual((repr(there), repr(there.chain), bits(there.y)), (repr(here), repr(here.chain), bits(here.y)))
         self.assertEqual(there.speed.reason, here.speed.reason)
 
-    def test_potentials_in_python(self):
-        """The article's well and contact, written in Python, against those of the library."""
-        well = lattice.Well(lambda y: y * y / 2, lambda y: -y, np.ones_like)
-        contact = lattice.Contact(overlap_energy, overlap_force, overlap_stiffness)
-        mine = lattice.strike(lattice.Chain(sites=30, well=well, contact=contact), velocity=1, time=20)
-        theirs = lattice.strike(lattice.Chain(sites=30), velocity=1, time=20)
-        np.testing.assert_allclose(mine.y, theirs.y, rtol=0, atol=1e-12)
-
     def test_what_python_raises_arrives(self):
         def broken(y):
             raise KeyError("mine")
@@ -453,12 +445,6 @@ class Documentation(unittest.TestCase):
                          ["0.36129 +- 2e-05 site", "4", "nan"])
         copy = pickle.loads(pickle.dumps(lattice.Estimate(1.5, 0.1, "site", reason="none")))
         self.assertEqual((copy, copy.error, copy.unit, copy.reason), (1.5, 0.1, "site", "none"))
-
-    def test_what_an_import_needs(self):
-        for setting, message in [("numpy", "ImportError: lattice needs numpy, .*python3-numpy"),
-                                 ("lattice._lattice", "ImportError: lattice: .*_lattice")]:
-            run = python(f"import sys; sys.modules['{setting}'] = None; import lattice")
-            self.assertRegex(run.stderr.splitlines()[-1], message)
 
 
 @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "there is no matplotlib")

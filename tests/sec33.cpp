@@ -152,6 +152,16 @@ TEST_CASE("two speeds on the hill lead to the threshold", "[unit][kick]") {
   CHECK_THROWS_AS(threshold_from(2.1, 3, 2.4, 3.1), std::invalid_argument);  // too flat
 }
 
+TEST_CASE("three free breathers know the kick that frees", "[property][kick]") {
+  const RestingBreather at = breather(Centre::bond, 1.1, Phase::stretched);
+  const Prediction p = predict_threshold(at, {-2.3522916e-13, 1e-17});
+  check_close(p.threshold.value, 4.4516e-6, 0, 1e-4);
+  const Estimate c = freeing_kick_of(at, p, EventCorrected{0.3});
+  CHECK(c.error < 1e-3 * c.value);
+  check_close(c.value, p.threshold.value, 0, 1e-3);
+  CHECK_FALSE(predict_threshold(breather(Centre::site, 1.1), p.barrier).exists());
+}
+
 TEST_CASE("a control that moves later, and a trial that is torn", "[unit]") {
   const auto later = [](const auto& controls) { return delay_of(controls, breathers(16, 16, 1)); };
   const auto is = [](const Delay& d, double share, double ratio) {

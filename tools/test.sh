@@ -5,7 +5,7 @@ build=$1 jobs=$2 names=
 shift 2
 for name; do
   names=$names${names:+|}$name
-  grep -qE "(^|/)$name[/ ]" "$build/tests.txt" ||
+  grep -qE "(^|/)${name}[/ ]" "$build/tests.txt" ||
     { echo "T: '$name' is no test (allowed: files and folders of tests/ and beyond/tests/, such as floquet or orbits)" >&2; exit 2; }
 done
 # shellcheck disable=SC2046

@@ -6,7 +6,7 @@ import unittest
 from lineage import chapters, claims, ecsv
 from lineage.lock import read_lock
 
-from common import ROOT, VOLUME, WHOLE, Scratch, finding, of_volume, table
+from common import ROOT, VOLUME, Scratch, finding, of_volume, table
 
 FINDINGS = ["id", "sentence", "kind", "range", "tried", "criterion", "second", "figure"]
 GOOD = ["pull", "Up to t = 10 it is [](num:a.one) and $x_1 > 0$.", "observed", "Up to t = 10; one well", "longer runs",
@@ -53,15 +53,6 @@ class Here(unittest.TestCase):
             self.assertNotIn("|", one["sentence"], id)
             self.assertEqual(one["sentence"].count("$") % 2, 0, id)
             self.assertIn(one["kind"], claims.KINDS, id)
-
-    @unittest.skipUnless(WHOLE, "volume two is not there")
-    def test_six_numbers_of_three_sources_were_read_by_ourselves(self):
-        rows = claims.read_literature(ROOT / "beyond").values()
-        read = [row for row in rows if row["covered_by"] != "memory"]
-        self.assertTrue(len(read) >= 6 and len({row["citation"] for row in read}) >= 3 and all(row["where"] for row in read))
-        for row in rows:
-            self.assertEqual(row["obtained"] == "memory", row["covered_by"] == "memory", row["id"])
-            self.assertIn(row["obtained"], claims.OBTAINED)
 
     def test_a_second_route_agrees_and_is_as_sharp_as_a_headline_needs(self):
         second, locked = claims.read_second(VOLUME), claims.by_name(read_lock(VOLUME), claims.read_claims(VOLUME))

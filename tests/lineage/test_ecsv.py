@@ -9,7 +9,7 @@ from math import isfinite, nan
 from lineage import ecsv
 from lineage.claims import programs_of
 
-from common import LOCK, ROOT, Scratch, of_run, table
+from common import LOCK, ROOT, Scratch, table
 
 COLUMNS = [ecsv.Column("a", "string", "l'un"), ecsv.Column("b", "float64", "x", "m"), ecsv.Column("c", "int64", "n")]
 
@@ -102,15 +102,6 @@ class Files(Scratch):
         self.assertFalse((self.root / self.FACTS).exists())
         self.write(self.FACTS, re.sub("# - {tables: .*\n", "", facts))
         self.assertIn("facts.ecsv with checksums: its program runs again", self.lineage("tables")[1])
-
-    def test_quick_tables_are_for_quick_folders(self):
-        text = of_run("yes, and = more", self.read(self.FACTS))
-        for data in ("build/data", "build/quick/data"):
-            self.computed("sec1_demo/facts.ecsv", text, data)
-        self.refuses("lock", "ecsv: of a quick run; remove", "build/data/sec1_demo to have it computed again")
-        self.assertEqual(self.lineage("show", "a.one", "--data", "build/quick/data")[0], 0)
-        self.computed("sec1_demo/facts.ecsv", text.replace("quick = yes", "quick = no, not quick = yesterday"))
-        self.assertEqual(self.lineage("lock")[0], 0)
 
 
 def doubts(columns, rows):

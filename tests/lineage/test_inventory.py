@@ -1,7 +1,4 @@
-"""Tables, commands and packages as they describe themselves."""
-
-import shutil
-import unittest
+"""Tables and commands as they describe themselves."""
 
 from lineage import ecsv, inventory
 
@@ -27,12 +24,3 @@ class Inventory(Scratch):
         self.assertEqual([(r["table"], r["column"]) for r in rows],
                          [("facts", c) for c in ("quantity", "value", "error", "unit", "made_by")])
         self.assertEqual(rows[1]["kind"] + ", " + rows[1]["description"], "float64, what value is")
-
-    @unittest.skipUnless(shutil.which("dpkg-query"), "dpkg-query is not installed")
-    def test_a_package_has_its_version(self):
-        self.write("apt-packages.txt", "dpkg\n[book]\nno-such-package\n")
-        self.assertEqual([p["package"] for p in inventory.packages(self.root)],
-                         ["g++", "cmake", "make", "git", "dpkg", "no-such-package"])
-        dpkg, none = inventory.packages(self.root)[-2:]
-        self.assertRegex(dpkg["version"], r"^\d")
-        self.assertEqual((dpkg["section"], none["section"], none["version"]), ("figures and tests", "book", ""))

@@ -1,6 +1,6 @@
 """What is said of one number, and of a command line that means nothing."""
 
-from common import Scratch, table
+from common import Scratch
 
 
 class Show(Scratch):
@@ -25,12 +25,6 @@ class Show(Scratch):
         text = self.read("paper/claims.ecsv")
         self.write("paper/claims.ecsv", text + text.splitlines()[-1].replace("a.two", "a.new") + "\n")
         self.assertIn("verdict    holds", self.lineage("show", "a.new")[1])  # not judged yet
-
-    def test_a_second_route_is_named_where_it_agrees(self):
-        names = ["quantity", "value", "error", "unit", "method"]
-        for value, told in ((1.0005, True), (1.01, False)):
-            self.write("paper/second.ecsv", table(names, [["a.one", value, 1e-4, "m", "by hand"]]))
-            self.assertEqual("by hand" in self.lineage("show", "a.one")[1], told)
 
     def test_the_command_line(self):
         for arguments in (["lock", "--dat"], ["show"], ["show", "a.one", "a.two"]):
