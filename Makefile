@@ -95,7 +95,9 @@ figures: ready
 T :=
 test: $(if $(T),configure,ready)
 	@$(if $(T),,$(MAKE) all-figures)
-	@$(if $(T),sh tools/test.sh $(B) $(JOBS) $(T),$(MAKE) run-tests)
+	@$(if $(T),,$(MAKE) run-tests)
+	@$(if $(filter lineage,$(T)),$(MAKE) test-lineage)
+	@$(if $(filter-out lineage,$(T)),sh tools/test.sh $(B) $(JOBS) $(filter-out lineage,$(T)))
 
 ## beyond: the same of volume two, what is beyond the article: compute, draw, judge
 beyond: ready

@@ -154,6 +154,11 @@ mkdir -p "$scratch/elsewhere/build" "$scratch/foreign/inner"
 printf '#!/bin/sh\necho "$* in $PWD" >> "$STUB_LOG"\n' | stub ctest
 CDPATH="$scratch/elsewhere" run examples
 called "--test-dir build --no-tests=error.* it's here$" "CDPATH leads to other tests, or none are enough"
+echo 'lattice/orbits/floquet tests_lattice_orbits' > build/tests.txt
+run test T=floquet
+called '-R .*(floquet)' "T=floquet runs no test"
+refused test T=floq
+said "'floq' is no test" "a test that is none is not named"
 cp -r tools "$scratch/foreign/inner"
 cd "$scratch/foreign/inner"
 (cd .. && git init -q . && git -c user.name=x -c user.email=x@y commit -q --allow-empty -m x)
