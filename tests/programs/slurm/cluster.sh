@@ -45,10 +45,7 @@ TaskPlugin=task/none
 SelectType=select/cons_tres
 SelectTypeParameters=CR_Core
 SchedulerParameters=sched_min_interval=0,batch_sched_delay=0
-JobRequeue=1
 MpiDefault=none
-ReturnToService=2
-SlurmdTimeout=10
 InactiveLimit=0
 KillWait=2
 MaxArraySize=1001
