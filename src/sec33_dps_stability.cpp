@@ -380,10 +380,10 @@ void run_trials(std::vector<Group>& groups, bool quick) {
   });
 }
 
-const NoiseTrials& trials_of(const std::vector<Group>& groups, const std::string& name) {
+const NoiseTrials& trials_of(const std::vector<Group>& groups, const char* name) {
   for (const Group& group : groups)
     if (group.name() == name) return group.trials;
-  throw Failure("no trials of " + name);
+  throw Failure(std::string("no trials of ") + name);
 }
 
 /**
