@@ -16,6 +16,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// The folder of the tables, which `make figures` computes, or `make beyond`.
+fs::path tables_of_run() {
+  if (!fs::exists(DATA_DIR)) FAIL("there are no tables in " DATA_DIR ": make figures");
+  return DATA_DIR;
+}
+
 /// The same facts with the one of a condition mirrored at its limit.
 Facts mirrored(Facts facts, const Condition& c) {
   facts.at(c.fact).value -= 2 * (c.above ? 1 : -1) * c.left(facts).value;
@@ -39,7 +45,7 @@ Claim bare(Claim claim) {
 }  // namespace
 
 TEST_CASE("published", "[published]") {
-  const Facts facts = read_facts(DATA_DIR);
+  const Facts facts = read_facts(tables_of_run());
   for (const std::string list : {"claims", "findings", "literature"}) {
     const fs::path path = VOLUME_DIR "/paper/" + list + ".ecsv";
     if (!fs::exists(path)) continue;
@@ -77,7 +83,7 @@ TEST_CASE("what was observed names its range in its sentence", "[published]") {
 }
 
 TEST_CASE("no number of a program is without an error unless it is exact", "[published]") {
-  for (const auto& folder : fs::directory_iterator(DATA_DIR)) {
+  for (const auto& folder : fs::directory_iterator(tables_of_run())) {
     const fs::path file = folder.path() / "facts.ecsv";
     if (!fs::exists(file)) continue;
     const Table t = read(file);
@@ -94,12 +100,12 @@ TEST_CASE("no number of a program is without an error unless it is exact", "[pub
 }
 
 TEST_CASE("the ring of figure 26 starts from the phonon of Eq. (39), and arrives", "[published]") {
-  const Table table = read(DATA_DIR "/sec4_precompression_mi/modulated_ring.ecsv");
+  const Table table = read(tables_of_run() / "sec4_precompression_mi/modulated_ring.ecsv");
   const auto start = table.numbers("y_start"), end = table.numbers("y");
   REQUIRE(start.size() == 200);
   const double q = M_PI / 4, v1 = 1.5 * std::sqrt(0.5),
                omega = std::sqrt(1 + 2 * v1 * (1 - std::cos(q)));
-  const Fact round = read_facts(DATA_DIR).at("sec4_precompression_mi.splitting_round");
+  const Fact round = read_facts(tables_of_run()).at("sec4_precompression_mi.splitting_round");
   check_close(round.value, 200 * omega / (v1 * std::sin(q)), 1e-10);
   State<double> state(200);
   for (std::size_t i = 0; i < 200; ++i) {
