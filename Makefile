@@ -46,7 +46,7 @@ side_by_side = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 # No `cd` goes elsewhere than it says, and Python finds our modules also where it does not look here by itself.
 unexport CDPATH
 ifeq ($(MAKELEVEL),0)
-export PYTHONPATH := .$(if $(PYTHONPATH),:$(PYTHONPATH))
+export PYTHONPATH := tools$(if $(PYTHONPATH),:$(PYTHONPATH))
 endif
 # Equal inputs give equal bytes: no dates in figures, one locale everywhere.
 export SOURCE_DATE_EPOCH := 1370000000
@@ -196,13 +196,13 @@ weave: verdicts
 	@set -- $(D)/book/*.html && echo "book       : $$# pages, $(D)/book/index.html"
 
 install-book: install-deps
-	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt book
+	@DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt book
 	@! apt-cache show libc++-dev-wasm32 >/dev/null 2>&1 || \
-	  DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt live || true
+	  DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt live || true
 
 ## test-book: the tests of lineage and book, and every page of the book in a headless Chromium
 test-book: test-lineage
-	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt browse
+	@DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt browse
 	@test ! -f $(D)/book/index.html || $(call with,selenium) book/browse.py $(D)/book
 test-lineage:
 	@$(sphinx) tests/lineage
@@ -234,24 +234,25 @@ run-tests-beyond: configure
 test-faults: programs
 	@$(or $(PYTHON),python3) tests/programs/faults.py . $(B)/bin 60
 
+sanitized := -DCMAKE_BUILD_TYPE=Debug '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
 ## test-fuzz: 5,000 random command lines for programs with sanitizers (SEED=..., COUNT=...; long)
 COUNT := 5000
 SEED = $(shell date +%s)
 test-fuzz: install-deps
-	@cmake --preset asan > /dev/null
+	@cmake -S . -B $(B)/asan $(sanitized) > /dev/null
 	@sh tools/build.sh $(B)/asan $(JOBS) programs
 	@LATTICE_SLACK=12 $(or $(PYTHON),python3) tests/programs/fuzz.py $(B)/asan/bin $(COUNT) $(SEED)
 
 ## test-python: the tests of the Python module, which is built with sanitizers for it (long)
 test-python: export ASAN_OPTIONS := detect_leaks=0:verify_asan_link_order=0
 test-python: programs
-	@cmake --preset asan > /dev/null
+	@cmake -S . -B $(B)/asan $(sanitized) > /dev/null
 	@sh tools/build.sh $(B)/asan $(JOBS) python_module
 	@LATTICE_SLACK=12 PYTHONPATH=$(B)/asan/python:python \
 	  LD_PRELOAD="$$(c++ -print-file-name=libasan.so) $$(c++ -print-file-name=libstdc++.so)" \
 	  $(call with,numpy) python/tests.py $(B)/bin
 
-## bench: time our integrators against GSL and Boost.odeint (ten minutes), as in bench/ratios.ecsv
+## bench: time our integrators against GSL and Boost.odeint (ten minutes), as in tools/bench/ratios.ecsv
 bench: ready
 	@sh tools/build.sh $(B) $(JOBS) bench
 	@mkdir -p $(B)/bench
@@ -275,7 +276,7 @@ typeset: verdicts
 	  mv $(D)/paper/$$it.pdf $(D)/$$it.pdf.part && mv $(D)/$$it.pdf.part $(D)/$$it.pdf || exit; done
 
 install-paper: install-deps
-	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt paper
+	@DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt paper
 
 ## lock: renew paper/converged.ecsv from the computed values and print what moved (volume=beyond: of volume two)
 lock: install-deps
@@ -322,7 +323,7 @@ test-slurm: programs
 fresh:
 	@sh tools/fresh.sh $(SUITE)
 
-## container: the steps of the Dockerfile in a bare root, where no container can run (SUITE=trixie; takes root)
+## container: the steps of tools/Dockerfile in a bare root, where no container can run (SUITE=trixie; takes root)
 container:
 	@sh tools/fresh.sh --container $(SUITE)
 
@@ -341,9 +342,9 @@ style:
 tidy:
 	@sh tools/tidy.sh $(SINCE)
 
-## install-deps: install the Debian packages of apt-packages.txt that are missing
+## install-deps: install the Debian packages of tools/apt-packages.txt that are missing
 install-deps:
-	@DEPS=$(DEPS) sh tools/install-deps.sh apt-packages.txt
+	@DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt
 
 ## burn: remove all products
 burn:

@@ -7,7 +7,7 @@ The extension `literate` beside this file writes the pages into the folder that 
 import sys
 from pathlib import Path
 
-sys.path[:0] = [str(Path(__file__).parent), str(Path(__file__).parents[1])]
+sys.path[:0] = [str(Path(__file__).parent), str(Path(__file__).parents[1] / "tools")]
 
 project = "Breathers with Hertzian contacts"
 author = "the authors of CITATION.cff"

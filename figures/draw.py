@@ -7,7 +7,7 @@ beyond scaling. It imports this file first, which says what is missing.
 import sys
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).resolve().parents[1]))
+sys.path.append(str(Path(__file__).resolve().parents[1] / "tools"))
 from lineage import ecsv, lacking  # noqa: E402
 
 try:

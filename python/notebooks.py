@@ -83,7 +83,7 @@ def main(words):
     try:
         complaints = [c for path in paths for c in run(path, renew)]
     except ImportError as error:
-        sys.path.append(str(FOLDER.parent))
+        sys.path.append(str(FOLDER.parent / "tools"))
         from lineage import lacking
         foreign = isinstance(error, ModuleNotFoundError) and error.name != "lattice"
         sys.exit("notebooks: " + (lacking(error) if foreign else f"{error} (make python, then PYTHONPATH=build/python)"))

@@ -30,7 +30,7 @@ refuse() {
 
 if [ $# = 3 ]; then
   # shellcheck disable=SC2086
-  [ -z "${FROM:-}" ] || PYTHONPATH="${0%/*}/..${PYTHONPATH:+:$PYTHONPATH}" "${PYTHON:-python3}" -m lineage tables $FROM || exit 1
+  [ -z "${FROM:-}" ] || PYTHONPATH="${0%/*}${PYTHONPATH:+:$PYTHONPATH}" "${PYTHON:-python3}" -m lineage tables $FROM || exit 1
   case $3 in
   *.gp)
     # The status of gnuplot goes past the pipe, that of the pipe is the last command's.

@@ -4,7 +4,7 @@
 # and a space in its name, inside another repository, with CDPATH and PYTHONSAFEPATH exported and nothing else.
 #   fresh.sh [SUITE]            both commands, then make book and make paper; SUITE is the machine's own release
 #   fresh.sh --two [SUITE]      both commands, and those of the second volume
-#   fresh.sh --container [SUITE]  the steps of the Dockerfile instead, in a root without even those four
+#   fresh.sh --container [SUITE]  the steps of tools/Dockerfile instead, in a root without even those four
 # FRESH_ENV='CXXFLAGS=-Werror' adds to the environment; KEEP=1 leaves the root where it is. Ends with 77
 # where such a root cannot be made.
 set -eu
@@ -70,11 +70,11 @@ step() {
   [ $bad = 0 ]
 }
 
-# The Dockerfile, read as an engine reads it: one instruction a line, COPY from a clone, RUN by the last USER
+# tools/Dockerfile, read as an engine reads it: one instruction a line, COPY from a clone, RUN by the last USER
 container() {
   folder=/ user=root home=HOME=/root
   git clone -q --no-hardlinks . "$root/context" || return 1
-  sed -e '/^ *#/d; /^ *$/d' -e ':more' -e '/\\$/ { N; s/\\\n *//; b more' -e '}' Dockerfile > "$logs/steps"
+  sed -e '/^ *#/d; /^ *$/d' -e ':more' -e '/\\$/ { N; s/\\\n *//; b more' -e '}' tools/Dockerfile > "$logs/steps"
   while read -r instruction rest; do
     case $instruction in
     ARG | FROM | CMD) ;;
@@ -87,7 +87,7 @@ container() {
       for source in ${rest% *}; do from="$from '/context/$source'"; done
       step "$folder" root "cp -r$from '$target' && chown -R $owner: '$target'" || return ;;
     RUN) step "$folder" "$user" "$rest" || return ;;
-    *) echo "Dockerfile: '$instruction' is not known to tools/fresh.sh" >&2; return 1 ;;
+    *) echo "tools/Dockerfile: '$instruction' is not known to tools/fresh.sh" >&2; return 1 ;;
     esac
   done < "$logs/steps"
 }

@@ -52,7 +52,7 @@ compare() {
   [ "$name" = gcc ] || [ ! -d "$place/gcc.quick" ] || against="--against $place/gcc.quick"
   status=0
   # shellcheck disable=SC2086
-  python3 -m lineage hashes --check --run quick --data "$place/$name.quick" $against || status=$?
+  PYTHONPATH=tools python3 -m lineage hashes --check --run quick --data "$place/$name.quick" $against || status=$?
   [ "$status" = 0 ] || [ "$name" = arm64 ] || bad=1
 }
 

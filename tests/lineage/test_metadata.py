@@ -39,7 +39,7 @@ class Here(unittest.TestCase):
                 self.assertTrue(met := [name for name in files if re.fullmatch(pattern, name)], f"REUSE.toml: no file is named by {glob}")
                 told |= dict.fromkeys(met, rule["SPDX-License-Identifier"])
         self.assertEqual([name for name in files if told.get(name) not in licences], [])
-        self.assertEqual([told[name] for name in ("lineage/ecsv.py", "figures/style.gp", "README.md", "paper/paper.tex")], licences[:1] * 2 + licences[1:] * 2)
+        self.assertEqual([told[name] for name in ("tools/lineage/ecsv.py", "figures/style.gp", "README.md", "paper/paper.tex")], licences[:1] * 2 + licences[1:] * 2)
 
 
 class Told(Scratch):

@@ -11,7 +11,7 @@ here="$scratch/a b/[Re] it's here"
 for volume in . beyond; do mkdir -p "$here/$volume/src" "$here/$volume/paper" "$here/$volume/figures"; done
 mkdir "$scratch/bin"
 cd "$here"
-cp -r "$root/Makefile" "$root/tools" "$root/lineage" "$root/apt-packages.txt" .
+cp -r "$root/Makefile" "$root/tools" .
 cp "$root"/figures/draw.py "$root"/figures/matplotlibrc "$root"/figures/style.gp figures
 # Three programs with a figure each, and a second volume with one.
 names=id,label,section,program,script,class,data,caption
@@ -86,10 +86,10 @@ mkdir "$scratch/apt"
 for body in 'dpkg-query exit 1' 'id echo 0' 'apt-get echo " $* " >> "$STUB_LOG"'; do
   printf '#!/bin/sh\n%s\n' "${body#* }" > "$scratch/apt/${body%% *}" && chmod +x "$scratch/apt/${body%% *}"
 done
-PATH="$scratch/apt:$PATH" sh tools/install-deps.sh apt-packages.txt > "$scratch/out"
+PATH="$scratch/apt:$PATH" sh tools/install-deps.sh tools/apt-packages.txt > "$scratch/out"
 called ' gnuplot-nox ' "gnuplot is not asked for"
 ! grep -qE ' (python3-sphinx|\[book\]) ' "$STUB_LOG" || fail "figures ask for the book's packages"
-PATH="$scratch/apt:$PATH" sh tools/install-deps.sh apt-packages.txt book > "$scratch/out"
+PATH="$scratch/apt:$PATH" sh tools/install-deps.sh tools/apt-packages.txt book > "$scratch/out"
 called ' python3-sphinx ' "the book's packages are not asked for"
 
 # Every program runs once, the dearest first, and again only if its bytes are others.
@@ -200,8 +200,8 @@ ran "" "computed before gnuplot is missed"
 "$python" -c 'import matplotlib' 2>/dev/null || { echo "no matplotlib here: drawing is not tested"; exit 0; }
 rm -rf build
 with="PYTHON=$python"
-mv lineage/__main__.py "$scratch/kept.py"
-: > lineage/__main__.py
+mv tools/lineage/__main__.py "$scratch/kept.py"
+: > tools/lineage/__main__.py
 run figures
 [ "$(find build/figures -name '*.pdf' | wc -l) $(wc -l < "$STUB_LOG")" = "3 3" ] || fail "make figures draws or runs something else than its volume"
 said '^together   : [0-9]* s' "a run does not say how long it took"
@@ -216,7 +216,7 @@ mv beyond "$scratch/beyond"
 run figures
 ran "" "without volume two something runs again"
 mv "$scratch/beyond" beyond
-mv "$scratch/kept.py" lineage/__main__.py
+mv "$scratch/kept.py" tools/lineage/__main__.py
 with=
 for called in python3 "$scratch/a b/python3"; do
   [ "$called" = python3 ] || { printf '#!/bin/sh\nexec "%s" "$@"\n' "$python" > "$called" && chmod +x "$called" && with="PYTHON=$called"; }

@@ -29,7 +29,7 @@ QUOTE = re.compile(r"(\[[^\]]*\])?\(finding:([^)\n]*)(\)?)")
 
 def meanings():
     """What each verdict means, in their order: the table in src/report/verdict.hpp, where they are given."""
-    header = Path(__file__).resolve().parents[1] / "src/report/verdict.hpp"
+    header = Path(__file__).resolve().parents[2] / "src/report/verdict.hpp"
     return {word: text for word, text in MEANT.findall(ecsv.text_of(header)) if word != "verdict"}
 
 

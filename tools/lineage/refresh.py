@@ -119,7 +119,7 @@ def gallery_rows(figures):
 
 def minute_rows(root):
     """How long the commands take; None where nobody has measured it."""
-    if not (path := Path(root) / "bench/minutes.ecsv").exists():
+    if not (path := Path(root) / "tools/bench/minutes.ecsv").exists():
         return None
     rows = ecsv.read(path, ("command", "seconds", "what")).rows
     return ["| | | about |", "|---|---|---|",
