@@ -148,8 +148,8 @@ void report_spectra(Report& report) {
       Table& spectrum = report.table(
           "spectrum" + which,
           {number("real", "growth rate", "1 per unit of time"),
-           number("imag", "frequency in the turning frame", "1 per unit of time"),
-           number("error", "distance from the value in double precision", "1 per unit of time")});
+           number("imag", "frequency in the rotating frame", "1 per unit of time"),
+           number("error", "difference from the value in double precision", "1 per unit of time")});
       const auto m = contact_eigenvalues(fine);
       const auto m_coarse = contact_eigenvalues(coarse);
       for (Index k = 0; k < m.size(); ++k) {

@@ -564,7 +564,8 @@ struct OneDefect {
   void parameters(Parameters& p) {
     p.add("ratio", ratio, "radius of the defect's beads over that of the others", {0.1, 5})
         .formerly("radius");
-    p.add("velocity", velocity, "impact velocity in m/s", {0.5, 2, "m/s"});
+    p.add("velocity", velocity, "velocity of the impact on the first bead, in m/s",
+          {0.5, 2, "m/s"});
     p.add("sites", sites, "number of cantilevers, the defect being the hundredth", {110, 1e4});
   }
   Table table() const;

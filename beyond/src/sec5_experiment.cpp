@@ -583,7 +583,8 @@ struct DampedArray {
   double velocity = 1, lifetime = 10, restitution = 1;
 
   void parameters(Parameters& p) {
-    p.add("velocity", velocity, "impact velocity in m/s", {0.1, 2, "m/s"});
+    p.add("velocity", velocity, "velocity of the impact on the first bead, in m/s",
+          {0.1, 2, "m/s"});
     p.add("lifetime", lifetime, "of the energy of a beam that swings freely, in ms",
           {0.5, 1e6, "ms"});
     p.add("restitution", restitution, "of two cantilevers that meet at 1 m/s", {0.5, 1});

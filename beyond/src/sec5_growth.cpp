@@ -56,7 +56,7 @@ detuning, $|k|>|a|$. Rates go like $|A|^{1/2}$, so $|A| = 1$ throughout; a bead 
 | $\epsilon$ | `eps` | amplitude scale of the chain | */
 void report_chart(Report& report) {
   const int points = report.quick ? 20 : 60;
-  Table& growth = report.table("growth", {number("q", "wavenumber of the wave", "1/site"),
+  Table& growth = report.table("growth", {number("q", "wavenumber q of the plane wave", "1/site"),
                                           number("modulation", "wavenumber Q", "1/site"),
                                           number("growth", "per unit of slow time, at |A| = 1")});
   for (int i = 0; i < points; ++i)
@@ -65,7 +65,7 @@ void report_chart(Report& report) {
       growth.add({q, Q, DpsWave<double>{q}.growth(Q)});
     }
   Table& edge =
-      report.table("edge", {number("q", "wavenumber of the wave", "1/site"),
+      report.table("edge", {number("q", "wavenumber q of the plane wave", "1/site"),
                             number("edge", "of the band", "1/site"),
                             number("fastest", "modulation that grows fastest", "1/site")});
   for (int i = 1; i <= 400; ++i) {
@@ -365,7 +365,7 @@ void report_leftovers(Report& report) {
   // The breathers of the finer runs, one by one
   Table& table = report.table(
       "breathers",
-      {number("q", "wavenumber of the wave", "1/site"), count("seed", "of the noise"),
+      {number("q", "wavenumber q of the plane wave", "1/site"), count("seed", "of the noise"),
        number("born", "slow time"), number("lived", "slow time"), number("norm", "on five sites"),
        number("energy", "of their contacts"), number("static_energy", "of a static one"),
        number("speed", "slope of its path", "site per unit of slow time"),

@@ -22,7 +22,8 @@ struct AllScales {
   double velocity = 1;
 
   void parameters(Parameters& p) {
-    p.add("velocity", velocity, "impact velocity in m/s", {1e-6, 1e3, "m/s"});
+    p.add("velocity", velocity, "velocity of the impact on the first bead, in m/s",
+          {1e-6, 1e3, "m/s"});
   }
   Table table() const {
     const CantileverArray array;

@@ -20,17 +20,18 @@ namespace lattice {
 
 /// The command.
 struct CompressedImpact {
-  static constexpr Title title{"impact", "one impact: centre, width and energy of the packet"};
+  static constexpr Title title{
+      "impact", "one impact on a compressed chain: centre, width and energy of the packet"};
   double time = 724, velocity = 1.87, d = 0.5, tolerance = 1e-4;
   Well well = Quartic{1};
 
   /// Declares well, time, velocity, compression and tolerance.
   void parameters(Parameters& p) {
     add_holding_well(p, well, "the phonons are others");
-    p.add("time", time, "length of the run", {1, 2e4});
-    p.add("velocity", velocity, "impact velocity", {1e-6, 100});
-    p.add("d", d, "compression of the contacts", {1e-3, 10});
-    p.add("tolerance", tolerance, "relative error allowed in the end state", {1e-11, 0.1});
+    p.add("time", time, "duration of the run", {1, 2e4});
+    p.add("velocity", velocity, "velocity of the impact on the first bead", {1e-6, 100});
+    p.add("d", d, "static compression d of the contacts", {1e-3, 10});
+    p.add("tolerance", tolerance, "relative error allowed in the final state", {1e-11, 0.1});
   }
   /// The packet with the most energy, and how far the run can be trusted.
   Table table() const {
@@ -50,20 +51,21 @@ struct CompressedImpact {
     // Where it is, its form, and how far the run can be trusted
     Answers q{"a --time at which one packet stands out"};
     q.add("centre", compare(a.centre, b.centre), "site",
-          "energy centre of the packet that holds the most energy, at the end of the run");
+          "energy centre, at the end of the run, of the packet with the most energy");
     q.add("width", compare(width(rough), width(best)), "site",
-          "width w of the sech((n - n_0)/w) that fits the envelope of its velocities",
-          "no sech: the top or the width of the one that fits best lies beyond the " +
+          "width w of the sech((n - n_0)/w) fitted to the envelope of its velocities",
+          "no sech fits: the centre or the width of the best one lies beyond the " +
               std::to_string(2 * envelope_half_width + 1) + " sites of the fit");
     q.add_small(
         "residual", compare(rough.sech.residual, best.sech.residual), "",
-        "root mean square of what this sech leaves of the envelope, relative to its height");
-    q.add("energy_fraction", compare(a.share, b.share), "",
-          "energy within twenty sites of the packet's peak over that of the chain, at the end");
+        "root-mean-square difference between envelope and fit, relative to the height of the fit");
+    q.add(
+        "energy_fraction", compare(a.share, b.share), "",
+        "energy within twenty sites of the packet's peak divided by that of the chain, at the end");
     q.add_small("boundary_energy_fraction", compare(a.boundary, b.boundary), "",
-                "energy of the first five sites over that of the chain, at the end");
+                "energy of the first five sites divided by that of the chain, at the end");
     q.add_small("energy_drift", compare(coarse.run.energy_drift, fine.run.energy_drift), "",
-                "largest change of the chain's energy during the run, relative to it");
+                "largest relative change of the chain's energy during the run");
     return q.table;
   }
 };

@@ -29,19 +29,21 @@ namespace lattice {
 
 /// The command: its parameters (dimensionless), its two runs, its tables.
 struct DpsStrike {
-  static constexpr Title title{"impact", "the DpS impact: its packet and its residue"};
+  static constexpr Title title{
+      "impact", "impact in the DpS equation: the packet, and the norm left at the struck end"};
   double tau = 250;                    ///< length of the run in slow time
   std::optional<std::size_t> sites{};  ///< otherwise long enough for the packet
   Ends end = Ends::free;               ///< where the impact is: free or fixed
   double alpha = 1.5;                  ///< exponent of the contact force
 
   void parameters(Parameters& p) {
-    p.add("tau", tau, "slow time of the run", {1, 1e4});
-    p.add("sites", sites, "chain length (default: as long as needed)", {2, 1e5});
-    p.add("end", end, "end where the impact is", {{"free", Ends::free}, {"fixed", Ends::fixed}});
-    p.add(
-        "alpha", alpha, "exponent of the contact force, 3/2 for spheres",
-        {1.05, 4, "", "at 1 the equation is linear and packets disperse; more than 4 is untested"});
+    p.add("tau", tau, "duration of the run in the slow time tau", {1, 1e4});
+    p.add("sites", sites, "number of sites (default: as many as needed)", {2, 1e5});
+    p.add("end", end, "boundary condition at the struck end",
+          {{"free", Ends::free}, {"fixed", Ends::fixed}});
+    p.add("alpha", alpha, "exponent of the contact force, 3/2 for spheres",
+          {1.05, 4, "",
+           "at 1 the equation is linear and packets disperse; exponents above 4 are untested"});
   }
   using Found = std::array<DpsOutcome, 2>;  ///< the coarser and the finer run
 
@@ -82,17 +84,18 @@ struct DpsStrike {
         "site per tau",
         "speed of the foremost packet, fitted between site 20 and twenty sites before the far end",
         still);
-    q.add(
-        "amplitude", both([](const DpsOutcome& out) { return packet_amplitude(out.path); }), "",
-        "largest maximum in time of |A_n| of the foremost packet over the last site of its way, or "
-        "the last two",
-        lost.empty() ? "|A_n| of the packet has no maximum in time on its last two sites" : lost);
+    q.add("amplitude", both([](const DpsOutcome& out) { return packet_amplitude(out.path); }), "",
+          "largest maximum in time of |A_n| of the foremost packet, on the last site that it "
+          "reaches, or the last two",
+          lost.empty() ? "|A_n| of the packet has no maximum in time on its last two sites" : lost);
     q.add("norm_window", both([](const DpsOutcome& out) { return out.path.energy.back(); }), "",
-          "sum of |A_n|^2 over the eleven sites about the packet's peak at the end; 1 in all",
+          "sum of |A_n|^2 over the eleven sites about the packet's peak at the end; the sum over "
+          "all sites is 1",
           lost);
-    q.add_small("residual_boundary",
-                both([](const DpsOutcome& out) { return boundary_share(density(out.end), 10); }),
-                "", "sum of |A_n|^2 over the first ten sites at the end, over that of all sites");
+    q.add_small(
+        "residual_boundary",
+        both([](const DpsOutcome& out) { return boundary_share(density(out.end), 10); }), "",
+        "sum of |A_n|^2 over the first ten sites at the end, divided by that over all sites");
     return q.table;
   }
 

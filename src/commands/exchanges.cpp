@@ -130,8 +130,8 @@ InWells exchanges_in_wells(Centre centre, double omega_b) {
     const auto sign_at = [&](double at) { return look(at, found.orbit).kappa > 0; };
     const bool inside = (s - near->s) * (s - far->s) < 0;
     if (!inside || sign_at(s - aside) == sign_at(s + aside))
-      throw NewtonFailed("kappa changes its sign between s = " + std::to_string(near->s) + " and " +
-                             std::to_string(far->s) + ", and no zero is found there",
+      throw NewtonFailed("kappa changes sign between s = " + std::to_string(near->s) + " and " +
+                             std::to_string(far->s) + ", but no zero is found there",
                          {});
   });
   return out;
@@ -150,11 +150,10 @@ Table Exchanges::table() const {
   for (std::size_t k = 0; k < found.size(); ++k)
     q.add_small(
         k ? "s0_" + std::to_string(k + 1) : "s0", found[k], "",
-        "anharmonicity s at which kappa of the pinning pair changes its sign; looked for "
-        "from s = " +
+        "anharmonicity s at which kappa of the pinning pair changes sign; searched from s = " +
             short_text(from) + " to " + short_text(to) +
-            ", where the amplitude changes by less than three per cent from one look to the "
-            "next; two zeros between two looks may be missed");
+            ", in steps over which the amplitude changes by less than three per cent; two zeros "
+            "within one step may be missed");
   return q.table;
 }
 

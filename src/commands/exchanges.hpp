@@ -28,7 +28,9 @@ InWells exchanges_in_wells(Centre centre, double omega_b);
 
 /// The command. Without an exchange it fails rather than print an empty table.
 struct Exchanges : ChosenBreather {
-  static constexpr Title title{"exchange", "anharmonicity at which the pinning pair passes +1"};
+  static constexpr Title title{"exchange",
+                               "exchange of stability: the anharmonicity s at which the pinning "
+                               "(translational) pair of multipliers passes +1"};
 
   Table table() const;
 };

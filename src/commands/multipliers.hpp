@@ -20,8 +20,9 @@ namespace lattice {
 /// Real and imaginary part, modulus, argument (rad), error: the headings of the chapter too.
 inline Columns multiplier_columns() {
   return {number("real", "real part"), number("imag", "imaginary part"),
-          number("modulus", "its modulus"), number("argument", "its argument", "rad"),
-          number("error", "of the multiplier, from two tolerances")};
+          number("modulus", "modulus of the multiplier"),
+          number("argument", "argument of the multiplier", "rad"),
+          number("error", "error of the multiplier, from two tolerances")};
 }
 
 /// Every multiplier with its error, the two of the time-translation pair first.
@@ -42,7 +43,7 @@ struct Multipliers : ChosenBreather {
     add_well(p);
     add_contacts(p);
     add_masses(p);
-    p.add("sites", sites, "sites (default: as many as needed)", {3, 1000});
+    p.add("sites", sites, "number of sites (default: as many as needed)", {3, 1000});
   }
   /// The spectrum of the breather, in two precisions. Throws UsageError, NewtonFailed, NoBranch.
   Spectrum find() const {
@@ -56,11 +57,12 @@ struct Multipliers : ChosenBreather {
     const bool real = std::abs(pinning.kappa.imag()) <= pinning.radius();
     q.add_small(
         "kappa", real ? found.kappa() : undefined, "",
-        "(lambda + 1/lambda - 2)/4 of the pinning pair of multipliers, the one nearest to +1; "
-        "above 0 it is unstable, otherwise largest_modulus decides",
+        "(lambda + 1/lambda - 2)/4 of the pinning (translational) pair of multipliers, the one "
+        "nearest to +1; above 0 the breather is unstable, otherwise largest_modulus decides",
         "the pair nearest to +1 is half of a quadruplet: its kappa is not real");
     q.add("largest_modulus", found.largest_modulus(), "",
-          "of all multipliers; the breather is unstable if it exceeds 1 by more than its error");
+          "largest modulus of all multipliers; the breather is unstable if it exceeds 1 by more "
+          "than its error");
     return q.table;
   }
   /// Every multiplier.

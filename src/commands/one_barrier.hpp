@@ -13,7 +13,9 @@ namespace lattice {
 
 /// The command: omega_b, well and contact, the pair of breathers, the table.
 struct OneBarrier : ChosenBreather {
-  static constexpr Title title{"barrier", "energy between the two breathers, with its sign"};
+  static constexpr Title title{
+      "barrier",
+      "Peierls-Nabarro barrier: the energy difference E_site - E_bond of the two breathers"};
 
   void parameters(Parameters& p) {
     add_omega(p);
@@ -45,10 +47,10 @@ struct OneBarrier : ChosenBreather {
     const BreatherPair found = find();
     Answers q;
     q.add_small("equal_frequency", found.equal_frequency, "",
-                "E_site - E_bond, the energies of both breathers at the frequency omega_b");
-    q.add_small(
-        "equal_area", found.equal_area, "",
-        "E_site - E_bond at the area of the bond-centred breather, as a moving one keeps it");
+                "E_site - E_bond, both breathers at the frequency omega_b");
+    q.add_small("equal_area", found.equal_area, "",
+                "E_site - E_bond, both breathers at the bond-centred one's area (2 pi times the "
+                "action), which a moving breather keeps");
     return q.table;
   }
 };

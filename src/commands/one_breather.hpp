@@ -19,7 +19,8 @@ namespace lattice {
 
 /// The command: which breather, what Newton finds, its tables.
 struct OneBreather : ChosenBreather {
-  static constexpr Title title{"breather", "one breather: amplitude, energy, area, residual"};
+  static constexpr Title title{
+      "breather", "one breather: amplitude, energy, area (2 pi times the action) and residual"};
   bool as_profile = false;  ///< whether `table` is the profile
 
   void parameters(Parameters& p) {
@@ -28,9 +29,9 @@ struct OneBreather : ChosenBreather {
     add_contacts(p);
     add_masses(p);
     add_centre(p);
-    p.add("sites", sites, "chain length (default: 31 or 32)", {3, 1001});
+    p.add("sites", sites, "number of sites (default: 31 or 32)", {3, 1001});
     add_phase(p);
-    p.add("profile", as_profile, "print the positions n,y instead");
+    p.add("profile", as_profile, "print the positions at t = 0 (columns n, y) instead");
   }
   /// The breather. Throws UsageError, NewtonFailed, NoBranch.
   Fitted find() const { return find_chosen(*this, 1e-17); }
@@ -54,10 +55,11 @@ struct OneBreather : ChosenBreather {
     q.add(
         "area", differs(orbit.area, wide.area), "",
         "integral over a period of the sum of mass times squared velocity, 2 pi times the action");
-    q.add_small("residual", {miss, double(run.error)}, "relative to amplitude",
-                "largest difference of positions and velocities after a period from those before");
+    q.add_small(
+        "residual", {miss, double(run.error)}, "relative to amplitude",
+        "largest difference between positions and velocities at the start and after one period");
     q.add("iterations", exact(double(orbit.iterations())), "",
-          "steps of Newton's method in the last solve");
+          "number of Newton steps in the last solve");
     return q.table;
   }
 

@@ -35,34 +35,35 @@ inline void add_strongest(Answers& q, const ImpactRun& coarse, const ImpactRun& 
                                                : "the chain has no site beyond the first five";
   if (a && b) e = compare(*a, *b);
   if (e.error > e.value) {
-    reason = "sites " + std::to_string(*a) + " and " + std::to_string(*b) + " are nearly as strong";
+    reason =
+        "sites " + std::to_string(*a) + " and " + std::to_string(*b) + " are almost equally strong";
     e = undefined;
   }
   q.add("strongest_site", e, "site",
-        "site of the largest energy density outside of the first five at the end of the run",
+        "site of the largest energy density at the end of the run, apart from the first five sites",
         reason);
 }
 
 /// The command: the impact (dimensionless), its two runs, its tables.
 struct OneImpact {
   static constexpr Title title{
-      "run", "one impact: speed, centre, energies of the foremost packet",
-      "A quantity that does not exist is nan, and its reason says why.\n"
-      "For s > 0 most of the energy may lag behind the foremost packet, at strongest_site;\n"
-      "sec34_boomeron run follows this packet, which turns."};
+      "run", "one impact: speed, centre and energies of the foremost packet",
+      "A quantity that does not exist is nan; the column reason says why.\nFor s > 0 most of the "
+      "energy may lag behind the foremost packet, at strongest_site;\nsec34_boomeron run follows "
+      "that packet, which turns back."};
   Impact impact{1.87, {.well = Quartic{}}, 600};
   std::optional<std::size_t> sites{};  ///< otherwise as many as needed
   bool as_profile = false;             ///< whether `table` is the profile
   double tolerance = 1e-4;  ///< on which the end states agree, relative to their largest entry
 
   void parameters(Parameters& p) {
-    p.add("velocity", impact.velocity, "impact velocity", {1e-6, 100});
-    p.add("time", impact.time, "length of the run", {1, 1e5});
-    p.add("sites", sites, "chain length (default: as long as needed)", {2, 1e6});
+    p.add("velocity", impact.velocity, "velocity of the impact on the first bead", {1e-6, 100});
+    p.add("time", impact.time, "duration of the run", {1, 1e5});
+    p.add("sites", sites, "number of sites (default: as many as needed)", {2, 1e6});
     add_well(p, impact.chain.well);
     add_contact(p, impact.chain.contact);
-    p.add("tolerance", tolerance, "relative error allowed in the end state", {1e-11, 0.1});
-    p.add("profile", as_profile, "print the final profile n,y,v,e instead");
+    p.add("tolerance", tolerance, "relative error allowed in the final state", {1e-11, 0.1});
+    p.add("profile", as_profile, "print the final profile (columns n, y, v, e) instead");
   }
 
   struct Found {
@@ -111,28 +112,29 @@ struct OneImpact {
     add_strongest(q, runs.coarse, runs.fine);
     q.add("peak_energy_density",
           both([&](const ImpactRun& out) { return out.path.largest_peak(fit_from, to); }), "",
-          "largest maximum in time of the foremost packet's energy density, of those at which its "
-          "centre is on the way on which the speed is fitted",
-          still.empty() ? "the energy density has no maximum in time on this way" : still);
+          "largest maximum in time of the foremost packet's energy density while its centre is on "
+          "the stretch over which the speed is fitted",
+          still.empty() ? "the energy density has no maximum in time on this stretch" : still);
     q.add("packet_energy_fraction",
           tracked([](const ImpactRun& out) { return out.path.energy.back() / total(out.density); }),
-          "", "energy of the foremost packet (eleven sites) over that of the chain, at the end",
+          "",
+          "energy of the foremost packet (eleven sites) divided by that of the chain, at the end",
           lost);
     // What stays behind, and how far all of it can be trusted
     q.add_small("boundary_energy_fraction",
                 at_end([](const ImpactRun& out) { return boundary_share(out.density); }), "",
-                "energy of the first five sites over that of the chain, at the end");
+                "energy of the first five sites divided by that of the chain, at the end");
     q.add_small("energy_drift", both([](const ImpactRun& out) { return out.run.energy_drift; }), "",
-                "largest change of the chain's energy during the run, relative to it");
+                "largest relative change of the chain's energy during the run");
     q.add_small("escaped", both([rim = whole.chain.well.rim()](const ImpactRun& out) {
                   return int(out.largest_displacement > rim);
                 }),
-                "", "1 if a bead was beyond the rim of its well at any time, otherwise 0");
-    q.add_small(
-        "far_end_moved", both([&](const ImpactRun& out) { return int(!is_quiet(impact, out)); }),
-        "",
-        "1 if the last bead has moved, so that what its end sends back is in these numbers, "
-        "otherwise 0");
+                "",
+                "1 if any bead ever passed the potential maximum (rim) of its well, otherwise 0");
+    q.add_small("far_end_moved",
+                both([&](const ImpactRun& out) { return int(!is_quiet(impact, out)); }), "",
+                "1 if the last bead has moved, so that these numbers include reflections from that "
+                "end, otherwise 0");
     return q.table;
   }
 

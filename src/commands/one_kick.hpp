@@ -21,9 +21,10 @@ struct KickedBreather : ChosenBreather {
   KickedBreather() { centre = Centre::bond; }
   void parameters(Parameters& p) {
     add_centre(p);
-    p.add("omega", omega_b, "frequency omega_b > 1", breather_range(1.01, 2));
+    p.add("omega", omega_b, "frequency omega_b of the breather; a single bead has 1",
+          breather_range(1.01, 2));
     add_phase(p);
-    p.add("sites", sites, "chain length (default: 52 or 53)", {8, 400});
+    p.add("sites", sites, "number of sites (default: 52 or 53)", {8, 400});
   }
   /// The breather before the kick. Throws UsageError, NewtonFailed.
   RestingBreather at_rest() const {
@@ -34,13 +35,13 @@ struct KickedBreather : ChosenBreather {
 
 /// The command `kick`.
 struct OneKick : KickedBreather {
-  static constexpr Title title{"kick", "speed of a breather after a kick"};
+  static constexpr Title title{"kick", "speed of a breather after a kick along its pinning mode"};
   double c = 2e-4, time = 20000;
 
   void parameters(Parameters& p) {
     KickedBreather::parameters(p);
-    p.add("c", c, "size of the kick, a velocity", {1e-9, 1});
-    p.add("time", time, "duration", {1000, 1e6});
+    p.add("c", c, "size c of the kick, a velocity; its energy is c^2/2", {1e-9, 1});
+    p.add("time", time, "duration of the run", {1000, 1e6});
   }
 
   /// The coarser and the finer run. Throws Failure where the breather breaks up.
@@ -72,26 +73,27 @@ struct OneKick : KickedBreather {
     if (way >= 1 && !few) speed = compare(coarse.speed_during(0, ends), fine.speed_during(0, ends));
     Answers q{"a larger --c or a shorter --time"};
     q.add("velocity", speed, "site per unit of time",
-          "speed of the breather's energy centre over the whole run, with its sign",
+          "velocity of the breather's energy centre over the whole run, with its sign",
           way < 1
               ? "the breather has moved by " + short_text(std::round(100 * way) / 100) +
                     " sites, less than one"
-              : "the run ends before the place has been averaged four times over eleven periods");
+              : "the run is shorter than four averages of the position, each over eleven periods");
     q.add_small("drift", compare(coarse.run.energy_drift, fine.run.energy_drift), "relative",
                 "largest change of the chain's energy during the run");
-    q.add_small(
-        "sites_travelled", compare(coarse.travelled(), fine.travelled()), "site",
-        "way of the energy centre from its first mean over eleven periods to the last, with "
-        "its sign");
+    q.add_small("sites_travelled", compare(coarse.travelled(), fine.travelled()), "site",
+                "signed displacement of the energy centre, from its first mean over eleven periods "
+                "to the last");
     q.add("time", exact(fine.run.t_end), "",
-          "when the run ended: the given time, or earlier near an end of the chain");
+          "end of the run: the given time, or earlier if the breather comes near an end of the "
+          "chain");
     return q.table;
   }
 };
 
 /// The command `threshold`.
 struct OneThreshold : KickedBreather {
-  static constexpr Title title{"threshold", "the kick that frees a pinned breather"};
+  static constexpr Title title{
+      "threshold", "depinning threshold: the least kick that sets a pinned breather moving"};
 
   /**
   The prediction says where to look. An extrapolation is no proof: a kick one per cent below it must turn back, one per
@@ -101,9 +103,11 @@ struct OneThreshold : KickedBreather {
     const Prediction p = predict_threshold(at, barriers_at(omega_b).equal_area);
     if (!p.exists())
       throw UsageError("--centre: this breather at omega_b = " + short_text(omega_b) +
-                       " is unstable and any kick moves it (allowed: the other centre)");
+                       " is unstable, so any kick moves it (allowed: the other centre)");
     if (!(p.frequency.value > 1e-5))
-      throw Failure("so close to an exchange of stability the breather swings too slowly");
+      throw Failure(
+          "the breather is too close to an exchange of stability: its pinning mode oscillates too "
+          "slowly");
     // The threshold from two methods, and what brackets it
     const EventCorrected fine = fourteen_stages(0.06);
     std::array<Estimate, 2> found;
@@ -120,15 +124,17 @@ struct OneThreshold : KickedBreather {
     // What the runs find, and what was predicted
     Answers q;
     q.add("c_threshold", c, "site per unit of time",
-          "least size c of the kick after which the breather passes the barrier, from runs");
+          "least size c of a kick after which the breather passes the barrier, from runs");
     q.add("barrier", {c.value * c.value / 2, c.value * c.error}, "",
           "energy c^2/2 of the threshold kick");
     q.add("predicted", p.threshold, "site per unit of time",
-          "the threshold kick as it follows from the barrier and the pinning mode");
+          "threshold predicted from the barrier and the pinning mode");
     q.add_small("effective_barrier", p.barrier, "",
-                "E_site - E_bond at equal area, the barrier of the moving breather");
+                "E_site - E_bond at equal area (2 pi times the action), the barrier for the moving "
+                "breather");
     q.add_small("kinetic_share", p.share, "",
-                "share of the energy c^2/2 that moves the breather along; below 0 if its mass is");
+                "fraction of the energy c^2/2 that goes into translational kinetic energy; "
+                "negative if the effective mass is");
     return q.table;
   }
 };

@@ -17,13 +17,14 @@ namespace lattice {
 
 /// The command: centre, frequency, length and exponent; the table has a row for each site.
 struct OneProfile : ChosenBreather {
-  static constexpr Title title{"profile", "one breather beside its approximation"};
+  static constexpr Title title{"profile",
+                               "one static DpS breather and its quasi-continuum approximation"};
   double mu = 1, alpha = 1.5;
 
   void parameters(Parameters& p) {
     add_centre(p);
-    p.add("mu", mu, "frequency of the stationary state", {1e-6, 1e6});
-    p.add("sites", sites, "chain length (default: 31 or 32, with other exponents as needed)",
+    p.add("mu", mu, "frequency mu of the stationary DpS state", {1e-6, 1e6});
+    p.add("sites", sites, "number of sites (default: 31 or 32, with other exponents as needed)",
           {2, 1e5});
     p.add("alpha", alpha, "exponent of the contact force, 3/2 for spheres", static_exponents());
   }

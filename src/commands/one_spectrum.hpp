@@ -16,13 +16,14 @@ namespace lattice {
 
 /// The command: which breather, its spectrum.
 struct OneSpectrum : ChosenBreather {
-  static constexpr Title title{"spectrum", "all exponents of a breather"};
+  static constexpr Title title{"spectrum",
+                               "linear stability of one static DpS breather: all its exponents"};
   double mu = 1, alpha = 1.5;
 
   void parameters(Parameters& p) {
     add_centre(p);
-    p.add("mu", mu, "frequency of the breather", {1e-6, 1e6});
-    p.add("sites", sites, "chain length (default: 31 or 32, with other exponents as needed)",
+    p.add("mu", mu, "frequency mu of the breather", {1e-6, 1e6});
+    p.add("sites", sites, "number of sites (default: 31 or 32, with other exponents as needed)",
           {8, 1001});
     p.add("alpha", alpha, "exponent of the contact force, 3/2 for spheres", static_exponents());
   }
@@ -41,8 +42,8 @@ struct OneSpectrum : ChosenBreather {
     const auto fine = find<long double>();
     Table table{
         {number("real", "growth rate", "1 per unit of time"),
-         number("imag", "frequency in the turning frame", "1 per unit of time"),
-         number("error", "distance from the value in double precision", "1 per unit of time")}};
+         number("imag", "frequency in the rotating frame", "1 per unit of time"),
+         number("error", "difference from the value in double precision", "1 per unit of time")}};
     for (std::size_t i = 0; i < fine.size(); ++i) {
       const double re = double(fine[i].first), im = double(fine[i].second);
       table.add({re, im, std::hypot(re - coarse[i].first, im - coarse[i].second)});

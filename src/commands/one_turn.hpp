@@ -71,19 +71,22 @@ inline std::optional<Estimate> decorrelation_to(const EventCorrected& largest, d
 
 /// The command: the impact (dimensionless) and how long it is followed.
 struct OneTurn {
-  static constexpr Title title{"run", "one impact: apex, rebound, decorrelation"};
+  static constexpr Title title{
+      "run", "one impact: turning point, reflection at the struck end, decorrelation time"};
   double velocity = 1.9, time = 1000, tolerance = 1e-3;
   std::optional<std::size_t> sites{};  // otherwise as many as needed
   Chain like{.well = Quartic{1}};
 
   void parameters(Parameters& p) {
-    p.add("velocity", velocity, "impact velocity", {1e-3, 100});
+    p.add("velocity", velocity, "velocity of the impact on the first bead", {1e-3, 100});
     add_well(p, like.well, {{"s", {0, 1000}}});
     add_contact(p, like.contact);
-    p.add("sites", sites, "chain length (default: as long as needed)", {12, 1e5});
-    p.add("time", time, "length of the run", {50, 1e5});
+    p.add("sites", sites, "number of sites (default: as many as needed)", {12, 1e5});
+    p.add("time", time, "duration of the run", {50, 1e5});
     p.add("tolerance", tolerance,
-          "relative difference of apex and rebound allowed between two steps", {1e-8, 0.1});
+          "relative difference allowed between the turning points and reflections of runs with two "
+          "time steps",
+          {1e-8, 0.1});
   }
 
   /// Throws RefinementFailed and FarEndReached.
@@ -111,21 +114,23 @@ struct OneTurn {
                       on = "the packet has not come back by five sites" + by;
     Answers q{"a smaller --tolerance or a shorter --time"};
     q.add("apex_site", read.apex_site, "site",
-          "farthest site of the energy centre, smoothed over time, of the strongest packet", on);
+          "turning point: the farthest site of the strongest packet's energy centre, smoothed over "
+          "time",
+          on);
     q.add("apex_time", read.apex_time, "",
-          "time at which this packet turns round, at its farthest site", on);
+          "time at which this packet turns back, at its farthest site", on);
     q.add("return_time", read.return_time, "",
-          "time at which this packet, on its way back, is nearest to the struck end",
-          turn.apex.found() ? "the packet has turned and not moved out again by three sites" + by
-                            : on);
+          "time at which this packet, reflected at the struck end, is nearest to it",
+          turn.apex.found()
+              ? "the packet has turned back, but has not moved out again by three sites" + by
+              : on);
     q.add("decorrelation_time", parted && std::isfinite(parted->value) ? *parted : undefined, "",
-          "time after which two impacts whose velocities differ by a fraction 1e-8 have parted",
-          parted ? "the two impacts have not parted by t = " + short_text(4 * time)
-                 : "the steps part the two impacts as early as their velocities do");
+          "time by which two impacts whose velocities differ by a fraction 1e-8 have decorrelated",
+          parted ? "the two impacts have not decorrelated by t = " + short_text(4 * time)
+                 : "the step sizes separate the two impacts as early as their velocities do");
     q.add("step_difference", exact(runs.error), "relative",
-          "difference of apex and rebound in the last two runs, with a step and with half of it, "
-          "or a "
-          "thousandth of that of their end states where this is larger");
+          "difference of turning point and reflection between the last two runs, with a step and "
+          "half of it, or a thousandth of the difference of their final states if that is larger");
     return q.table;
   }
 };

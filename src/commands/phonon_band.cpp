@@ -50,18 +50,18 @@ static void add_edges_of_instability(Answers& q, double d, double s) {
   const auto narrow = edges_of_instability(d, s);
   const auto wide = edges_of_instability<long double>(d, s);
   if (narrow.size() != wide.size())
-    throw Failure("the unstable wavenumbers are too close to one another to be told apart");
+    throw Failure("the unstable wavenumbers are too close together to be resolved");
   const Estimate none{std::nan(""), std::nan("")};
   if (narrow.empty())
     for (const char* name : {"unstable_from", "unstable_to"})
-      q.add(name, none, "1/site", "edge of the unstable wavenumbers; there are none",
-            "all phonons are stable: Phi is positive nowhere");
+      q.add(name, none, "1/site", "edge of the unstable wavenumbers; no phonon is unstable",
+            "all phonons are stable: Phi is nowhere positive");
   for (std::size_t i = 0; i < narrow.size(); i += 2) {
     const std::string number = i == 0 ? "" : "_" + std::to_string(i / 2 + 1);
     q.add_small("unstable_from" + number, compare(narrow[i], double(wide[i])), "1/site",
-                "least wavenumber of an interval in which phonons are modulationally unstable");
+                "lower end of an interval of modulationally unstable wavenumbers");
     q.add("unstable_to" + number, compare(narrow[i + 1], double(wide[i + 1])), "1/site",
-          "largest wavenumber of this interval, which begins at unstable_from" + number);
+          "upper end of this interval, which begins at unstable_from" + number);
   }
 }
 
@@ -73,27 +73,26 @@ Table Band::table() const {
 
   // The band, its inflection, and where modulations grow
   Answers q;
-  q.add("lower_edge", compare(1.0, 1.0), "",
-        "frequency of the phonons of q = 0, that of a bead in its well");
+  q.add("lower_edge", compare(1.0, 1.0), "", "frequency at q = 0, that of a bead in its well");
   q.add("upper_edge",
         in_two_precisions(
             [](auto x) {
               return phonon(std::numbers::pi_v<decltype(x)>, contact_series(x).v1).omega;
             },
             d),
-        "", "frequency of the phonons of q = pi, the highest of the band");
+        "", "frequency at q = pi, the highest of the band");
   q.add("inflection", in_two_precisions([](auto x) { return inflection(contact_series(x).v1); }, d),
-        "1/site", "wavenumber q_c at which phonons are fastest: the inflection of omega(q)");
+        "1/site", "wavenumber q_c of the fastest phonons, the inflection point of omega(q)");
   q.add("largest_group_velocity", in_two_precisions(fastest, d), speed_unit,
-        "group velocity of the phonons of q_c");
+        "group velocity at q_c");
   const auto phi_at_0 = [](auto x, auto y) { return coefficients(0 * x, x, y).phi; };
   const auto phi_at_pi = [](auto x, auto y) {
     return coefficients(std::numbers::pi_v<decltype(x)>, x, y).phi;
   };
   q.add_small("phi_at_0", in_two_precisions(phi_at_0, d, s), "",
-              "Phi = -beta omega_2 of Eq. (37) at q = 0; modulations grow where it is positive");
+              "Phi = -beta omega_2 of Eq. (37) at q = 0; modulations grow if it is positive");
   q.add_small("phi_at_pi", in_two_precisions(phi_at_pi, d, s), "",
-              "Phi of Eq. (37) at q = pi; modulations grow where it is positive");
+              "Phi of Eq. (37) at q = pi; modulations grow if it is positive");
   add_edges_of_instability(q, d, s);
   return q.table;
 }
@@ -110,12 +109,11 @@ Table OneWavenumber::table() const {
   a.add_small("group_velocity", both([](const auto& c) { return c.group_velocity; }), speed_unit,
               "group velocity of this phonon, d omega / d q");
   a.add_small("beta", both([](const auto& c) { return c.beta; }), "",
-              "coefficient of the cubic term of the NLS equation, after Eq. (36)");
+              "coefficient beta of the cubic term of the NLS equation, below Eq. (36)");
   a.add_small("omega_2", both([](const auto& c) { return c.omega_2; }), "",
               "scaled dispersion omega omega''/v_1, negative beyond the inflection");
-  a.add_small(
-      "phi", both([](const auto& c) { return c.phi; }), "",
-      "-beta omega_2 of Eq. (37); the phonon is modulationally unstable where it is positive");
+  a.add_small("phi", both([](const auto& c) { return c.phi; }), "",
+              "-beta omega_2 of Eq. (37); the phonon is modulationally unstable if it is positive");
   return a.table;
 }
 

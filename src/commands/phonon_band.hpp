@@ -36,14 +36,14 @@ std::vector<T> edges_of_instability(T d, T s);
 /**
 The ranges exclude values at which a formula loses its digits or a run its meaning. */
 struct Band {
-  static constexpr Title title{"band",
-                               "edges and inflection of the phonon band, and of its instability"};
+  static constexpr Title title{
+      "band", "phonon band: edges, inflection point and modulationally unstable wavenumbers"};
   double d = 0.5, s = -1.0 / 6;
 
   /// Declares compression and well.
   void parameters(Parameters& p) {
-    p.add("d", d, "compression of the contacts", {1e-6, 100});
-    p.add("s", s, "anharmonicity of the well", {-100, 100});
+    p.add("d", d, "static compression d of the contacts", {1e-6, 100});
+    p.add("s", s, "anharmonicity s of the quartic well", {-100, 100});
   }
   /// Edges, inflection, and where modulations grow.
   Table table() const;
@@ -51,12 +51,13 @@ struct Band {
 
 /// The coefficients of the NLS equation for one carrier.
 struct OneWavenumber : Band {
-  static constexpr Title title{"coefficients", "the NLS coefficients at one wavenumber"};
+  static constexpr Title title{"coefficients",
+                               "coefficients of the NLS equation at one wavenumber"};
   double q = std::numbers::pi / 4;
 
   /// Declares the wavenumber too.
   void parameters(Parameters& p) {
-    p.add("q", q, "wavenumber", {0, std::numbers::pi});
+    p.add("q", q, "wavenumber q of the carrier phonon", {0, std::numbers::pi});
     Band::parameters(p);
   }
   /// Frequency, group velocity, and the coefficients of Eqs. (36) and (37).

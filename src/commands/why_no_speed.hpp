@@ -22,7 +22,7 @@ inline double way_end(std::size_t sites) {
 
 /// Why there is no packet in `path`; empty if there is one.
 inline std::string why_no_packet(const Path& path) {
-  return path.t.empty() ? "no packet: nowhere do eleven neighbours hold a hundredth of the whole"
+  return path.t.empty() ? "no packet: no eleven neighbouring sites hold a hundredth of the whole"
                         : "";
 }
 
@@ -33,14 +33,13 @@ inline std::string why_no_speed(const Path& path, const std::vector<double>& den
   const double to = way_end(density.size());
   if (path.line(fit_from, to)) return "";
   if (!(to > fit_from))
-    return "the way from site 20 to twenty sites before the far end is empty: it takes more than "
-           "40 "
-           "sites";
+    return "the chain is too short for a fit from site 20 to twenty sites before the far end: it "
+           "needs more than 40 sites";
   if (path.t.empty()) return why_no_packet(path);
   const double farthest = *std::max_element(path.centre.begin(), path.centre.end());
   if (farthest >= fit_from)
     return "fewer than three samples of the packet lie between sites 20 and " + short_text(to);
-  return "no packet comes to site 20: the foremost one comes to " +
+  return "no packet reaches site 20: the foremost one reaches " +
          short_text(std::round(10 * farthest) / 10) + ", and " +
          short_text(std::round(100 * boundary_share(density, sites))) + " % of the " + share +
          " stays on the first " + std::to_string(sites) + " sites";

@@ -211,14 +211,15 @@ The program and its commands share some options. */
 Invocation::Invocation(const Program& of, int argc, char** argv)
     : program(of), command(command_text(of.name, argc, argv)) {
   const auto add_threads = [this](Parameters& p) {
-    p.add("threads", threads, "threads, on which no result depends (default: the cores granted)",
+    p.add("threads", threads,
+          "number of threads; results do not depend on it (default: the available cores)",
           {1, 1024});
   };
   Offer& full = offers.emplace_back();
   full.meaning = of.title;
   full.parameters.add("out", out, "folder for the tables of a full run", not_empty()).standard =
       folder(false) + ", with --quick " + folder(true);
-  full.parameters.add("quick", quick, "coarse parameters: seconds, for trying out");
+  full.parameters.add("quick", quick, "coarse parameters, for a trial run of seconds");
   add_threads(full.parameters);
   for (const Command& one : of.commands) {
     Offer& offer = offers.emplace_back();
@@ -239,7 +240,7 @@ void Invocation::run(const std::vector<std::string>& words) {
   const Asked asked = read_line(offers, words);
   if (asked.what == Asked::What::help) {
     if (asked.of == &offers.front())
-      asked.of->note = "Without a command everything that the section shows is computed." +
+      asked.of->note = "Without a command the program computes all tables of the section." +
                        full_run_takes(program.name);
     return say(help_text(program.name, offers, *asked.of));
   }

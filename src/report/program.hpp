@@ -154,7 +154,7 @@ of what it found: `quantities` and `profile`. */
 struct Title {
   const char *name, *meaning;
   /// The last line of its help: what is not obvious about its answers.
-  const char* note = "A quantity that does not exist is nan, and its reason says why.";
+  const char* note = "A quantity that does not exist is nan; the column reason says why.";
 };
 
 /// A command as a program offers it.

@@ -17,15 +17,15 @@ namespace lattice {
 /// Frequencies of breathers, and why there are no others.
 inline Allowed breather_range(double least, double most) {
   return {least, most, "",
-          "these breathers begin at 1, the frequency of a bead at rest, which contacts without "
-          "precompression raise; higher ones are untested"};
+          "these breathers bifurcate from 1, the frequency of a single bead, and uncompressed "
+          "contacts raise it; higher frequencies are untested"};
 }
 
 /// Exponents of the contact force for which a command computes a static DpS breather.
 inline Allowed static_exponents() {
   return {1.05, 4, "",
-          "a breather needs an exponent above 1, towards which it becomes wide and its amplitude "
-          "leaves the range of numbers; more than 4 is untested"};
+          "a breather needs an exponent above 1; as it approaches 1, the breather widens and its "
+          "amplitude leaves the range of double precision; exponents above 4 are untested"};
 }
 
 /// The breather that a command is asked for, of `omega_b` in these wells.
@@ -45,7 +45,8 @@ struct ChosenBreather {
   }
   /// `--omega`,
   void add_omega(Parameters& p) {
-    p.add("omega", omega_b, "frequency omega_b > 1", breather_range(1.0001, 3));
+    p.add("omega", omega_b, "frequency omega_b of the breather; a single bead has 1",
+          breather_range(1.0001, 3));
   }
   /// both of them,
   void parameters(Parameters& p) {
@@ -55,8 +56,8 @@ struct ChosenBreather {
   /// `--phase`,
   void add_phase(Parameters& p) {
     p.add("phase", phase,
-          "central contact of a bond-centred breather at t = 0; around a site the two are mirror "
-          "images",
+          "state of the central contact of a bond-centred breather at t = 0; for a site-centred "
+          "breather the two are mirror images",
           {{"compressed", Phase::compressed}, {"stretched", Phase::stretched}});
   }
   /// `--well` with the parameters of the wells,
@@ -79,7 +80,7 @@ auto on_chosen_chain(const ChosenBreather& chosen, Make make) {
   try {
     return make();
   } catch (const ShortChain& error) {
-    throw UsageError(sites + " cannot hold this breather's tail (allowed: " +
+    throw UsageError(sites + " are too few for this breather's tail (allowed: " +
                      std::to_string(error.needed) + " or more)");
   } catch (const InBand& error) {
     throw UsageError("--omega: " + std::string(error.what()));
@@ -100,13 +101,14 @@ inline Fitted find_chosen(const ChosenBreather& chosen, double precision) {
 // Neither a chain of two masses nor one with a single other bead is symmetric about a bond
 inline void ChosenBreather::add_masses(Parameters& p) {
   const Allowed range{0.1, 10};
-  p.add("mass-ratio", mass_ratio, "mass of every second bead, those next to the centre", range);
-  p.add("defect-mass", defect_mass, "mass of the bead at the centre", range);
+  p.add("mass-ratio", mass_ratio, "mass of every second bead, starting next to the centre", range);
+  p.add("defect-mass", defect_mass, "mass of the central bead", range);
   p.when_read([this] {
     if (mass_ratio == 1 && defect_mass == 1) return;
     if (centre == Centre::bond)
-      throw UsageError(std::string(mass_ratio != 1 ? "--mass-ratio" : "--defect-mass") +
-                       ": such beads are not symmetric about a bond (allowed: with --centre site)");
+      throw UsageError(
+          std::string(mass_ratio != 1 ? "--mass-ratio" : "--defect-mass") +
+          ": such a chain is not symmetric about a bond (allowed: with --centre site)");
     like.sites = 5;
     vary(like, {1, mass_ratio, defect_mass, mass_ratio, 1}, {});
   });

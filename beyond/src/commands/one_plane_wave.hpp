@@ -14,7 +14,9 @@ namespace lattice {
 
 /// The command.
 struct OnePlaneWave {
-  static constexpr Title title{"growth", "frequency and growth of a modulated plane wave"};
+  static constexpr Title title{
+      "growth",
+      "plane wave of the DpS equation: its frequency and the growth rate of a modulation"};
   double q = std::numbers::pi;               ///< wavenumber of the wave
   double modulation = std::numbers::pi / 4;  ///< Q
   double amplitude = 1;                      ///< |A|

@@ -52,7 +52,7 @@ TurnEstimate estimate_turn(const Path& coarse, const Path& fine);
 /// Two runs agree (refinement.hpp) if both have an apex and a rebound at the same site and time, or if neither has one. Two
 /// without either would agree at any step, so their end states count as well, with a thousandth of their distance.
 struct SameTurn {
-  std::string name = "apex and rebound";
+  std::string name = "turning points and reflections";
   double operator()(const ImpactRun& a, const ImpactRun& b) const {
     const Turn x = turn_of(a.path), y = turn_of(b.path);
     double worst = 0;
