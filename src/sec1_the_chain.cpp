@@ -114,7 +114,7 @@ void strike(const Chain& chain, double v0, double h, Look look) {
   now.v[0] = v0;
   for (int k = 1;; ++k) {
     now = after(chain, now, every, int(std::lround(every / h)));
-    if (now.v[chain.sites - 1] != 0) throw Failure("the motion has come to the far end");
+    if (now.v[chain.sites - 1] != 0) throw Failure("the motion has reached the far end");
     if (!look(k * every, energy_density(chain, now))) return;
   }
 }
@@ -308,9 +308,9 @@ void report_impacts(Report& report) {
   // The maps of the figure: densities averaged over a few units of time
   const int looks = report.quick ? 50 : 25;
   Table& map = report.table(
-      "impacts",
-      {number("s", "anharmonicity of the wells"), number("t", "time, the middle of an interval"),
-       count("n", "site", "site"), number("e", "energy density, averaged over the interval")});
+      "impacts", {number("s", "anharmonicity of the wells"),
+                  number("t", "time, middle of the averaging interval"), count("n", "site", "site"),
+                  number("e", "energy density, averaged over the interval")});
   for (const auto& [s, v0, time] : {std::array{0.0, 1.0, 300.0}, {1.0, 1.9, 900.0}}) {
     VectorXd sum = VectorXd::Zero(100);
     strike({100, s}, v0, h, [&](double now, const VectorXd& e) {
@@ -334,9 +334,9 @@ void report_breather(Report& report) {
                    }));
 
   // The beads during one period
-  Table& motion =
-      report.table("breather", {number("t", "time"), count("n", "site from the centre", "site"),
-                                number("y", "displacement")});
+  Table& motion = report.table(
+      "breather", {number("t", "time"), count("n", "site, counted from the centre", "site"),
+                   number("y", "displacement")});
   const int frames = report.quick ? 20 : 80;
   State now{fine, VectorXd::Zero(fine.size())};
   for (int k = 0; k <= frames; ++k) {
@@ -348,9 +348,9 @@ void report_breather(Report& report) {
   // The multipliers, by their distance from +1
   const auto rough = multipliers(chain_of_breather, coarse, steps),
              good = multipliers(chain_of_breather, fine, 2 * steps);
-  Table& circle =
-      report.table("multipliers", {number("real", "real part"), number("imag", "imaginary part"),
-                                   number("error", "difference of two resolutions")});
+  Table& circle = report.table("multipliers", {number("real", "real part of the multiplier"),
+                                               number("imag", "imaginary part of the multiplier"),
+                                               number("error", "difference of two resolutions")});
   for (std::size_t k = 0; k < good.size(); ++k)
     circle.add({good[k].real(), good[k].imag(), std::abs(good[k] - rough[k])});
   const auto distance = [&](std::size_t k) {

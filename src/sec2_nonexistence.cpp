@@ -146,7 +146,7 @@ Motion averaged(const std::string& name, const AnyChain& chain, const State<doub
   for (std::size_t n = 0; n < chain.sites; ++n) {
     const double gained = chain.mass_of(n) * (end.v[n] - start.v[n]) / time;
     if (!(std::abs(gained - (end.push[n] - end.push[n + 1] - end.well[n])) < small))
-      throw Failure(name + ": the mean pushes do not balance the momentum of a bead");
+      throw Failure(name + ": the mean contact forces do not balance the momentum of a bead");
     const double off = std::max(std::abs(end.y[n] - start.y[n]), std::abs(end.v[n] - start.v[n]));
     if (returns && !(off < small)) throw Failure(name + " does not return to its start");
   }
@@ -288,16 +288,17 @@ void report_means(Report& report, const std::vector<Motion>& all) {
     const long sites = m.fine.well.size(), first = m.outermost ? 0 : 1;
     const double top = Balance(m.fine, m.outermost).largest, none = std::nan("");
     for (long i = first; i + first <= sites; ++i)
-      table.add({{"motion", "which periodic motion", m.name},
-                 {"n", "contact, to the left of bead n; 1 is the first", i + 1, "site"},
-                 {"force", "mean force of the contact over a period",
-                  Estimate{push[i], std::abs(push[i] - m.coarse.push[i])}, "",
-                  "difference of two tolerances, against the largest force"},
-                 {"relative", "mean force over the largest one of the motion", push[i] / top},
-                 {"step", "mean force of this contact minus that of the next",
-                  i < sites ? push[i] - push[i + 1] : none},
-                 {"well", "mean of W' at bead n, nan where there is no bead",
-                  i < sites ? m.fine.well[i] : none}});
+      table.add(
+          {{"motion", "name of the periodic motion", m.name},
+           {"n", "contact, to the left of bead n; 1 is the first", i + 1, "site"},
+           {"force", "mean force of the contact over a period",
+            Estimate{push[i], std::abs(push[i] - m.coarse.push[i])}, "",
+            "difference of two tolerances, against the largest force"},
+           {"relative", "mean force divided by the largest one of this motion", push[i] / top},
+           {"step", "mean force of this contact minus that of the next",
+            i < sites ? push[i] - push[i + 1] : none},
+           {"well", "mean of W' at bead n; nan where there is no bead",
+            i < sites ? m.fine.well[i] : none}});
   }
 }
 
@@ -338,13 +339,13 @@ void report_searches(Report& report) {
   report.facts.add("searches", exact(double(seeds)), "searches");
 
   // Every series fills two columns
-  Table& table = report.table("searches", label("ends_in", "how a search ends"));
+  Table& table = report.table("searches", label("ends_in", "outcome of the search"));
   for (const char* name : searches::end_names) table.add({name});
   Estimate rest{HUGE_VAL};
   for (const searches::Series& of : series) {
     const searches::EndCounts counts = search_all(of, seeds);
-    table.columns.push_back(count(of.name, "searches with 128 steps a period"));
-    table.columns.push_back(count(of.name + "_fine", "searches with 256 steps a period"));
+    table.columns.push_back(count(of.name, "number of searches, 128 steps per period"));
+    table.columns.push_back(count(of.name + "_fine", "number of searches, 256 steps per period"));
     for (std::size_t k : {0, 1})
       for (std::size_t i = 0; i < searches::end_names.size(); ++i)
         table.rows[i].push_back(std::int64_t(counts.of[k][i]));
@@ -428,12 +429,12 @@ void report_dispersal(Report& report) {
     const Dispersal &coarse = both.coarse, &fine = both.fine;
     const std::string name = c == 0 ? "free" : "wells";
     for (std::size_t i = 0; i < fine.t.size(); ++i)
-      table.add({{"chain", "free or wells", name},
+      table.add({{"chain", "chain without wells (free) or with them (wells)", name},
                  {"t", "time", fine.t[i]},
-                 {"core", "share of the energy on nine sites",
+                 {"core", "fraction of the energy on nine sites",
                   Estimate{fine.core[i], std::abs(fine.core[i] - coarse.core[i])}, "",
-                  "difference of two resolutions, against the largest share"},
-                 {"mean", "push of a central contact, averaged from 0 to t",
+                  "difference of two resolutions, against the largest fraction"},
+                 {"mean", "force of a central contact, averaged from 0 to t",
                   Estimate{fine.mean[i], std::abs(fine.mean[i] - coarse.mean[i])}, "",
                   "difference of two resolutions, against the largest mean"}});
 

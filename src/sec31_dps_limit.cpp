@@ -107,7 +107,7 @@ std::vector<double> deviations(const std::vector<Complex>& A, const Well& well, 
       if (halvings == 0) apart = std::max(apart, std::abs(y[n] - now.y[n]));
     }
     // An overlap up to 1e-60 exerts no force (contact.hpp), so that distant beads are exactly at rest
-    if (now.y.back() != 0) throw Failure("the motion has come to the far end");
+    if (now.y.back() != 0) throw Failure("the motion has reached the far end");
   };
   // The run
   const EventCorrected method{.step = 0.1, .halvings = halvings};
@@ -222,13 +222,13 @@ Estimate mean_order(const std::vector<Estimate>& orders) {
 
 void report_errors(Report& report, const Points& points) {
   // Panel (a): errors, and the lines of slope 3/2 through the points of smallest eps
-  const auto start = count("start", "0: impact, 1: pair");
-  const auto tau = number("tau", "slow time up to which the error is taken");
-  Table& errors = report.table("dps_error",
-                               {start, tau, number("eps", "size of the motion"),
-                                estimate("error", "largest deviation of chain and approximation"),
-                                number("constant", "error over eps^(3/2)"),
-                                number("line", "power law 3/2 through the point of smallest eps")});
+  const auto start = count("start", "initial condition, 0: impact, 1: pair");
+  const auto tau = number("tau", "slow time up to which the largest error is taken");
+  Table& errors = report.table(
+      "dps_error", {start, tau, number("eps", "amplitude scale epsilon of the motion"),
+                    estimate("error", "largest difference between chain and approximation"),
+                    number("constant", "error divided by eps^(3/2)"),
+                    number("line", "power law of exponent 3/2 through the point of smallest eps")});
   for (std::size_t k = 0; k < 3; ++k)
     for (std::size_t which = 0; which < 2; ++which)
       for (const Point& p : points[which]) {
@@ -240,8 +240,9 @@ void report_errors(Report& report, const Points& points) {
       }
   // Panel (b): local orders, which approach 3/2 slowly; their mean at the smallest sizes
   Table& orders = report.table(
-      "dps_order", {start, tau, number("eps", "geometric mean of two neighbouring sizes"),
-                    estimate("order", "local order", "", "from the errors of both points")});
+      "dps_order",
+      {start, tau, number("eps", "geometric mean of two neighbouring values of eps"),
+       estimate("order", "local order of the error in eps", "", "from the errors of both points")});
   std::vector<Estimate> last;
   for (std::size_t which = 0; which < 2; ++which)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -406,7 +407,7 @@ void report_waves(Report& report) {
     returns = std::max(returns, missed);
     std::fill(wave.b.begin() + 1, wave.b.end(), 0.0);
     if (missed_after_period(wave, beads, 1e-3) < 100 * missed)
-      throw Failure("a sine comes back as well as the exact wave");
+      throw Failure("a sine returns to its shape as well as the exact wave");
   }
   report.facts.add("travelling_close", mean_order(orders));
   report.facts.add("wave_returns", compare(0.0, returns), "relative to eps");

@@ -69,7 +69,8 @@ Measured<T> compare_breathers(const BreatherPair& pair, int coarser) {
   T missing = bond.area - site.area, neglected(0);
   const T rounding = std::numeric_limits<T>::epsilon() * site.energy;
   for (int k = 0; k == 0 || neglected > rounding; ++k) {
-    if (k == 10) throw Failure("no site-centred breather of the other's area is found");
+    if (k == 10)
+      throw Failure("no site-centred breather with the bond-centred one's area is found");
     const T area_omega = shifted.period() * moved.energy_omega, change = missing / area_omega;
     shifted.omega += change;
     moved.x += change * moved.x_omega;
@@ -125,13 +126,13 @@ Families report_barriers(Report& report) {
         breather_pairs_at(s, pair_frequencies(s, report.quick ? 10 : 60), measure_barriers));
   Table& table = report.table(
       "barriers", {number("s", "anharmonicity of the well"), number("omega", "frequency"),
-                   estimate("energy_bond", "energy, bond-centred"),
+                   estimate("energy_bond", "energy of the bond-centred breather"),
                    estimate("equal_frequency", "E_site - E_bond at equal frequency"),
-                   estimate("equal_area", "E_site - E_bond at equal area"),
+                   estimate("equal_area", "E_site - E_bond at equal area (2 pi times the action)"),
                    number("size_frequency", "modulus of equal_frequency"),
                    number("size_area", "modulus of equal_area"),
-                   number("relative", "size_frequency over energy_bond"),
-                   count("wide", "1 where a 64-bit mantissa was needed")});
+                   number("relative", "size_frequency divided by energy_bond"),
+                   count("wide", "1 where a 64-bit mantissa (extended precision) was needed")});
   for (const BreatherPairs& pairs : families)
     for (const BreatherPair& r : pairs)
       table.add({r.s, r.omega, r.energy[1], r.equal_frequency, r.equal_area,
@@ -171,9 +172,10 @@ void report_zeros(Report& report, const Families& families) {
 
   // Their table, and those at equal frequency well by well
   Table& changes = report.table(
-      "sign_changes", {number("s", "anharmonicity of the well"),
-                       count("kind", "1 at equal frequency, 2 at equal area"),
-                       estimate("omega", "where the barrier changes its sign", "", "its error")});
+      "sign_changes",
+      {number("s", "anharmonicity of the well"),
+       count("kind", "1 at equal frequency, 2 at equal area"),
+       estimate("omega", "frequency at which the barrier changes sign", "", "error of omega")});
   std::array<std::vector<Estimate>, 3> found;
   for (const Zero& z : zeros) {
     const bool frequency = z.gap == &BreatherPair::equal_frequency;
@@ -398,7 +400,7 @@ void report_printed(Report& report, const BreatherPair& at_11) {
   measure_in<Wide>(library);
   const Estimate barrier = at_11.equal_frequency;
   if (!(std::abs(library.equal_frequency.value - barrier.value) <= barrier.error))
-    throw Failure("the library finds another barrier");
+    throw Failure("the library finds a different barrier");
   report.facts.add("hidden_energy",
                    compare(hidden_energy(1.5e-9, 2e-6), hidden_energy(1.5e-9, 1e-6)));
   report.facts.add("printed_excess", Estimate{1.77e-11 - barrier.value, barrier.error});

@@ -131,15 +131,15 @@ void report_profile(Report& report, Centre centre, const std::string& name) {
     return rounded(Quadruple(log(-log(abs(wide[i])))));
   };
   Table& table = report.table(
-      "profile_" + name,
-      {count("n", "site", "site"),
-       estimate("u", "stationary DpS breather, mu = 1", "",
-                "difference of double and quadruple precision"),
-       number("quasi_continuum", "quasi-continuum profile"),
-       number("log10_u", "decimal logarithm of |u_n|"),
-       number("log10_quasi_continuum", "that of the profile's modulus; nan where it is zero"),
-       number("double_log", "ln(-ln|u_n|)"),
-       number("tail_line", "slope ln(3/2), through the last point")});
+      "profile_" + name, {count("n", "site", "site"),
+                          estimate("u", "stationary DpS breather, mu = 1", "",
+                                   "difference of double and quadruple precision"),
+                          number("quasi_continuum", "quasi-continuum profile"),
+                          number("log10_u", "decimal logarithm of |u_n|"),
+                          number("log10_quasi_continuum",
+                                 "decimal logarithm of |quasi_continuum|; nan where it is zero"),
+                          number("double_log", "ln(-ln|u_n|)"),
+                          number("tail_line", "line of slope ln(3/2) through the last point")});
   for (std::size_t i = 0; i < u.size(); ++i) {
     const long n = site_number(i, u.size()), last = site_number(u.size() - 1, u.size());
     const long distance = centre == Centre::bond && n < 1 ? 1 - n : std::abs(n);
@@ -169,7 +169,7 @@ double half_width(std::size_t nodes) {
   constexpr double top = 0.3;
   gsl_integration_fixed_workspace* rule =
       gsl_integration_fixed_alloc(gsl_integration_fixed_chebyshev, nodes, 0, top, 0, 0);
-  if (!rule) throw Failure("half-width of the support: no memory for the rule");
+  if (!rule) throw Failure("half-width of the support: no memory for the quadrature rule");
   gsl_function divided{[](double z, void*) {
                          const double z2 = z * z, slope = z2 * std::sqrt(z * (1.2 - 4 * z));
                          return 3 * z2 * std::sqrt(z * (top - z)) / slope;
@@ -308,7 +308,7 @@ void check(Centre centre) {
   const auto library = stationary<double>(centre, 1, sites_of(centre));
   for (Index n = 0; n < d.size(); ++n)
     if (!(std::abs(d[n] / library.strain[std::size_t(n)] - 1) < 1e-12))
-      throw Failure("the library has another strain d_" + std::to_string(n));
+      throw Failure("the library finds a different strain d_" + std::to_string(n));
   assert_solution(library, 2e-15);
   assert_solution(stationary<Quadruple>(centre, 1, sites_of(centre)), Quadruple(4e-33));
 }

@@ -185,7 +185,7 @@ Breather report_convergence(Report& report) {
   const Breather fine = breather(tolerance_of(0)), coarse = breather(tolerance_of(1));
   const Vector<double> other = find_breather(problem_of(Centre::site, omega_b)).x;
   if (!(sup<double>(fine.y - other) < 1e-13 * sup(fine.y)))
-    throw Failure("the library finds another breather");
+    throw Failure("the library finds a different breather");
   const auto last_step = [](const History& h) {
     return h.back().step > 0 ? h.back().step : (h.end() - 2)->step;
   };
@@ -239,14 +239,14 @@ std::string name_of(Centre centre) {
 void report_profiles(Report& report) {
   for (Centre centre : both_centres) {
     // Three breathers, each with its approximation, site by site
-    Table& table =
-        report.table(name_of(centre) + "_profiles",
-                     {count("n", "site", "site"), number("u", "stationary DpS breather, mu = 1"),
-                      number("u_continuum", "its quasi-continuum approximation"),
-                      number("y_101", "positions at t = 0, omega_b = 1.01"),
-                      number("y_101_continuum", "their quasi-continuum approximation"),
-                      number("y_110", "positions at t = 0, omega_b = 1.1"),
-                      number("y_110_continuum", "their quasi-continuum approximation")});
+    Table& table = report.table(
+        name_of(centre) + "_profiles",
+        {count("n", "site", "site"), number("u", "stationary DpS breather, mu = 1"),
+         number("u_continuum", "quasi-continuum approximation of u"),
+         number("y_101", "positions at t = 0, omega_b = 1.01"),
+         number("y_101_continuum", "quasi-continuum approximation of these positions"),
+         number("y_110", "positions at t = 0, omega_b = 1.1"),
+         number("y_110_continuum", "quasi-continuum approximation of these positions")});
     const std::size_t sites = sites_of(centre);
     const auto y = [&](double omega) { return find_breather(problem_of(centre, omega)).start.y; };
     const auto near = [&](double omega) { return ansatz(centre, omega, sites).y; };
@@ -339,11 +339,11 @@ void report_tail(Report& report) {
   // Site by site, with the law |y_(n+1)| ~ |y_n|^(3/2) from the last site inwards
   Table& table = report.table(
       "tail", {count("n", "site", "site"),
-               estimate("size", "|y_n(0)| in double precision; nan where it has underflown", "",
+               estimate("size", "|y_n(0)| in double precision; nan where it underflows", "",
                         "difference from extended precision; nan where size is"),
-               number("exponent", "ln |y_(n+1)| / ln |y_n| away from the centre"),
+               number("exponent", "ln |y_(n+1)| / ln |y_n|, outwards from the centre"),
                number("double_log", "ln(-ln |y_n(0)|) in extended precision"),
-               number("law", "the same by the law 3/2 from the outermost site inwards")});
+               number("law", "double_log by the law 3/2, from the outermost site inwards")});
   const double end = double(std::log(wide[51 + last]));
   for (long n = -49; n <= 49; ++n) {
     const double y = size[51 + n];
@@ -392,8 +392,8 @@ void report_branches(Report& report) {
   Table& table = report.table(
       "branches", {number("omega", "frequency"), number("amplitude_bond", "largest |y_n(0)|"),
                    number("amplitude_site", "largest |y_n(0)|"),
-                   estimate("energy_bond", "energy, bond-centred"),
-                   estimate("energy_site", "energy, site-centred")});
+                   estimate("energy_bond", "energy of the bond-centred breather"),
+                   estimate("energy_site", "energy of the site-centred breather")});
   Estimate energies{}, amplitudes{};
   std::array<std::vector<Estimate>, 4> growing;
   for (const BreatherPair& r : pairs) {

@@ -117,7 +117,7 @@ DpsRun follow(Centre centre, Field v, double time, Accuracy accuracy, const DpsL
   };
   const double norm_drift = evolve_dps(equation, v, time, samples, accuracy.tolerance, observe);
   run.drift = std::max(run.drift, norm_drift);
-  if (run.drift > 3e-8) throw Failure("norm or energy drift by " + short_text(run.drift));
+  if (run.drift > 3e-8) throw Failure("norm or energy drifts by " + short_text(run.drift));
   return run;
 }
 
@@ -215,11 +215,11 @@ void report_growth(Report& report) {
   for (int k = 1; k <= 20; ++k) mus.push_back(0.5 * k);
   mus.insert(mus.end(), {100, 1000});
   Table& table = report.table(
-      "growth",
-      {number("mu", "frequency"),
-       estimate("rate", "growth rate", "1 per unit of time", "from two precisions and two lengths"),
-       number("line", "slope at mu = 1 times mu", "1 per unit of time"),
-       number("ratio", "growth rate over mu")});
+      "growth", {number("mu", "frequency"),
+                 estimate("rate", "growth rate", "1 per unit of time",
+                          "from two precisions and two chain lengths"),
+                 number("line", "growth rate at mu = 1 times mu", "1 per unit of time"),
+                 number("ratio", "growth rate divided by mu")});
   const auto margin = [](double mu) {
     return margin_of<long double>(Centre::site, mu, sites_of(Centre::site));
   };
@@ -466,7 +466,7 @@ Estimate depinning_push(const PinnedBreather& bond, int halvings) {
     };
     double low = 0.8 * predicted, high = 1.2 * predicted;
     if (depins(low) || !depins(high))
-      throw Failure("the push that depins the bond-centred breather is not within 20 per cent of " +
+      throw Failure("the kick that depins the bond-centred breather is not within 20 per cent of " +
                     short_text(predicted));
     for (int k = 0; k < halvings; ++k) {
       const double middle = (low + high) / 2;

@@ -169,17 +169,17 @@ std::array<std::vector<StabilityAt>, 2> report_wells(Report& report) {
   int off = 0;
   std::array<std::vector<StabilityAt>, 2> lines;
   for (Centre centre : both_centres) {
-    Table& table =
-        report.table(name_of(centre) + "_against_s",
-                     {number("s", "anharmonicity of the well"),
-                      estimate("kappa", "(lambda + 1/lambda - 2) / 4 of the pinning pair", "",
-                               "from two tolerances, against the neighbouring rows"),
-                      number("argument", "of the multiplier in the upper half plane", "rad"),
-                      number("argument_below", "of its partner", "rad"),
-                      number("excess", "modulus of the larger multiplier minus one"),
-                      number("excess_below", "modulus of the smaller multiplier minus one"),
-                      number("error_of_multiplier", "of either multiplier"),
-                      estimate("largest_modulus", "of all multipliers")});
+    Table& table = report.table(
+        name_of(centre) + "_against_s",
+        {number("s", "anharmonicity of the well"),
+         estimate("kappa", "(lambda + 1/lambda - 2) / 4 of the pinning pair of multipliers", "",
+                  "from two tolerances, against the neighbouring rows"),
+         number("argument", "argument of the multiplier in the upper half plane", "rad"),
+         number("argument_below", "argument of its partner", "rad"),
+         number("excess", "modulus of the larger multiplier minus one"),
+         number("excess_below", "modulus of the smaller multiplier minus one"),
+         number("error_of_multiplier", "error of either multiplier of the pair"),
+         estimate("largest_modulus", "largest modulus of all multipliers")});
     for (const StabilityAt& at : lines[centre == Centre::bond] = in_wells(centre, wells)) {
       // On the circle a pair has arguments, on the real axis it has moduli
       const double kappa = at.kappa().value;
@@ -399,7 +399,7 @@ void report_mode(Report& report) {
     Table& table =
         report.table("mode_" + name_of(centre),
                      {count("n", "site"), number("mode", "pinning mode, positions at t = 0"),
-                      number("gradient", "discrete gradient, of length one"),
+                      number("gradient", "discrete gradient of the breather, normalised"),
                       number("difference", "mode minus gradient")});
     for (Eigen::Index i = 0; i < g.size(); ++i)
       table.add(

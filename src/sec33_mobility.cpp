@@ -110,7 +110,8 @@ bool frees(const RestingBreather& at, double c, const Method& method) {
 
 std::array<double, 2> bisection(const RestingBreather& at, double low, double high, int halvings,
                                 const Method& method) {
-  if (frees(at, low, method) || !frees(at, high, method)) throw Failure("no threshold here");
+  if (frees(at, low, method) || !frees(at, high, method))
+    throw Failure("no threshold in this interval");
   for (; halvings > 0; --halvings) {
     const double middle = (low + high) / 2;
     (frees(at, middle, method) ? high : low) = middle;
@@ -260,8 +261,9 @@ TwoRuns<KickedPath> report_weak(Report& report, const Breathers& at) {
 
   // The figure: the longest run has all times
   const auto centre = [](const std::string& name) {
-    return estimate("X_" + name, "energy centre", "site",
-                    "two schemes, against the largest displacement; nan after the end of a run");
+    return estimate(
+        "X_" + name, "energy centre", "site",
+        "from two integrators, against the largest displacement; nan after the end of a run");
   };
   Table& table = report.table(
       "paths", {number("t", "time"), centre(names[0]), centre(names[1]), centre(names[2])});
@@ -426,7 +428,7 @@ void report_threshold(Report& report, const Breathers& at, const std::array<Pred
   parallel_for("bisection", report.quick ? 0 : 2, [&](std::size_t k) {
     const auto [low, high] = bisection(at[k + 1], weak, printed_threshold, 6, fine.thresholds);
     if (!(low < threshold[k].value && threshold[k].value < high))
-      throw Failure("the bisection encloses another threshold");
+      throw Failure("the bisection encloses a different threshold");
   });
 
   // With the contact stretched: its energy, another norm, a kick along the mode, and the barrier at equal frequency
@@ -477,10 +479,11 @@ void report_speeds(Report& report, const Breathers& at, const std::array<double,
   for (double c : {4.7e-6, 5.5e-6, 8e-6, 2e-5, 5e-5, 2e-4}) kicks.push_back({1, c});
   if (report.quick) kicks = {{0, strong}, {1, strong}};
   Table& table = report.table(
-      "speeds",
-      {label("centre", "where the breather starts"), number("c", "size of the kick", speed_unit),
-       estimate("speed", "mean over a site", speed_unit, "two steps, two beginnings"),
-       number("pendulum", "mean speed of a pendulum", speed_unit)});
+      "speeds", {label("centre", "centre at which the breather starts"),
+                 number("c", "size c of the kick", speed_unit),
+                 estimate("speed", "mean speed over one site", speed_unit,
+                          "from two time steps and two starting points"),
+                 number("pendulum", "mean speed of a pendulum of the pinning frequency", speed_unit)});
   // The chain with two steps, and the pendulum
   const Methods coarse = methods(false, report.quick), fine = methods(true, report.quick);
   const auto row = [&](const Kick& kick) {
@@ -488,7 +491,8 @@ void report_speeds(Report& report, const Breathers& at, const std::array<double,
     const Estimate speed = compare(speed_over_a_site(at[k], c, coarse.speeds),
                                    speed_over_a_site(at[k], c, fine.speeds));
     const double pendulum = pendulum_speed(per_kick[k] * c, frequency, k == 0);
-    if (std::abs(speed.value - pendulum) > 0.01 * pendulum) throw Failure("this is no pendulum");
+    if (std::abs(speed.value - pendulum) > 0.01 * pendulum)
+      throw Failure("these speeds are not those of a pendulum");
     return Cells{names[k], c, speed, pendulum};
   };
   table.fill(kicks, row, "speeds");

@@ -121,11 +121,10 @@ void report_maps(Report& report) {
     double v0, time, interval;
     std::size_t sites;
   };
-  Table& table =
-      report.table("density_maps",
-                   {count("panel", "1: v0 = 1.5, 2: v0 = 1.9, 3: the beginning of 2"),
-                    number("t", "time"), count("n", "site", "site"),
-                    number("e", "energy density, averaged over the interval between two times")});
+  Table& table = report.table(
+      "density_maps", {count("panel", "1: v0 = 1.5, 2: v0 = 1.9, 3: beginning of panel 2"),
+                       number("t", "time"), count("n", "site", "site"),
+                       number("e", "energy density, averaged between two successive times")});
   for (const Panel& panel :
        {Panel{1, 1.5, 1000, 4, 110}, {2, 1.9, 2500, 5, 40}, {3, 1.9, 900, 1, 28}}) {
     std::vector<double> sum(panel.sites, 0.0);
@@ -164,9 +163,10 @@ TwoRuns<Trajectory> report_turns(Report& report) {
   Table& table = report.table(
       "step_dependence",
       {number("velocity", "impact velocity"), number("step", "time step"),
-       number("stop_time", "time when the velocity vanishes first"),
-       number("apex_site", "turning point, the furthest of the way out", "site"),
-       number("apex_time", "time of the turning point"), number("return_time", "time of rebound")});
+       number("stop_time", "time at which the velocity first vanishes"),
+       number("apex_site", "turning point, the farthest site reached on the way out", "site"),
+       number("apex_time", "time of the turning point"),
+       number("return_time", "time of the reflection at the struck end")});
   const auto steps = report.quick ? std::vector{0.2, 0.1} : std::vector{0.1, 0.05, 0.025};
   TwoRuns<Trajectory> pictured;
   for (const Experiment& impact :
@@ -246,10 +246,10 @@ void report_force(Report& report) {
   const std::string unit = "site per squared unit of time";
   Table& table = report.table(
       "force", {number("s", "anharmonicity"), number("velocity", "impact velocity"),
-                count("outward", "1 on the way out, 0 on the way back, 2 between the two"),
-                number("force", "acceleration of the centre", unit),
-                number("force_uncertainty", "fit, step and smoothing", unit),
-                number("bend", "relative difference of the slopes of both halves")});
+                count("outward", "1 on the way out, 0 on the way back, 2 in between"),
+                number("force", "acceleration of the packet's centre", unit),
+                number("force_uncertainty", "from the fit, the time step and the smoothing", unit),
+                number("bend", "relative difference of the slopes of the two halves of the fit")});
   table.fill(list, row, "forces");
 
   // The two impacts of figure 22, the three legs, the linear well
@@ -437,9 +437,10 @@ void report_decorrelation(Report& report) {
   // The error: what another step changes, and the two units of time between two comparisons
   Table& table = report.table(
       "decorrelation",
-      {number("delta", "relative difference of the impacts, 0 for one impact and two steps"),
-       number("coarse", "first step"), number("fine", "second step"),
-       number("t", "time when the two have parted")});
+      {number("delta",
+              "relative difference of the impact velocities; 0 for one impact with two time steps"),
+       number("coarse", "first time step"), number("fine", "second time step"),
+       number("t", "time at which the two runs have decorrelated")});
   Estimate resolved;
   for (const Pair& p : pairs) {
     table.add({p.delta, p.coarse, p.fine, p.when});
@@ -493,9 +494,10 @@ void report_ensemble(Report& report) {
   const double time = report.quick ? 2200 : 2600;
   const TwoRuns<std::vector<Spread>> both{spreads(v0, 0.2, time), spreads(v0, 0.1, time)};
   Table& table = report.table(
-      "ensemble", {number("t", "time"), number("mean", "mean of the centres", "site"),
-                   number("deviation", "standard deviation of the centres", "site"),
-                   number("low", "lower tenth", "site"), number("high", "upper tenth", "site")});
+      "ensemble", {number("t", "time"), number("mean", "mean of the packets' centres", "site"),
+                   number("deviation", "standard deviation of the packets' centres", "site"),
+                   number("low", "lower decile of the centres", "site"),
+                   number("high", "upper decile of the centres", "site")});
   table.meta = {{"seed", std::to_string(seed)}, {"members", std::to_string(v0.size())}};
   for (const Spread& at : both.fine) table.add({at.t, at.mean, at.deviation, at.low, at.high});
 
@@ -534,7 +536,7 @@ void check_by_other_routes(bool quick) {
     return trajectory({1.9, 1, 1200}, method).turn.rebound.time;
   };
   if (!(std::abs(back(other) - back(usual)) < 0.2))
-    throw Failure("another scheme returns at another time");
+    throw Failure("another integrator returns at another time");
 }
 
 void reproduce(Report& report) {

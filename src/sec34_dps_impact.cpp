@@ -73,7 +73,7 @@ DpsRun dps_run(double tolerance, std::size_t samples, Ends end = Ends::free, dou
   Field A(sites);
   A[0] = {0, -start};  // Eq. (25)
   const auto look = [&](double tau, const Field& now) {
-    if (std::abs(now.back()) > 1e-9) throw Failure("the motion has come to the far end");
+    if (std::abs(now.back()) > 1e-9) throw Failure("the motion has reached the far end");
     const std::vector<double> d = density(now);  // |A_n|^2
     const auto peak = front_packet(d);
     if (peak && tau > 0) out.path.add(tau, d, *peak);  // X
@@ -102,7 +102,7 @@ ChainRun chain_run(const EventCorrected& method, std::size_t rows) {
   const TimeGrid grid = time_grid(method, t_end, denser(t_end / double(rows * 200)));
   std::size_t k = 0;
   out.run = evolve(method, chain, out.end, grid, [&](const State<double>& now) {
-    if (std::abs(now.v.back()) > 1e-9 * eps) throw Failure("the motion has come to the far end");
+    if (std::abs(now.v.back()) > 1e-9 * eps) throw Failure("the motion has reached the far end");
     const std::vector<double> e = energy_density(chain, now);  // Eq. (23)
     const auto peak = front_packet(e);
     if (peak && now.t > 0) out.path.add(now.t, e, *peak);  // X, Eq. (24)
@@ -439,11 +439,12 @@ chain; both of these packets are much faster.
 | fixed end | [0.00125776 ± 2e-9](num:sec34_dps_impact.amplitude_fixed_end) | [0.41369 ± 7e-5](num:sec34_dps_impact.speed_fixed_end) |
 | larger start | [0.00133799 ± 1e-8](num:sec34_dps_impact.amplitude_larger_start) | [0.42760 ± 9e-5](num:sec34_dps_impact.speed_larger_start) | */
 void report_other_problems(Report& report, const TwoRuns<DpsRun>& dps, const Resolution& at) {
-  Table& table = report.table("amplitude_trials",
-                              {label("trial", "what differs from the article's problem"),
-                               estimate("amplitude", "2 eps |A_n| of the packet near tau = 250"),
-                               estimate("centre", "packet centre at tau = 250", "site"),
-                               estimate("speed", "fitted from site 20 on", "site per tau")});
+  Table& table = report.table(
+      "amplitude_trials",
+      {label("trial", "difference from the article's problem"),
+       estimate("amplitude", "2 eps |A_n| of the packet near tau = 250"),
+       estimate("centre", "centre of the packet at tau = 250", "site"),
+       estimate("speed", "speed of the packet, fitted from site 20 on", "site per tau")});
   const auto trial = [&](const std::string& name, const TwoRuns<DpsRun>& runs) {
     table.add({name, amplitude_of(runs),
                runs.of([](const DpsRun& run) { return run.path.centre.back(); }), speed_of(runs)});
@@ -468,7 +469,8 @@ void report_check(const State<double>& ours) {
   State<double> reference = struck(sites, 2 * eps);
   evolve_reference(chain, reference, t_end, 1e-15);
   reference.t = ours.t;  // but for rounding
-  if (distance(reference, ours) > 1e-5) throw Failure("GSL arrives at another state of the chain");
+  if (distance(reference, ours) > 1e-5)
+    throw Failure("GSL arrives at a different state of the chain");
 }
 
 /**

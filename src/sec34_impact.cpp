@@ -68,7 +68,7 @@ Run impact(const EventCorrected& method, const Chain& chain, double v0, State<do
   state = State<double>(chain.sites);  // y_n = 0
   state.v[0] = v0;                     // Eq. (26)
   return evolve(method, chain, state, time, every, [&](const State<double>& now) {
-    if (std::abs(now.v.back()) > 1e-9 * v0) throw Failure("the motion has come to the far end");
+    if (std::abs(now.v.back()) > 1e-9 * v0) throw Failure("the motion has reached the far end");
     return look(now);
   });
 }
@@ -152,9 +152,9 @@ std::vector<Curve> report_sweep(Report& report, const std::vector<double>& ends)
   Table& sweep =
       report.table("velocity_sweep",
                    {number("s", "anharmonicity of the well"), number("velocity", "impact velocity"),
-                    estimate("speed", "of the centre between sites 20 and 60",
-                             "site per unit of time", "of two resolutions and of the fit"),
-                    estimate("peak", "largest maximum in time of e_n on the same stretch"),
+                    estimate("speed", "speed of the packet's centre between sites 20 and 60",
+                             "site per unit of time", "from two resolutions and the fit"),
+                    estimate("peak", "largest maximum in time of e_n between these sites"),
                     estimate("energy", "energy of the packet when it passes site 60"),
                     count("ending", "1 in the last 0.05 of a curve that ends in a blow-up")});
   const double spacing = report.quick ? 0.05 : 0.01;
@@ -234,7 +234,7 @@ where it is. This is an explanation by frequencies, not a proof. */
 void report_forces(Report& report) {
   Table& forces = report.table("surface_mode_forces",
                                {number("s", "anharmonicity of the well"), number("t", "time"),
-                                count("n", "contact of sites n and n + 1", "site"),
+                                count("n", "contact between sites n and n + 1", "site"),
                                 number("force", "contact force, negative where the beads touch")});
   const EventCorrected method = method_for(tolerance, largest_step, 2);  // steps of 0.05
   for (double s : {0.0, -0.7}) {
@@ -326,9 +326,10 @@ more sites on either side rise above the hundredth.
 | $v_0 = 1.9$ | | [0.10348 ± 2e-5](num:sec34_impact.tail_strong) | */
 void report_tail(Report& report) {
   Table& shape = report.table(
-      "packet_shape", {number("velocity", "impact velocity"),
-                       estimate("width", "sites of the packet that exceed a hundredth", "site"),
-                       estimate("tail", "amplitude behind the packet over that of its peak")});
+      "packet_shape",
+      {number("velocity", "impact velocity"),
+       estimate("width", "number of sites that exceed a hundredth of the packet's peak", "site"),
+       estimate("tail", "amplitude behind the packet divided by that of its peak")});
   const std::vector<double> velocities{0.05, 0.1, 0.2, 0.5, 1, 1.5, 1.9, 2.5};
   shape.fill(velocities, [&](double velocity) {
     const auto runs = refined(tolerance, [&](const EventCorrected& method) {
@@ -392,7 +393,7 @@ std::vector<double> report_blowup(Report& report) {
   Table& scan =
       report.table("blowup_scan",
                    {number("s", "anharmonicity of the well"), number("velocity", "impact velocity"),
-                    number("escape_time", "time of the blow-up, nan if there is none"),
+                    number("escape_time", "time of the blow-up; nan if the run has no blow-up"),
                     count("agree", "1 where both resolutions agree on the outcome")});
   std::vector<double> ends{far_away};  // of the curves of figure 19; the first well is linear
   for (std::size_t w = 1; w < wells.size(); ++w) {

@@ -148,9 +148,9 @@ once on its way, can go on. We have no theory that gives 4.7. */
 void report_examples(Report& report) {
   // One impact below the transition and one above
   Table& examples =
-      report.table("kink_examples",
-                   {number("velocity", "impact velocity"), number("t", "time"),
-                    count("n", "site", "site"), number("wells", "displacement in units of 2 pi")});
+      report.table("kink_examples", {number("velocity", "velocity of the impact on the first bead"),
+                                     number("t", "time"), count("n", "site", "site"),
+                                     number("wells", "displacement in units of 2 pi")});
   for (double v0 : {2.0, 5.0}) {
     State<double> state = after_impact(beads, v0);
     const auto look = [&](const State<double>& now) {
@@ -173,11 +173,11 @@ void report_transition(Report& report) {
   };
   report
       .table("kink_transition",
-             {number("velocity", "impact velocity"),
-              number("moved", "share of the beads that advanced by a well"),
-              count("ejected_far", "beads thrown off the far end"),
-              count("ejected_near", "beads thrown back at the near end"),
-              count("decided", "1 where the counts have settled and agree at two steps")})
+             {number("velocity", "velocity of the impact on the first bead"),
+              number("moved", "fraction of the beads that advanced by at least one well"),
+              count("ejected_far", "number of beads ejected at the far end"),
+              count("ejected_near", "number of beads ejected at the struck end"),
+              count("decided", "1 where the counts have settled and agree for two time steps")})
       .fill(points, row, "impact velocities");
 
   // Up to the last breather no bead has moved on; from the first certain kink on every impact moves the whole chain
@@ -308,15 +308,15 @@ well needs a period of its own in `count_wells`. The figure reads columns by nam
 steps are halved until no bead differs by more than one in its place, which is less than half of a well. */
 struct KinkImpact {
   static constexpr Title title{"run",
-                               "one impact: who moved on (pendulums: a kink needs a well "
-                               "beside every well)"};
+                               "one impact in pendulum wells (a kink needs neighbouring wells): "
+                               "how many beads changed wells"};
   double velocity = 5, patience = ::patience;
   std::size_t sites = beads;
 
   void parameters(Parameters& p) {
-    p.add("velocity", velocity, "impact velocity", {1e-6, 100});
-    p.add("patience", patience, "longest wait for the counts to settle", {400, 1e5});
-    p.add("sites", sites, "chain length", {2, 1e5});
+    p.add("velocity", velocity, "velocity of the impact on the first bead", {1e-6, 100});
+    p.add("patience", patience, "longest run for the counts to settle", {400, 1e5});
+    p.add("sites", sites, "number of sites", {2, 1e5});
   }
   Table table() const;
 };
@@ -348,7 +348,7 @@ Table KinkImpact::table() const {
   q.add_small("ejected_far", both(&WellCounts::ejected_far), "beads",
               "beads of the far half that have advanced by more wells than the middle bead");
   q.add_small("ejected_near", both(&WellCounts::ejected_near), "beads",
-              "beads of the near half that have gone backwards over a maximum of the potential");
+              "beads of the near half that have moved backwards over a potential maximum");
   return q.table;
 }
 

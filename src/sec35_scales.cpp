@@ -158,8 +158,8 @@ void report_array(Report& report, const CantileverArray& array) {
 
   // What the drawing needs
   Table& drawn = report.table(
-      "schematic", {label("id", "part of the figure"), label("parameter", "what is measured"),
-                    number("value", "its size"), label("unit", "unit of the value")});
+      "schematic", {label("id", "part of the figure"), label("parameter", "name of the dimension"),
+                    number("value", "value of the dimension"), label("unit", "unit of the value")});
   drawn.add({"cradle", "string_length", 0.5, "m"});
   drawn.add({"cradle", "beads_drawn", 5.0, ""});
   drawn.add({"cradle", "bead_radius_drawn", 0.04, "m"});

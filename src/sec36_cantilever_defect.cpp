@@ -64,7 +64,7 @@ ImpactRun approach(const StruckArray& blow, double step) {
   const auto before = [&](const State<double>& now, const auto&) { return now.y[d - 5] == 0; };
   ImpactRun run = strike(EventCorrected{step}, blow.impact(1, 200, 1), before);
   if (run.end.y[d - 1] != 0 || run.end.y[d - 5] == 0)
-    throw NoPacket("the packet does not come to the defect as expected");
+    throw NoPacket("the packet does not reach the defect as expected");
   return run;
 }
 
@@ -153,10 +153,10 @@ linear periods (array_impact.hpp). At 1.6 radii the packet comes back, and hardl
 void report_forces(Report& report, const StruckArray& blow) {
   Table& table =
       report.table("contact_forces",
-                   {number("ratio", "radius of the defect's beads over the others'"),
+                   {number("ratio", "radius of the defect's beads divided by that of the others"),
                     number("t", "middle of the time interval", "ms"),
-                    count("n", "contact of cantilevers n and n + 1", "site"),
-                    number("force", "strongest contact force in the interval, negative", "N")});
+                    count("n", "contact between cantilevers n and n + 1", "site"),
+                    number("force", "strongest contact force in the interval (negative)", "N")});
   const std::size_t contacts = blow.array.sites - 1, bins = report.quick ? 50 : 250;
   const double ratios[] = {1.6, 1.1};
   std::array<std::vector<double>, 2> maps;
@@ -399,21 +399,22 @@ reason. [](finding:defect.map) The trapped state at 0.925 radii is close to a br
 ![Reflected, remaining and transmitted energy against the radius of the defect. Drawn by x09_defect_map.py: the net
 shares over `ratio`, from `defect_map`.](fig:x09) */
 Table map_of_defects(const ScatteringSetup& setup, bool quick) {
-  const std::string all = "share of the energy, see the chapter",
-                    arriving = "share of what arrives, see the chapter";
+  const std::string all = "fraction of the energy, see the chapter",
+                    arriving = "fraction of the incident energy, see the chapter";
   std::vector<double> radii;
   for (int k = 40; k <= 160; ++k)  // in eightieths, closer to each other around one
     if (quick ? k % 10 == 0 : k % 2 == 0 || (k > 68 && k < 92)) radii.push_back(double(k) / 80);
-  Table map{{number("ratio", "radius of the defect's beads over the others'"),
-             number("mu", "effective mass of the defect over the others'"),
-             number("linear_frequency", "of the defect, over that of the others"),
-             estimate("reflected", all), estimate("near", all), estimate("transmitted", all),
-             estimate("near_earlier", all),
-             estimate("net_reflected", arriving, "",
-                      "difference of two resolutions, against the neighbouring rows: it is zero by "
-                      "definition without a defect"),
-             estimate("net_near", arriving), estimate("net_transmitted", arriving),
-             number("budget", "sum of the three shares less one")}};
+  Table map{
+      {number("ratio", "radius of the defect's beads divided by that of the others"),
+       number("mu", "effective mass of the defect divided by that of the others"),
+       number("linear_frequency", "linear frequency of the defect divided by that of the others"),
+       estimate("reflected", all), estimate("near", all), estimate("transmitted", all),
+       estimate("near_earlier", all),
+       estimate("net_reflected", arriving, "",
+                "difference of two resolutions, against the neighbouring rows: it is zero by "
+                "definition without a defect"),
+       estimate("net_near", arriving), estimate("net_transmitted", arriving),
+       number("budget", "sum of the three fractions minus one")}};
   // A row for each radius: the defect's constants, its shares, and the budget
   const auto row = [&](double ratio) {
     const Fractions f = fractions(setup, ratio);
@@ -557,16 +558,17 @@ void reproduce(Report& report) {
 `run` measures one defect; it fails if the packet that passes reaches the far end in 75 ms, and `--sites` makes the
 array longer. */
 struct OneDefect {
-  static constexpr Title title{"run", "one defect: reflected, remaining, transmitted energy"};
+  static constexpr Title title{
+      "run", "one packet that meets a defect: reflected, remaining and transmitted energy"};
   double ratio = 1.6, velocity = 1;
   std::size_t sites = 200;
 
   void parameters(Parameters& p) {
-    p.add("ratio", ratio, "radius of the defect's beads over that of the others", {0.1, 5})
+    p.add("ratio", ratio, "radius of the defect's beads divided by that of the others", {0.1, 5})
         .formerly("radius");
     p.add("velocity", velocity, "velocity of the impact on the first bead, in m/s",
           {0.5, 2, "m/s"});
-    p.add("sites", sites, "number of cantilevers, the defect being the hundredth", {110, 1e4});
+    p.add("sites", sites, "number of cantilevers; the hundredth is the defect", {110, 1e4});
   }
   Table table() const;
 };
@@ -575,7 +577,7 @@ struct OneDefect {
 Fractions within_array(const StruckArray& blow, double ratio) try {
   return fractions({blow, false}, ratio);
 } catch (const FarEndReached&) {
-  throw Failure("the packet that passes the defect comes to the end of the array within " +
+  throw Failure("the packet that passes the defect reaches the end of the array within " +
                 short_text(defect_passed) + " ms: --sites " + std::to_string(blow.array.sites) +
                 " are too few");
 }
@@ -593,24 +595,26 @@ Table OneDefect::table() const {
               "energy of the defect and four sites on either side, at the end");
   q.add_small("transmitted", f.transmitted, all,
               "energy from the fifth site behind the defect, at the end");
-  q.add_small("near_earlier", f.near_earlier, all, "energy about the defect 10 ms before the end");
-  q.add_small("net_reflected", f.net_reflected, arriving,
-              "what comes back of the energy that would pass in an array without a defect");
+  q.add_small("near_earlier", f.near_earlier, all, "energy near the defect 10 ms before the end");
+  q.add_small(
+      "net_reflected", f.net_reflected, arriving,
+      "reflected fraction of the incident energy, which would pass in an array without a defect");
   q.add_small("net_near", f.net_near, arriving,
-              "what stays about the defect of the energy that would pass");
+              "fraction of the incident energy that stays near the defect");
   q.add_small("net_transmitted", f.net_transmitted, arriving,
-              "what passes the defect of the energy that would pass without it");
-  q.add_small("budget", f.budget, "", "reflected + near + transmitted - 1: zero but for errors");
-  q.add(
-      "speed", Passage(blow).speed_over(watched_site), "sites/s",
-      "80 sites over the time of the largest force at n = 80, before the packet meets the defect");
+              "transmitted fraction of the incident energy");
+  q.add_small("budget", f.budget, "",
+              "reflected + near + transmitted - 1, zero up to numerical errors");
+  q.add("speed", Passage(blow).speed_over(watched_site), "sites/s",
+        "80 sites divided by the time of the largest force at n = 80, before the packet meets the "
+        "defect");
   // The constants of the defect, Eq. (32)
   q.add("mu", exact(blow.array.mu(ratio)), "",
-        "mass of the defect over that of the other cantilevers, Eq. (32)");
+        "effective mass of the defect divided by that of the other cantilevers, Eq. (32)");
   q.add("eta", exact(CantileverArray::eta(ratio)), "",
-        "stiffness of the defect's two contacts over that of the others, Eq. (32)");
+        "stiffness of the defect's two contacts divided by that of the others, Eq. (32)");
   q.add("linear_frequency", exact(blow.array.linear_frequency(ratio)), "1 / tau_c",
-        "angular frequency of the defect alone, without its contacts");
+        "angular frequency of the isolated defect, without its contacts");
   return q.table;
 }
 

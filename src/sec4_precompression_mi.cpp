@@ -157,12 +157,12 @@ void report_instability(Report& report) {
     for (int k = 0; k <= 200; ++k) {
       const double q = pi * k / 200;
       if (std::abs(phi(q, s) - coefficients(q, d, s).phi) > 1e-14)
-        throw Failure("the commands evaluate another formula than the chapter");
+        throw Failure("the commands evaluate a different formula from the chapter");
       table.add({{"q", "wavenumber", q, "1/site"},
                  {"s", "anharmonicity of the well", s},
                  {"beta", "NLS coefficient", beta(q, s)},
                  {"omega_2", "scaled dispersion omega omega''/v_1", omega_2(q)},
-                 {"phi", "modulation coefficient, unstable where positive", phi(q, s)}});
+                 {"phi", "modulation coefficient Phi; unstable where positive", phi(q, s)}});
     }
     coarse.push_back(largest_phi(s, 2000)), fine.push_back(largest_phi(s, 4000));
     report.facts.add("largest_phi" + name, compare(coarse.back(), fine.back()));
@@ -179,7 +179,7 @@ void report_instability(Report& report) {
   facts.add("inflection_apart", compare(0.0, std::abs(std::cos(q_c) / (v1 * x * x) - 1)));
   for (const auto& well : wells)
     if (phi(q_c * (1 - 1e-10), well.first) * phi(q_c * (1 + 1e-10), well.first) > 0)
-      throw Failure("Phi does not change its sign at the inflection");
+      throw Failure("Phi does not change sign at the inflection");
 }
 
 /**
@@ -388,20 +388,20 @@ void report_profiles(Report& report, const std::vector<Experiment>& all) {
               "difference of two resolutions, against the largest of the column: ahead of the "
               "front there is only rounding"},
              {"amplitude", "envelope of the velocities", shown.envelope.amplitude[n]},
-             {"sech", "fitted envelope, nan beyond 20 sites from its top",
+             {"sech", "fitted envelope; nan beyond 20 sites from its centre",
               std::abs(off) < 20 ? shown.sech.at(double(n + 1)) : std::nan("")}});
       }
     }
     // The packet's share, from when it has left the boundary; one sample in five is enough
     for (const PacketSample& p : e.runs.fine.samples)
       if (!e.shown.empty() && p.t >= 10 && std::fmod(p.t + 1e-6, 5) < 1e-3)
-        history.add(
-            {{"s", "anharmonicity of the well", e.s},
-             {"t", "time", p.t},
-             {"centre", "centre of the packet", p.centre, "site"},
-             {"share", "share of the energy within 20 sites of the packet", p.share},
-             {"boundary", "share of the energy on the first five sites", p.boundary},
-             {"participation", "number of sites that share the energy", p.participation, "site"}});
+        history.add({{"s", "anharmonicity of the well", e.s},
+                     {"t", "time", p.t},
+                     {"centre", "centre of the packet", p.centre, "site"},
+                     {"share", "fraction of the energy within 20 sites of the packet", p.share},
+                     {"boundary", "fraction of the energy on the first five sites", p.boundary},
+                     {"participation", "participation number: how many sites share the energy",
+                      p.participation, "site"}});
   }
 }
 
@@ -610,12 +610,13 @@ void report_coefficient(Report& report) {
     table.add({{"q", "wavenumber", at.q, "1/site"},
                {"s", "anharmonicity of the well", at.s},
                {"beta", "NLS coefficient from its formula", beta(at.q, at.s)},
-               {"measured_beta", "from the measured frequency shift", at.beta, "",
-                "two steps and two pairs of amplitudes"},
+               {"measured_beta", "NLS coefficient from the measured frequency shift", at.beta, "",
+                "from two time steps and two pairs of amplitudes"},
                {"shift_phi", "modulation coefficient with the measured beta",
                 -at.beta.value * omega_2(at.q)},
-               {"growth_phi", "from the growth, nan where stable or out of reach", at.phi, "",
-                "two pairs of amplitudes, nan where growth_phi is"}});
+               {"growth_phi",
+                "modulation coefficient from the measured growth; nan where stable or out of reach",
+                at.phi, "", "from two pairs of amplitudes; nan where growth_phi is"}});
   }
   report.facts.add("beta_shift", shift);
   report.facts.add("beta_growth", grown);
@@ -695,9 +696,9 @@ void report_ansatz(Report& report) {
   });
   Table& table = report.table("ansatz_error");
   for (const Size& at : sizes)
-    table.add({{"eps", "size of the ansatz", at.eps},
-               {"l2", "of displacements and velocities together", at.l2},
-               {"largest", "of any displacement or velocity", at.largest}});
+    table.add({{"eps", "amplitude scale epsilon of the ansatz", at.eps},
+               {"l2", "error in l2, of displacements and velocities together", at.l2},
+               {"largest", "largest error of any displacement or velocity", at.largest}});
 
   // Local orders, the last with the one before it as its error
   const auto order = [&](Estimate Size::*of, std::size_t i) {
@@ -771,22 +772,23 @@ quantity is a `report.facts.add`, a new column one more entry of a table; the sc
 `ring` lets one modulated phonon grow, `impact` strikes a chain, `coefficients` and `band` evaluate formulas. */
 struct OneRing {
   static constexpr Title title{"ring",
-                               "one modulated phonon: when it gathers, how wide its packet is"};
+                               "one modulated phonon on a ring: when its energy localises, and how "
+                               "narrow the packet becomes"};
   double s = 0, longest = 60000;
   std::size_t waves = 24;
 
   void parameters(Parameters& p) {
     p.add("s", s, "anharmonicity of the well", {-0.5, 10});
-    p.add("waves", waves, "wavelengths of the phonon on the ring of 200 sites", {1, 99});
-    p.add("longest", longest, "length of the run, unless the energy gathers before", {100, 1e6});
+    p.add("waves", waves, "number of wavelengths of the phonon on the ring of 200 sites", {1, 99});
+    p.add("longest", longest, "longest run; it ends earlier if the energy localises", {100, 1e6});
   }
   Table table() const {
     const RingPair pair =
         side_by_side(ring(s), modulated_phonon(2 * pi * double(waves) / 200), 0.4, longest, 1.5);
     const std::string by = "by t = " + short_text(pair.agree.value),
-                      why = pair.agree.is_exact ? "the energy has not gathered " + by
-                                                : "the runs with two steps part " + by +
-                                                      ", before the energy has gathered";
+                      why = pair.agree.is_exact ? "the energy has not localised " + by
+                                                : "the runs with two time steps decorrelate " + by +
+                                                      ", before the energy has localised";
     Estimate highest{};
     for (const auto& [coarse, fine] : pair.samples)
       if (fine.peak_over_mean > highest.value)
@@ -795,16 +797,16 @@ struct OneRing {
     // What the looks have seen
     Answers a{"a shorter --longest"};
     a.add("gathered", pair.gathered, "",
-          "first of the looks, one in 50 units of time, at which a site has five times the mean "
+          "first sampled time (every 50 units of time) at which a site has five times the mean "
           "energy density and less than half of the sites share the energy",
           why);
-    a.add("agree", pair.agree, "", "time up to which the runs with two steps agree");
+    a.add("agree", pair.agree, "", "time up to which the runs with two time steps agree");
     a.add("width", pair.width(), "site",
-          "least width of the packet at half height in these looks, until half as long again or "
-          "the end",
+          "least width of the packet at half height at the sampled times, until 1.5 times that "
+          "time or the end of the run",
           why);
     a.add("highest", highest, "",
-          "largest energy density over the mean that any of these looks sees");
+          "largest energy density at any sampled time, divided by the mean");
     return a.table;
   }
 };

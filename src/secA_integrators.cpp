@@ -221,7 +221,7 @@ twice as many, still errs by more than a ten-millionth. */
 void report_tangents(Report& report) {
   Table& table = report.table(
       "error_tangent", {label("method", "integrator"), number("evaluations", "force evaluations"),
-                        number("tangent", "largest error in the column")});
+                        number("tangent", "largest error in the tangent vector")});
   double evaluations = 0;
   const auto exact = tangent_by_events<long double>(0, evaluations);
 

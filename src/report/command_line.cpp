@@ -95,7 +95,7 @@ struct Reader {
                known);
     std::vector<std::string> names{"help"};
     for (const Option& p : at->parameters.all()) names.push_back(p.name);
-    refuse("--" + name, "there is no such option" + perhaps(nearest(name, names), "--"), known);
+    refuse("--" + name, "unknown option" + perhaps(nearest(name, names), "--"), known);
   }
 
   /// Takes the option at word `k`, and goes on to its value.
@@ -110,7 +110,7 @@ struct Reader {
     } else {
       const bool next = !joined && k + 1 < words.size();
       if (next && like_option(words[k + 1]))
-        refuse(typed, "needs a value, and '" + words[k + 1] + "' is an option",
+        refuse(typed, "needs a value, but '" + words[k + 1] + "' is an option",
                found.check.allowed);
       if (!next && value.empty()) refuse(typed, "needs a value", found.check.allowed);
       if (next) value = words[++k];
@@ -132,17 +132,16 @@ struct Reader {
                at->parameters.names());
       return;
     }
-    if (found) refuse(quoted, "there is a command already, '" + inside + "'", "one command");
+    if (found) refuse(quoted, "the command is already '" + inside + "'", "one command");
     std::vector<std::string> names;
     for (const Offer& offer : offers)
       if (!offer.name.empty()) names.push_back(offer.name);
     if (inside.empty() && !names.empty())
-      refuse(quoted, "there is no such command" + perhaps(nearest(word, names), "'"),
-             comma_list(names));
-    refuse(
-        quoted,
-        names.empty() ? "belongs to no option, and there are no commands" : "belongs to no option",
-        at->parameters.names());
+      refuse(quoted, "unknown command" + perhaps(nearest(word, names), "'"), comma_list(names));
+    refuse(quoted,
+           names.empty() ? "belongs to no option, and this program has no commands"
+                         : "belongs to no option",
+           at->parameters.names());
   }
 
   /// All values are checked before one is taken. A complaint names the option as it was typed, also where it has another
@@ -154,7 +153,7 @@ struct Reader {
       if (!wrong.empty()) throw UsageError(typed + ": " + wrong);
       for (const std::string& rival : option->rivals)
         if (at->parameters.find(rival)->given())
-          refuse(typed, "'" + value + "' cannot be together with --" + rival, "one of the two");
+          refuse(typed, "'" + value + "' cannot be combined with --" + rival, "one of the two");
     }
     for (const auto& [name, option] : given) option->take(*option->typed);
     at->parameters.finish();
@@ -179,8 +178,7 @@ Asked read_line(std::deque<Offer>& offers, const std::vector<std::string>& words
     if (word.size() > 2 && word.rfind("--", 0) == 0)
       reader.place_option(k);
     else if (like_option(word))
-      refuse("'" + word + "'", "an option has two dashes and a name",
-             reader.at->parameters.names());
+      refuse("'" + word + "'", "an option is two dashes and a name", reader.at->parameters.names());
     else
       reader.place_command(word);
   }
@@ -210,7 +208,7 @@ std::string help_text(const std::string& program, const std::deque<Offer>& offer
   std::string out = of.meaning + "\nUsage: " + program + (whole ? "" : " " + of.name) +
                     " [options]" + (commands ? "\n       " + program + " COMMAND [options]" : "") +
                     "\n\nOptions:\n" + entry("--help", "this text");
-  if (whole) out += entry("--version", "version and build");
+  if (whole) out += entry("--version", "version and build of the program");
   bool numbers = false;
   for (const Option& p : of.parameters.all()) {
     const bool flag = p.takes == Option::Takes::flag;

@@ -87,12 +87,12 @@ void add_potential(Parameters& p, const std::string& option, const std::string& 
 
 // What programs call
 void add_well(Parameters& p, Well& well, const Ranges& own) {
-  add_potential(p, "well", "well of every bead", well, own);
+  add_potential(p, "well", "on-site potential (well) of every bead", well, own);
   p.find("well")->formerly("onsite");
 }
 
 void add_contact(Parameters& p, Contact& contact, const Ranges& own) {
-  add_potential(p, "contact", "contact of two beads", contact, own);
+  add_potential(p, "contact", "contact law between neighbouring beads", contact, own);
 }
 
 void add_holding_well(Parameters& p, Well& well, const std::string& without) {
@@ -104,7 +104,7 @@ void add_holding_well(Parameters& p, Well& well, const std::string& without) {
     for_each_potential<Well>([&](const auto& w) {
       if (holds(w)) allowed.push_back(w.name);
     });
-    throw UsageError("--well: '" + name_of(well) + "' holds no bead, and without a well " +
+    throw UsageError("--well: '" + name_of(well) + "' does not hold a bead, and without a well " +
                      without + " (allowed: " + comma_list(allowed) + ")");
   });
 }
@@ -113,7 +113,7 @@ void add_ends(Parameters& p, Ends& ends) {
   std::vector<std::pair<std::string, Ends>> names;
   for (std::size_t k = 0; k < std::size(ends_names); ++k)
     names.emplace_back(ends_names[k], Ends(k));
-  p.add("ends", ends, "ends of the chain", names);
+  p.add("ends", ends, "boundary conditions of the chain", names);
 }
 
 }  // namespace lattice

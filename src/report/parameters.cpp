@@ -42,7 +42,7 @@ static Check in_range(const Allowed& range, bool whole) {
 }
 
 Check not_empty() {
-  return {[](const std::string& value) { return value.empty() ? "'' is not a name" : ""; },
+  return {[](const std::string& value) { return value.empty() ? "the name is empty" : ""; },
           "a name"};
 }
 
@@ -56,6 +56,7 @@ Check one_of(const std::vector<std::string>& names) {
 
 // Names are shown as {one|other}
 std::string Check::shown() const {
+  if (allowed.rfind("a ", 0) == 0) return "<" + allowed.substr(2) + ">";
   if (names.empty()) return allowed;
   std::string out;
   for (const std::string& name : names) out += (out.empty() ? "{" : "|") + name;
@@ -66,9 +67,9 @@ Check writable_folder() {
   const auto complaint = [](const std::string& value) {
     if (value.empty()) return not_empty().complaint(value);
     const std::string reason = why_not_writable(value, ".lattice");
-    return reason.empty() ? ""
-                          : "cannot write to '" + value + "': " + reason +
-                                " (allowed: a folder in which you may write)";
+    return reason.empty()
+               ? ""
+               : "cannot write to '" + value + "': " + reason + " (allowed: a writable folder)";
   };
   return {complaint, "a folder"};
 }

@@ -48,10 +48,10 @@ static std::string kind_of(const Estimate& e) {
 }
 
 Columns quantity_columns() {
-  return {label("quantity", "what is reported"), number("value", "converged value"),
-          number("error", "absolute error estimated from two resolutions"),
+  return {label("quantity", "name of the quantity"), number("value", "converged value"),
+          number("error", "absolute error, estimated from two resolutions"),
           label("unit", "unit of value and error"),
-          label("kind", "estimate, or exact where nothing could be different (error 0)")};
+          label("kind", "estimate, or exact where no error can arise (error 0)")};
 }
 
 /**
@@ -62,8 +62,8 @@ void Answers::add(const std::string& quantity, const Estimate& e, const std::str
   const double size = std::max(std::abs(e.value), std::numeric_limits<double>::min());
   if (e.error > size) {
     std::ostringstream text;
-    text << quantity << ": the error " << e.error << " is larger than the value " << e.value
-         << ", which is no answer; take " << remedy;
+    text << quantity << ": the error " << e.error << " exceeds the value " << e.value
+         << ", so the result is unresolved; try " << remedy;
     throw Failure(text.str());
   }
   add_small(quantity, e, unit, meaning, reason);
@@ -76,7 +76,7 @@ void Answers::add_small(const std::string& quantity, const Estimate& e, const st
   std::string why = none ? reason : "";
   if (none && why.empty()) {
     if (std::isnan(e.value)) throw std::logic_error(quantity + ": is nan without a reason");
-    why = "only the finer of two runs has it";
+    why = "only the finer of two runs has a value";
   }
   table.add({quantity, none ? undefined : e, unit, kind_of(e), meaning, why});
 }
@@ -256,7 +256,7 @@ void need_writable(const std::filesystem::path& folder, const std::string& file,
   const std::string reason = why_not_writable(folder, file);
   if (!reason.empty())
     throw UsageError(option + ": cannot write to '" + (folder / file).string() + "': " + reason +
-                     " (allowed: a place where you may write)");
+                     " (allowed: a writable place)");
 }
 
 /**

@@ -60,8 +60,7 @@ inline constexpr Estimate undefined{std::numeric_limits<double>::quiet_NaN(),
 
 /// The facts of a chapter, written last as `facts.ecsv`.
 struct Quantities {
-  Table table{quantity_columns(),
-              label("made_by", "function of the program's source that recorded it")};
+  Table table{quantity_columns(), label("made_by", "function of the source code that recorded it")};
 
   /// One row; the name of the function that adds it is noted. Throws std::logic_error for a second one of this name.
   void add(const std::string& quantity, const Estimate& e, const std::string& unit = "",
@@ -74,7 +73,7 @@ and the command fails. Only what may vanish is printed whatever its error is: dr
 differences of either sign, counts. */
 struct Answers {
   std::string remedy = "other parameters";  ///< what to take where an error is too large
-  Table table{quantity_columns(), label("meaning", "what the quantity is, in words"),
+  Table table{quantity_columns(), label("meaning", "meaning of the quantity"),
               label("reason", "why the value is nan; empty otherwise")};
 
   /// One row. `reason` is why the value is nan, if it is; throws std::logic_error for a nan without one or an empty

@@ -312,12 +312,13 @@ Table from_text(std::istream& in) {
     } else if (header_done) {
       table.rows.push_back(row_of(line, table.columns));
     } else if (table.columns.empty() || line != heading(table.columns)) {
-      throw std::runtime_error("the names above the rows are not those of the header: " + line);
+      throw std::runtime_error("the column names above the rows differ from those of the header: " +
+                               line);
     } else {
       header_done = true;
     }
   }
-  if (!header_done) throw std::runtime_error("no table: it ends in its header");
+  if (!header_done) throw std::runtime_error("not a table: the file ends in its header");
   return table;
 }
 

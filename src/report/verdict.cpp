@@ -72,8 +72,8 @@ Range allowed(const Claim& claim) {
     by = std::stod(m[2]) * (m[1] == "rel" ? size : 1);
   if (by < 0 || (!tolerance.empty() && tolerance != "exact" && m.empty()))
     throw std::invalid_argument("the tolerance '" + tolerance +
-                                "' is none (allowed: rel 1e-3, abs 1e-3, at most, exact, order of "
-                                "magnitude, or nothing)");
+                                "' is unknown (allowed: rel 1e-3, abs 1e-3, at most, exact, order "
+                                "of magnitude, or nothing)");
   return {print->low - by, print->high + by};
 }
 
@@ -144,7 +144,8 @@ std::vector<Condition> conditions(const Claim& claim) {
   for (std::string one; std::getline(all >> std::ws, one, ';');) {
     std::smatch m;
     if (!std::regex_match(one, m, form))
-      throw std::invalid_argument("'" + one + "' is no condition such as program.fact > 0.5");
+      throw std::invalid_argument("'" + one +
+                                  "' is not a condition (allowed: such as program.fact > 0.5)");
     out.push_back({m[1], m[2] == ">", m[3].matched ? m[3] : m[4]});
   }
   return out;
@@ -190,12 +191,14 @@ static const std::set<std::string> missed{"within its own accuracy", "follows", 
 
 static std::string complaint(const Claim& c) try {
   allowed(c);
-  if (conditions(c).empty() == c.answer.empty()) return "an answer or a criterion, and not both";
-  if (!c.answer.empty() && !is_name(c.answer)) return "'" + c.answer + "' is no fact";
+  if (conditions(c).empty() == c.answer.empty())
+    return "either an answer or a criterion is needed, not both";
+  if (!c.answer.empty() && !is_name(c.answer))
+    return "'" + c.answer + "' is not the name of a fact";
   if (!met.count(c.status) && !missed.count(c.status))
-    return "the status '" + c.status + "' is none";
+    return "the status '" + c.status + "' is unknown";
   if (missed.count(c.status) == c.reason.empty() && !c.section.empty())
-    return "a reason is for what is missed, and only for that";
+    return "a row needs a reason if it is missed, and only then";
   return "";
 } catch (const std::invalid_argument& error) {
   return error.what();
@@ -226,7 +229,7 @@ Claims read_claims(const std::filesystem::path& path) {
       if (const auto text = texts.find(t.columns[c].name); text != texts.end())
         claim.*text->second = std::get<std::string>(row[c]);
     std::string wrong = complaint(claim);
-    if (!ids.insert(claim.id).second) wrong = "there are two rows of this id";
+    if (!ids.insert(claim.id).second) wrong = "two rows have this id";
     if (!wrong.empty())
       throw std::runtime_error(path.string() + ": row " + std::to_string(out.size()) + ": " +
                                claim.id + ": " + wrong);

@@ -30,16 +30,16 @@ struct Judged {
 Table table_of(const std::vector<Judged>& rows) {
   Table out;
   for (const auto& [list, claim, verdict, found, ours] : rows)
-    out.add({{"list", "claims of the article, findings of ours, or literature", list},
+    out.add({{"list", "claims of the article, our findings, or literature", list},
              {"id", "identifier", claim.id},
              {"where", "place in the article", claim.where},
              {"quantity", "what is claimed", claim.quantity},
              {"printed", "value or statement as printed", claim.printed},
              {"value", "converged value; nan where conditions decide", ours.value},
-             {"error", "its error", ours.error},
-             {"unit", "its unit", ours.unit},
-             {"verdict", "as src/report/verdict.hpp explains", verdict},
-             {"found", "the answer, or every condition with what was found", found},
+             {"error", "error of the value", ours.error},
+             {"unit", "unit of value and error", ours.unit},
+             {"verdict", "verdict, as explained in src/report/verdict.hpp", verdict},
+             {"found", "the value, or every condition with the values found", found},
              {"program", "program whose facts decide", program_of(claim)}});
   out.meta = {{"program", "verdicts"}};
   return out;
@@ -75,7 +75,7 @@ void judge(const fs::path& root, const fs::path& data, const fs::path& to) {
       locks.push_back(volume / "paper/converged.ecsv");
   if (!fs::is_directory(data))
     throw UsageError("--data: '" + data.string() +
-                     "' is no folder (allowed: one with a folder of tables a program)");
+                     "' is not a folder (allowed: one that holds a folder of tables per program)");
   const Facts facts = read_facts(data, locks);
   std::vector<Judged> all;
   std::set<std::string> absent;
@@ -97,7 +97,7 @@ void judge(const fs::path& root, const fs::path& data, const fs::path& to) {
   if (all.empty())
     throw UsageError("--root: '" + root.string() +
                      "' has no list of claims (allowed: a folder with paper/claims.ecsv)");
-  if (!absent.empty()) std::printf("not run    : judged on locked values are");
+  if (!absent.empty()) std::printf("not run    : reference values are used for");
   for (const std::string& program : absent) std::printf(" %s", program.c_str());
   if (!absent.empty()) std::printf("\n");
   write(to, table_of(all));
@@ -110,14 +110,13 @@ int main(int argc, char** argv) {
   return exit_code("verdicts", [&] {
     std::string root = ".", data = "build/data", output = "build/report/claims.ecsv";
     std::deque<Offer> offers(1);
-    offers[0].meaning = "published against reproduced: a verdict on every statement";
+    offers[0].meaning = "compares published with reproduced values: one verdict per statement";
     offers[0].note =
-        "A row is judged on the facts of the runs in --data, and where a program has not run on "
-        "the "
-        "locked ones, paper/converged.ecsv.";
+        "A row is tested against the facts of the runs in --data; for a program that has not run, "
+        "against the reference values in paper/converged.ecsv.";
     Parameters& p = offers[0].parameters;
     p.add("root", root, "folder of the volume, with its paper/claims.ecsv", not_empty());
-    p.add("data", data, "folder with one folder of tables a program", not_empty());
+    p.add("data", data, "folder that holds one folder of tables per program", not_empty());
     p.add("output", output, "table to write", not_empty());
     const Asked asked = read_line(offers, {argv + 1, argv + argc});
     if (asked.what == Asked::What::run)

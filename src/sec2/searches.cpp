@@ -114,7 +114,7 @@ static bool confirmed(const LeapfrogShooting& search, const Vector<double>& from
                                                  const EventTolerance<double>& rule,
                                                  bool derivative) {
     if (sup<double>(x - from) < 0.1 * sup(from)) return exact(x, rule, derivative);
-    throw NewtonFailed("Newton's method leaves the neighbourhood", {});
+    throw NewtonFailed("Newton's method leaves the neighbourhood of its start", {});
   };
   NewtonRule<double> rule;
   if (search.symmetry.parts == 1) rule.rank = 1e-9;  // such orbits may be shifted in time

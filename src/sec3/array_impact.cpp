@@ -6,7 +6,7 @@ namespace lattice {
 
 Pulse pulse_of(const Watched& w, const Scales& s) {
   const auto push = strongest_push(w.t, w.force);
-  if (!push) throw NoPacket("the packet did not pass the site at which it is watched");
+  if (!push) throw NoPacket("the packet did not pass the observed site");
   return {push->t * s.tau_c(), push->force * s.unit_force(),
           largest_modulus(w.t, w.v) * s.unit_velocity(), largest_modulus(w.t, w.y) * s.xi(),
           push->period * s.tau_c()};

@@ -18,7 +18,8 @@ PhononBands::PhononBands(const Chain& chain) : well(chain.well.stiffness(0.0)) {
     k[i] = chain.eta_of(n - 1 - i) * chain.contact.stiffness(0.0);
   }
   if (!(edge(false, false) > 0))
-    throw std::invalid_argument("small displacements of this chain grow: it does not rest stably");
+    throw std::invalid_argument(
+        "small displacements of this chain grow: its rest state is unstable");
 }
 
 // The two roots of the dispersion relation, as squares of frequencies
@@ -57,8 +58,8 @@ Chain lengthened(const Chain& chain, std::size_t sites) {
   if (chain.mass.empty()) return out;
   if (chain.sites % 2 != sites % 2)
     throw std::invalid_argument("masses of " + std::to_string(chain.sites) +
-                                " beads have another centre than a breather of " +
-                                std::to_string(sites));
+                                " beads do not fit a breather of " + std::to_string(sites) +
+                                " sites: one is centred on a site, the other on a bond");
   // Outside of [least, most] the index of the other bead or contact of the last pair
   const long shift = (long(sites) - long(chain.sites)) / 2;
   const auto at = [&](const std::vector<double>& all, long i, long least, long most) {
@@ -82,13 +83,14 @@ static void require_room(const Chain& chain) {
     return std::equal(first, last, std::make_reverse_iterator(last));
   };
   if (chain.ends != Ends::free)
-    throw std::invalid_argument("a breather with a centre needs a chain with free ends");
+    throw std::invalid_argument("a site- or bond-centred breather needs a chain with free ends");
   if (!chain.mass.empty() && !(mirrored(chain.mass.begin(), chain.mass.end()) &&
                                mirrored(chain.eta.begin() + 1, chain.eta.end() - 1)))
     throw std::invalid_argument("masses and stiffnesses must be symmetric about the centre");
   if (std::holds_alternative<OwnContact>(chain.contact) && chain.contact.stiffness(0.0) != 0)
     throw std::invalid_argument(
-        "a contact of one's own must not be compressed, because its breathers begin there");
+        "a user-defined contact must not be compressed at rest, because the continuation starts "
+        "from uncompressed contacts");
 }
 
 /// Throws InBand unless `omega` is so far above the linear waves of a chain that the tail falls to `share` of the
@@ -147,7 +149,8 @@ Fitted fit_chain(Centre centre, double omega, const Chain& like, std::size_t sit
   std::size_t needed = 0;
   for (std::size_t ample = longer(std::max(double(usual - 1), tail)); needed == 0;
        ample = 2 * ample - ample % 2) {
-    if (ample > 1001) throw NewtonFailed("what was found is no breather: it has no end", {});
+    if (ample > 1001)
+      throw NewtonFailed("the solution found is not a breather: its tail does not decay", {});
     change_length(ample);
     needed = sites_needed(orbit, precision, contact);
     if (needed == ample) needed = 0;

@@ -49,7 +49,7 @@ double KickedPath::mean_speed(double distance, std::size_t start) const {
     const double since = t[k - 1] + (t[k] - t[k - 1]) * (distance - before) / (now - before);
     return distance / (since - t[start]);
   }
-  throw std::runtime_error("the kicked breather does not travel so far");
+  throw std::runtime_error("the kicked breather does not travel that far");
 }
 
 // `run` gives its drift relative to the breather's energy

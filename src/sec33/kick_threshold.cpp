@@ -61,7 +61,8 @@ double hill_speed(const KickedPath& path, double hill) {
   std::vector<std::size_t> near;
   for (std::size_t k = 0; k < path.centre.size(); ++k)
     if (std::abs(std::abs(path.moved(k)) - hill) <= 0.05) near.push_back(k);
-  if (near.size() < 8) throw std::invalid_argument("too few means of the path lie on the hill");
+  if (near.size() < 8)
+    throw std::invalid_argument("too few averages of the path lie on the potential hill");
   const double first = path.t[near.front()], last = path.t[near.back()], half = (last - first) / 2;
   // Time is scaled to the interval from -1 to 1, which keeps the cubic fit well conditioned
   Matrix<double> power(Eigen::Index(near.size()), 4);
@@ -79,7 +80,7 @@ double hill_speed(const KickedPath& path, double hill) {
 
 double threshold_from(double c1, double v1, double c2, double v2) {
   const double square = (c1 * c1 * v2 * v2 - c2 * c2 * v1 * v1) / (v2 * v2 - v1 * v1);
-  if (!(square > 0)) throw std::invalid_argument("these two speeds show no threshold");
+  if (!(square > 0)) throw std::invalid_argument("these two speeds do not bracket a threshold");
   return std::sqrt(square);
 }
 
@@ -130,7 +131,7 @@ KickedPath decided_path(const RestingBreather& at, double c, const Method& metho
     return mobility_of(so_far) == Mobility::undecided;
   });
   if (mobility_of(path) != Mobility::undecided) return path;
-  throw std::runtime_error("a kick neither frees the breather nor leaves it pinned");
+  throw std::runtime_error("a kick neither depins the breather nor leaves it pinned");
 }
 
 Estimate freeing_kick_of(const RestingBreather& at, const Prediction& guess,
@@ -140,7 +141,7 @@ Estimate freeing_kick_of(const RestingBreather& at, const Prediction& guess,
     c[i] *= guess.threshold.value;
     const KickedPath path = decided_path(at, c[i], method, 10 / guess.frequency.value);
     if (mobility_of(path) != Mobility::free)
-      throw std::runtime_error("a kick above the prediction leaves the breather pinned");
+      throw std::runtime_error("a kick above the predicted threshold leaves the breather pinned");
     v[i] = hill_speed(path);
   }
   const auto from = [&](std::size_t i, std::size_t k) {

@@ -66,7 +66,7 @@ PlaneWave plane_wave(const Well& well, const Contact& contact, double q, double 
   for (int i = 0; i < 20 && step > 1e-13; ++i) step = improve(wave);
   for (int j = 0; j < 64; ++j) widest = std::max(widest, wave.relative(pi * j / 32));
   if (!(step < 1e-10) || !(widest < contact.opening()))
-    throw std::runtime_error("no plane wave of this amplitude with all contacts closed");
+    throw std::runtime_error("no plane wave of this amplitude keeps all contacts closed");
   return wave;
 }
 

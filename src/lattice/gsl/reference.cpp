@@ -20,7 +20,7 @@ Reference::Reference(Rhs rhs, std::size_t dimension, const Tolerance& tolerance)
                                               tolerance.relative));
   if (!driver_)
     throw std::invalid_argument(
-        "GSL refuses this integration: it needs a dimension of at least 1 and tolerances >= 0");
+        "GSL rejects this integration: it needs a dimension of at least 1 and tolerances >= 0");
 }
 
 // A solution that runs away can become infinite while GSL still reports success

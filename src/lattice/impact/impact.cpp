@@ -10,7 +10,8 @@ namespace lattice {
 // The fastest phonon of a chain whose contacts are as stiff as those of the strongest pulse
 Impact on_long_chain(Impact impact) {
   if (!impact.chain.mass.empty())
-    throw std::invalid_argument("masses end with their chain: it has the length that it has");
+    throw std::invalid_argument(
+        "a chain with masses or stiffnesses of its own cannot be lengthened");
   const double well = impact.chain.well.stiffness(0.0);
   const double more = impact.chain.contact.exponent() + 1;
   const double pulse =
@@ -22,7 +23,7 @@ Impact on_long_chain(Impact impact) {
 }
 
 State<double> struck(std::size_t sites, double velocity) {
-  if (sites == 0) throw std::invalid_argument("a chain of no sites cannot be struck");
+  if (sites == 0) throw std::invalid_argument("a chain without sites cannot be struck");
   State<double> state(sites);
   state.v[0] = velocity;
   return state;
@@ -46,10 +47,10 @@ static void refuse_moving_end(const Impact& impact, ImpactRun& run) {
     return;
   }
   std::ostringstream text;
-  text << "the motion reaches the far end: site " << impact.chain.sites
-       << " has moved at the speed " << run.far_end << " by t = " << run.end.t
+  text << "the motion reaches the far end: site " << impact.chain.sites << " has reached the speed "
+       << run.far_end << " by t = " << run.end.t
        << " (allowed: " << impact.far_end * std::abs(impact.velocity)
-       << "); take more sites or less time";
+       << "); take more sites or a shorter time";
   throw FarEndReached(text.str());
 }
 

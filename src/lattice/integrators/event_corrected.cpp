@@ -54,7 +54,7 @@ void sweep_stage(const std::vector<double>& y, const std::vector<double>& v, dou
     case 5:
       return sweep(sweep_terms<5>);
     default:
-      throw std::invalid_argument("a scheme of more than fifteen terms");
+      throw std::invalid_argument("a splitting scheme with more than fifteen terms");
   }
 }
 

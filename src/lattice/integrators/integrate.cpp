@@ -26,8 +26,8 @@ TimeGrid time_grid(double duration, double sample, double step) {
   if (!good) {
     std::ostringstream text;
     text << "a run of duration " << duration << " with samples " << sample << " apart and steps of "
-         << step << " (allowed: positive and normal, the duration may vanish, at most "
-         << most_steps << " steps)";
+         << step << " (allowed: positive normal numbers, a zero duration, at most " << most_steps
+         << " steps)";
     throw std::invalid_argument(text.str());
   }
   TimeGrid p{duration, std::size_t(std::ceil(duration / sample * (1 - 1e-12)))};

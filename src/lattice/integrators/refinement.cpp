@@ -42,8 +42,8 @@ bool hopeless(double error, double tolerance, int halvings) {
 }
 
 static constexpr const char* hopeless_advice =
-    ", and smaller steps cannot mend it: the motion is too erratic for so long a run; ask for a "
-    "shorter one or a larger tolerance";
+    ", and smaller steps will not help: the motion is too erratic for so long a run; take a "
+    "shorter run or a larger tolerance";
 
 // What a run with a shorter step would cost: seven halvings of one that holds, but many more of one that ends soon
 static bool is_last(int k, const Run& run, int held) {
@@ -65,10 +65,10 @@ static double defect_difference(const Run& a, const Run& b, double tolerance) {
 static void assert_conserved(const Run& run, double tolerance) {
   if (run.energy_defect <= allowed_defect(tolerance)) return;
   std::ostringstream text;
-  text
-      << "the energy drifts by " << run.energy_defect
-      << ", with half of the step as well (allowed: " << allowed_defect(tolerance)
-      << "): a force may not be minus the derivative of its energy; a larger tolerance allows more";
+  text << "the energy drifts by " << run.energy_defect
+       << ", also with half the step (allowed: " << allowed_defect(tolerance)
+       << "): a force may not be minus the derivative of its energy; a larger tolerance allows "
+          "more drift";
   throw RefinementFailed(text.str());
 }
 
@@ -77,7 +77,7 @@ static void assert_conserved(const Run& run, double tolerance) {
   text.precision(4);
   text << "a bead runs away at t = " << (run.t_end + run.escape_time) / 2
        << ", having left its well at t = " << run.leave_time
-       << ": take a shorter run or another start (a little more or less velocity may decide it)";
+       << ": take a shorter run or another initial state (a small change of velocity may suffice)";
   throw RanAway(text.str());
 }
 
@@ -97,9 +97,9 @@ void Attempts::enter(const Run& run) {
   std::ostringstream text;
   text << (history.empty() ? "" : ", ") << "step " << std::ldexp(largest_step, -k) << ": ";
   if (held_ < 0)
-    text << "breaks at t = " << run.escape_time;
+    text << "fails at t = " << run.escape_time;
   else if (held_ == 0)
-    text << "holds";
+    text << "succeeds";
   else
     text << error;
   history += text.str();
@@ -116,8 +116,8 @@ bool Attempts::agree(const Run& coarse, const Run& fine, const std::function<dou
   // The last two: is it a result?
   if (fine.broken())
     throw RefinementFailed("no step is short enough (" + history +
-                           "): contacts may be too stiff, a force not finite there, or a well "
-                           "without a rim lets go of a bead");
+                           "): a contact may be too stiff, a force may not be finite, or a bead "
+                           "may leave a well for which no rim is given");
   if (!good)
     throw RefinementFailed("the " + (fine.escaped() ? "times of escape" : named_) +
                            " of two resolutions differ by more than the tolerance (" + history +

@@ -57,7 +57,7 @@ inline constexpr std::size_t many_steps = 16384;  ///< of a run that ends early
 
 /// What must agree, a function of two results with a name for messages: by default the end states.
 struct SameEnd {
-  std::string name = "end states";
+  std::string name = "final states";
 
   template <class Result>
   double operator()(const Result& coarse, const Result& fine) const {
@@ -117,7 +117,7 @@ void refuse_same_run(const Result& a, const Result& b) {
     if (a.run.steps > 0 && a.run.steps == b.run.steps && a.end.t == b.end.t && a.end.y == b.end.y &&
         a.end.v == b.end.v)
       throw std::logic_error("two resolutions are the same run of " + std::to_string(b.run.steps) +
-                             " steps, which proves nothing");
+                             " steps, so comparing them proves nothing");
 }
 
 /// Two results of `compute(method)` that agree to `tolerance`, by default in their end states. Throws RefinementFailed,

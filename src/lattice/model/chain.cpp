@@ -20,7 +20,8 @@ void vary(Chain& chain, const std::vector<double>& mass, const std::vector<doubl
   if (!std::all_of(eta.begin(), eta.end(), [](double k) { return k >= 0 && std::isfinite(k); }))
     throw std::invalid_argument("every contact stiffness must be finite and >= 0");
   if (chain.ends == Ends::periodic && !eta.empty() && eta.front() != eta.back())
-    throw std::invalid_argument("the first and last stiffness of a ring are those of one contact");
+    throw std::invalid_argument(
+        "the first and last stiffness of a ring belong to the same contact and must be equal");
   // If only the masses vary the stiffnesses are all one, and the other way round
   const bool varies = !mass.empty() || !eta.empty();
   const auto given = [&](const std::vector<double>& all, std::size_t count) {

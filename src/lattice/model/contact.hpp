@@ -73,7 +73,7 @@ struct CompressedHertz {
   static constexpr const char* name = "hertz";
   static constexpr auto parameters() {
     return std::array{Parameter<CompressedHertz>{
-        "precompression", "compression d of the contacts at rest", 0, 10, &CompressedHertz::d}};
+        "precompression", "static compression d of the contacts", 0, 10, &CompressedHertz::d}};
   }
 
   template <class T>
@@ -122,7 +122,7 @@ struct PowerContact {
     using P = Parameter<PowerContact>;
     return std::array{
         P{"alpha", "exponent of the contact force", 1, 10, &PowerContact::exponent},
-        P{"precompression", "compression d of the contacts at rest", 0, 10, &PowerContact::d}};
+        P{"precompression", "static compression d of the contacts", 0, 10, &PowerContact::d}};
   }
 
   template <class T>

@@ -117,7 +117,7 @@ void require_slopes(const Rows& rows) {
   const auto look = [&](const Row& slope, const Row& of, std::size_t at) {
     if (const auto found = other_slope(&rows.x[at], &of.at[at], slope.at[at]))
       throw complaint(rows.what, slope.name, "(", rows.x[at], ") is ", slope.at[at],
-                      ", and minus the slope of its ", of.name, " is ", *found, " there");
+                      ", but minus the slope of its ", of.name, " is ", *found, " there");
   };
   for (std::size_t k = 0; k < 2 * std::size(places); ++k) {
     if (k % std::size(places) < energy_places) look(rows.force, rows.energy, middle(k));
@@ -134,13 +134,14 @@ void require_rest(const Rows& rows) {
       throw complaint(rows.what, row.name, "(0) is ", row.at[0], " and must be 0: ", cure);
   };
   look(rows.energy, "subtract it");
-  look(rows.force, "count displacements from the place of rest");
+  look(rows.force, "measure displacements from the rest position");
 }
 
 }  // namespace
 
 void require_well(const OwnPotential& well, double rim) {
-  if (!(rim > 0)) throw complaint("well", "rim is ", rim, " and must be > 0 (infinite: none)");
+  if (!(rim > 0))
+    throw complaint("well", "rim is ", rim, " and must be > 0 (infinite if there is no rim)");
   const Rows rows = rows_about("well", well, 0, std::min(rim, 1.0));
   require_rest(rows);
   require_slopes(rows);
@@ -164,7 +165,7 @@ void require_contact(const OwnPotential& contact, double opening, double exponen
   const double pressed = rows.force.at[before], open = rows.force.at[beyond];
   if (pressed < open - 1e-9 * std::abs(open))
     throw complaint(what, "force(", rows.x[before], ") is ", pressed, " and must be at least ",
-                    open, ", that of an open contact: it pulls");
+                    open, ", that of an open contact: the contact pulls");
 }
 
 /**

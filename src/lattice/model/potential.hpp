@@ -97,7 +97,7 @@ class OwnPotential {
     if constexpr (std::is_same_v<T, double> || std::is_same_v<T, long double>)
       return kept_->row(which, x, out, n);
     throw std::logic_error(
-        "a potential of one's own is known in double and extended precision only");
+        "a user-defined potential is available in double and extended precision only");
   }
   template <class T>
   T energy(T x) const {

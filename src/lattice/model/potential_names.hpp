@@ -121,8 +121,8 @@ std::string why_not_named(const std::string& name, const Settings& given) {
   for (const auto& [key, value] : given)
     if (std::find(has.begin(), has.end(), key) == has.end())
       return "'" + name + "' has no parameter " + key +
-             (has.empty() ? ", nor any other" : " (it has " + comma_list(has) + ")");
-  return "'" + name + "' does not have all these parameters at once";
+             (has.empty() ? "; it has none" : " (it has " + comma_list(has) + ")");
+  return "'" + name + "' does not take these parameters together";
 }
 
 /// The first potential in the list that is called `name` and has all the given parameters: several types may share a

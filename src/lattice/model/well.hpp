@@ -61,7 +61,8 @@ struct Quartic {
   double s = 0;  ///< anharmonicity
   static constexpr const char* name = "quartic";
   static constexpr auto parameters() {
-    return std::array{Parameter<Quartic>{"s", "anharmonicity of the well", -10, 10, &Quartic::s}};
+    return std::array{Parameter<Quartic>{"s", "anharmonicity s of the well W = y^2/2 + s y^4/4",
+                                         -10, 10, &Quartic::s}};
   }
   /// (-s)^(-1/2) in a soft well, otherwise infinity.
   double rim() const { return s < 0 ? 1 / std::sqrt(-s) : std::numeric_limits<double>::infinity(); }
@@ -158,7 +159,7 @@ inline bool loses_digits(const Well& well) {
 
 /// What its author is told.
 inline constexpr const char* digits_hint =
-    "the force of the well loses its digits near zero, where the tail of a breather is: "
-    "write it with expm1, log1p, 2 sin^2(y/2) or the like";
+    "the force of the well loses digits near zero, in the tail of a breather: write it with expm1, "
+    "log1p, 2 sin^2(y/2) or the like";
 
 }  // namespace lattice

@@ -30,7 +30,7 @@ State<double> ansatz(Centre centre, double omega, std::size_t sites, Phase phase
                      const Contact& contact) {
   const double alpha = contact.exponent();
   if (!(alpha > 1))
-    throw std::invalid_argument("a breather needs contacts whose exponent is above one");
+    throw std::invalid_argument("a breather needs contacts with an exponent above one");
   const bool spheres = std::holds_alternative<Hertz>(contact);
   const double scale = size_of(contact, omega) * (phase == Phase::stretched ? -1 : 1);
   State<double> state(sites);
@@ -63,10 +63,10 @@ static void refuse_neighbours_in_phase(const Shooting<double>& problem,
   const double small = 0.05 * orbit.amplitude;
   for (std::size_t n = 1; n < y.size(); ++n)
     if (std::abs(y[n]) > small && std::abs(y[n - 1]) > small && y[n] * y[n - 1] > 0)
-      throw NewtonFailed(problem.name() +
-                             ": instead of the breather a motion is found in which "
-                             "neighbours are in phase",
-                         orbit.history);
+      throw NewtonFailed(
+          problem.name() +
+              ": Newton's method finds a motion with neighbours in phase instead of the breather",
+          orbit.history);
 }
 
 // Begin where the quasi-continuum profile is a good guess, and follow the branch from there
@@ -82,10 +82,12 @@ Orbit<double> find_breather(const Shooting<double>& problem, Phase phase,
   // In wells that do not fit the guess the method may end in another family, of large extended motions
   const double expected = sup<double>(from);
   if (start.amplitude > 3 * expected)
-    throw NewtonFailed(number_label(nearby.name() + ": instead of the breather a motion of size",
-                                    start.amplitude) +
-                           number_label(" is found, from a guess of size", expected),
-                       start.history);
+    throw NewtonFailed(
+        number_label(
+            nearby.name() + ": Newton's method finds, instead of the breather, a motion of size",
+            start.amplitude) +
+            number_label(" from a guess of size", expected),
+        start.history);
   refuse_neighbours_in_phase(nearby, start);
   if (nearby.omega == problem.omega) return start;
   Branch branch(nearby, along_omega<double>(problem.chain.contact.exponent()), start, 1, rule);
@@ -142,7 +144,7 @@ Chain between(const Chain& a, const Chain& b, double part) {
 Orbit<double> continue_to(Shooting<double> problem, const Orbit<double>& from,
                           const Chain& target) {
   if (target.sites != problem.chain.sites)
-    throw std::invalid_argument("a path leads between two chains of one length");
+    throw std::invalid_argument("continuation between two chains needs chains of equal length");
   NewtonRule<double> rule;
   rule.damped = true, rule.most_steps = 12, rule.reuse_below = 1e-9;
   const Chain start = problem.chain;
@@ -169,8 +171,8 @@ Orbit<double> continue_to(Shooting<double> problem, const Orbit<double>& from,
     if (step > 1.0 / 4096) continue;
     char text[160];
     std::snprintf(text, sizeof text,
-                  ": the path to this chain ends after %.3g of it, with contacts of exponent %.4g "
-                  "compressed by %.4g",
+                  ": continuation to this chain stops at the fraction %.3g, with contacts of "
+                  "exponent %.4g compressed by %.4g",
                   part, problem.chain.contact.exponent(), problem.chain.contact.opening());
     throw NewtonFailed(problem.name() + text, history);
   }
@@ -206,9 +208,10 @@ Shooting<T> breather_problem(Centre centre, const T& omega, const Well& well, st
         " and a site-centred one an odd number, at least 3 (got " +
         std::to_string(sites) + ")");
   if (well.stiffness(0.0) != 1)
-    throw std::invalid_argument("a breather needs wells whose frequency at rest is one");
+    throw std::invalid_argument("a breather needs wells with W''(0) = 1");
   if (!is_even(well))
-    throw std::invalid_argument("a breather with a centre needs wells with W(-y) = W(y)");
+    throw std::invalid_argument(
+        "a site- or bond-centred breather needs symmetric wells, W(-y) = W(y)");
   if (loses_digits(well)) throw std::invalid_argument(digits_hint);
   Shooting<T> problem;
   problem.chain.sites = sites;
@@ -245,7 +248,8 @@ Barrier<T> barrier(const Shooting<T>& site_problem, const Orbit<T>& site, const 
   T left = bond.area - site.area, neglected(0);
   const T rounding = std::numeric_limits<T>::epsilon() * magnitude(site.energy);
   for (int i = 0; i == 0 || neglected > rounding; ++i) {
-    if (i == 10) throw NewtonFailed("no site-centred breather of the other's area is found", {});
+    if (i == 10)
+      throw NewtonFailed("no site-centred breather with the bond-centred one's area is found", {});
     const T area_omega = shifted.period() * moved.energy_omega, change = left / area_omega;
     shifted.omega += change;
     moved.x += change * moved.x_omega;

@@ -160,7 +160,7 @@ Estimate frequency_of_zero(const BreatherPair& left, const BreatherPair& right,
   Estimate zero = last_steps<double>(low, high, omega, gap, slope);
   if (!(zero.error < 1e-8)) zero = last_steps<Wide>(low, high, omega, gap, slope);
   if (!(zero.error < 1e-3 * width))
-    throw std::runtime_error("no zero of the barrier found near " + std::to_string(omega));
+    throw std::runtime_error("no zero of the barrier is found near " + std::to_string(omega));
   return zero;
 }
 

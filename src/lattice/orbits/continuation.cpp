@@ -124,7 +124,7 @@ double Branch::fold(double finer) {
   double slope_before = slope();
   Vector<double> tangent_before = tangent_;
   for (int k = 0; slope() * slope_before > 0; ++k) {
-    if (k == most_steps) throw NoBranch("no fold within the steps allowed");
+    if (k == most_steps) throw NoBranch("no fold within the allowed number of steps");
     slope_before = slope();
     tangent_before = tangent_;
     advance();
@@ -151,8 +151,8 @@ Orbit<double> Branch::orbit_at(double target) {
     progress.reach((ell(z_) - start) / (goal - start));
     if (k == most_steps || (side * slope() < 0 && side * ell(z_) < side * goal))
       throw NoBranch("the branch does not reach " + std::to_string(target) +
-                     ": it turns back near " + std::to_string(parameter()) +
-                     ", and the family has no breather there");
+                     ": it folds back near " + std::to_string(parameter()) +
+                     ", so this family has no such breather");
   }
   const double width = ell(z_) - ell(before_);
   const double part = width != 0 ? (goal - ell(before_)) / width : 0;

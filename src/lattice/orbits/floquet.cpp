@@ -36,7 +36,7 @@ static T phase_defect(const Chain& chain, const State<T>& start, const State<T>&
 template <class T>
 Matrix<T> monodromy(const Chain& chain, const State<T>& start,
                     const std::type_identity_t<T>& duration, const EventTolerance<T>& rule) {
-  const Progress progress("tangent map");
+  const Progress progress("linearised flow");
   State<T> end = start;
   Tangent<T> tangent(chain.sites, 2 * chain.sites);
   if (!is_accurate(flow(chain, end, duration, rule, &tangent), rule))
@@ -47,7 +47,7 @@ Matrix<T> monodromy(const Chain& chain, const State<T>& start,
   const T off = phase_defect(chain, start, end, map);
   if (off > T(1e4) * std::max(rule.tolerance, std::numeric_limits<T>::epsilon()))
     throw NewtonFailed(
-        number_label("the tangent map misses a shift in time by", double(off)) +
+        number_label("the linearised flow does not reproduce a shift in time, by", double(off)) +
             ": the stiffness of a well or a contact is not minus the derivative of its force",
         {});
   return map;

@@ -43,7 +43,7 @@ Vector<T> solve_system(const Matrix<T>& matrix, const Vector<T>& right, double r
   if constexpr (std::is_floating_point_v<T>)
     return shortest_solution(matrix, right, rank);
   else
-    throw std::logic_error("this type solves as many equations as unknowns, no others");
+    throw std::logic_error("this number type solves only as many equations as unknowns");
 }
 
 // Measured by its own size, the tail of a breather counts as much as its centre
@@ -88,8 +88,9 @@ void refuse_size(const Equations<T>& equations, const Vector<T>& guess, const Ve
   const bool rests = now <= T(1e-6) * begin;
   if (!rests && !(now > T(30) * begin)) return;
   char why[80];
-  std::snprintf(why, sizeof why, "it %s, from a guess of size %.2g to %.2g",
-                rests ? "shrinks to rest" : "leaps off", double(begin), double(now));
+  std::snprintf(why, sizeof why, "the iterate %s, from size %.2g to %.2g",
+                rests ? "shrinks to rest" : "grows far beyond the guess", double(begin),
+                double(now));
   throw failure(equations, why, so_far);
 }
 
@@ -110,7 +111,7 @@ T damping(const Equations<T>& equations, const Vector<T>& step, const T& last,
     const Evaluation<T> at = equations.evaluate(trial, rule.events, false);
     if (relative_residual(equations, at, trial, rule) < last) return share;
   }
-  throw failure(equations, "no step lowers the residual", best);
+  throw failure(equations, "no Newton step lowers the residual", best);
 }
 
 }  // namespace
@@ -132,14 +133,14 @@ Solution<T> newton(const Equations<T>& equations, Vector<T> x, const NewtonRule<
     const T residual = relative_residual(equations, at, x, rule);
     best.history.push_back({double(residual), 0});
     if (!(residual < T(rule.scaled ? 1e300 : 1e3)))
-      throw failure(equations, "Newton runs away", best);
+      throw failure(equations, "Newton's method diverges", best);
     // Keep the better point, and stop once rounding keeps a small residual from falling further
     const bool small = last <= rule.converged_below(), better = residual < last;
     if (better || !small) best.evaluation = std::move(at), best.x = x;
     if (small && !(residual < last / T(4))) {
       if (!better) best.history.pop_back();
       if (is_accurate(best.evaluation.flow, rule.events)) return best;
-      throw failure(equations, "the integration is not accurate enough for an orbit", best);
+      throw failure(equations, "the integration is not accurate enough for a periodic orbit", best);
     }
     // Step on, with care as long as the orbit is far away
     last = residual;
@@ -150,7 +151,7 @@ Solution<T> newton(const Equations<T>& equations, Vector<T> x, const NewtonRule<
     const bool far = last > rule.converged_below();
     x -= (rule.damped && far ? damping(equations, step, last, best, rule) : T(1)) * step;
   }
-  throw failure(equations, "Newton does not converge", best);
+  throw failure(equations, "Newton's method does not converge", best);
 }
 
 #define LATTICE_INSTANCES(T)                                                           \
