@@ -62,12 +62,13 @@ std::vector<OnChart> report_multipliers(Report& report, const Chart& site, const
   const auto columns = [](const std::string& of) {
     return Columns{
         number("fourth_" + of, "distance of the fourth multiplier from +1; nan: no breather"),
-        number("excess_" + of, "largest modulus of all minus one"),
-        number("others_" + of, "largest modulus beside the four minus one")};
+        number("excess_" + of, "largest modulus of all multipliers minus one"),
+        number("others_" + of,
+               "largest modulus of the multipliers other than the four, minus one")};
   };
   Table& table = report.table(
       "multiplier_chart", {number("omega", "frequency"), number("s", "anharmonicity"),
-                           estimate("kappa_bond", "of the pinning pair around a bond", "",
+                           estimate("kappa_bond", "kappa of the pinning pair around a bond", "",
                                     "symplectic defect, against the neighbouring rows; may be nan"),
                            columns("site"), columns("bond")});
   std::vector<OnChart> seen;
@@ -222,19 +223,20 @@ void report_exchanges(Report& report, const Chart& grid) {
   Table& map = report.table(
       "chart",
       {number("omega", "frequency"), number("s", "anharmonicity"),
-       estimate("kappa", "of the pinning pair around a site; nan where the family has ended", "",
-                "symplectic defect, against the neighbouring rows; may be nan"),
-       number("sign", "of kappa: +1 where the pinning pair is off the circle; may be nan")});
+       estimate("kappa", "kappa of the pinning pair around a site; nan where the family has ended",
+                "", "symplectic defect, against the neighbouring rows; may be nan"),
+       number("sign",
+              "sign of kappa: +1 where the pinning pair is off the unit circle; may be nan")});
   for (const auto& column : grid)
     for (const Node& n : column)
       map.add({n.spot.omega_b, n.spot.s, n.kappa(), n.defect(),
                n.exists() ? (n.kappa() > 0 ? 1.0 : -1.0) : n.kappa()});
 
   // The curves of exchange, point by point
-  Table& curve =
-      report.table("exchange_curves",
-                   {number("omega", "frequency"), number("s", "anharmonicity at the exchange"),
-                    number("error", "of the coordinate along which it was found")});
+  Table& curve = report.table(
+      "exchange_curves",
+      {number("omega", "frequency"), number("s", "anharmonicity at the exchange of stability"),
+       number("error", "error of the coordinate along which it was found")});
   const std::vector<CrossedEdge> edges = exchanges_of(grid);
   int lost = 0;
   for (const CrossedEdge& c : edges) {
@@ -298,12 +300,15 @@ std::vector<ExchangePair> report_windows(Report& report, const Chart& grid) {
   const std::vector<ExchangePair> edges = exchange_pairs(grid, report.quick);
   // A width below its error is not reported
   Table& table = report.table(
-      "windows", {estimate("omega_site", "exchange of the site-centred breather, s = 0"),
-                  estimate("omega_bond", "exchange of the bond-centred breather"),
-                  estimate("width", "omega_bond - omega_site; nan where it is below its error", "",
-                           "of both together, against the largest; may be nan"),
-                  number("s", "anharmonicity: zero"),
-                  label("between", "what the pinning pairs of both are between the two")});
+      "windows",
+      {estimate("omega_site",
+                "frequency at the exchange of stability of the site-centred breather, s = 0"),
+       estimate("omega_bond",
+                "frequency at the exchange of stability of the bond-centred breather, s = 0"),
+       estimate("width", "omega_bond - omega_site; nan where it is below its error", "",
+                "combined error of the two, against the largest; may be nan"),
+       number("s", "anharmonicity, zero"),
+       label("between", "state of the two pinning pairs between the two frequencies")});
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const auto& [site, bond] = edges[k].found;
     const bool known = edges[k].resolved();
@@ -374,15 +379,18 @@ void report_between(Report& report, const std::vector<ExchangePair>& edges) {
     });
 
     // It begins and ends at the two exchanges themselves, the first and the last row
-    Table& table =
-        report.table(name, {number("centre", "Q, sites from the site at which it begins", "site"),
-                            estimate("parameter", "s, or omega_b"),
-                            estimate("offset", "parameter minus that of the exchange at the site",
-                                     "", "of both, against the largest"),
-                            number("share", "(E - E_site) / (E_bond - E_site) at equal frequency"),
-                            estimate("kappa", "of its pinning pair: positive where it is unstable",
-                                     "", "from two tolerances, against the largest"),
-                            estimate("largest_modulus", "of all its multipliers")});
+    Table& table = report.table(
+        name,
+        {number("centre", "centre Q, in sites from the site where the branch begins", "site"),
+         estimate("parameter", "parameter of the branch, s or omega_b"),
+         estimate(
+             "offset",
+             "parameter minus its value at the exchange of stability of the site-centred breather",
+             "", "combined error of the two, against the largest"),
+         number("share", "(E - E_site) / (E_bond - E_site) at equal frequency"),
+         estimate("kappa", "kappa of its pinning pair; positive where it is unstable", "",
+                  "from two tolerances, against the largest"),
+         estimate("largest_modulus", "largest modulus of all its multipliers")});
     const Estimate &site = edge.found[0].place, &bond = edge.found[1].place;
     const Estimate zero{};
     const auto largest = [&, &cut = cut, &edge = edge](std::size_t k) {

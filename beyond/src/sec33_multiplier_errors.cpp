@@ -102,11 +102,12 @@ void report_defect(Report& report) {
   };
   const Matrix<double> map = map_at({}), coarser = map_at(rule<double>(1).events);
   Table& table = report.table(
-      "defect", {label("source", "noise, or a loosened tolerance"),
-                 number("delta", "size of the change of the matrix"),
-                 number("displacement", "of the four multipliers next to +1, the largest"),
-                 number("excess", "largest distance of a modulus from one, among the four"),
-                 number("kappa_change", "change of kappa")});
+      "defect",
+      {label("source", "source of the error: noise, or a loosened tolerance"),
+       number("delta", "size of the change of the matrix"),
+       number("displacement", "largest displacement among the four multipliers next to +1"),
+       number("excess", "largest distance of a modulus from one, among the four"),
+       number("kappa_change", "change of kappa")});
   const auto add = [&](const char* source, double delta, const Damage& d) {
     table.add({source, delta, d.displacement, d.excess, d.kappa});
   };
@@ -315,13 +316,15 @@ void report_printed(Report& report) {
       {label("method", "how the matrix is computed, and what the setting means"),
        number("setting", "tolerance, or increment relative to the amplitude"),
        number("error_of_matrix", "largest error of an entry at s = 0, either centre"),
-       number("s0_site", "exchange that it gives around a site; nan where none in [-1, 1]"),
+       number("s0_site",
+              "exchange of stability that it gives for the site-centred breather; nan where none "
+              "lies in [-1, 1]"),
        number("spread_site",
-              "its difference from the one that every second well gives; may be nan"),
-       count("zeros_site", "changes of the sign of kappa around a site"),
+              "difference between s0_site and the value from every second s; may be nan"),
+       count("zeros_site", "number of sign changes of kappa around a site"),
        number("s0_bond", "as s0_site, around a bond; may be nan"),
        number("spread_bond", "as spread_site, around a bond; may be nan"),
-       count("zeros_bond", "changes of the sign of kappa around a bond")});
+       count("zeros_bond", "number of sign changes of kappa around a bond")});
   for (std::size_t t = 0; t < trials.size(); ++t) {
     const auto zeros = [&](std::size_t centre) {
       const auto from = kappa.begin() + std::ptrdiff_t(t * around.size() + centre * wells);

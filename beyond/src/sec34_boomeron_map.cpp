@@ -74,9 +74,10 @@ Sweep turning_map_sweep(const std::filesystem::path& folder, const MapGrid& grid
       number("velocity", "impact velocity"),
       number("s", "anharmonicity of the well"),
       number("kappa", "the scaled hardness chi = s v0^(3/2)"),
-      count("fate", "0 escapes, 1 turns, 2 stays, 3 undecided or not the same at two steps"),
-      number("apex", "furthest mean centre of a packet that turns; nan for others", "site"),
-      number("apex_difference", "of two steps", "site")};
+      count("fate",
+            "0 escapes, 1 turns back, 2 stays, 3 undecided or different for two time steps"),
+      number("apex", "farthest mean centre of a packet that turns back; nan for others", "site"),
+      number("apex_difference", "difference between two time steps", "site")};
   std::ostringstream key;
   key << grid.columns << " x " << grid.rows << " points, kappa from " << grid.least << " to "
       << grid.most;
@@ -204,11 +205,11 @@ void report_law(Report& report) {
   });
   const Law law = fit_law(c);
   Table& table = report.table(
-      "critical_s",
-      {number("velocity", "impact velocity"), number("root_velocity", "its square root"),
-       estimate("s", "anharmonicity from which on the packet does not pass site 40", "",
-                "two steps and the last interval"),
-       number("kappa", "chi = s v0^(3/2)"), number("law", "chi_0 + chi_1 v0^(1/2)")});
+      "critical_s", {number("velocity", "impact velocity"),
+                     number("root_velocity", "square root of the impact velocity"),
+                     estimate("s", "anharmonicity above which the packet does not pass site 40", "",
+                              "from two time steps and the last interval of the bisection"),
+                     number("kappa", "chi = s v0^(3/2)"), number("law", "chi_0 + chi_1 v0^(1/2)")});
   std::vector<double> log_v, log_s;
   for (std::size_t i = 0; i < count; ++i) {
     const double v = c.velocity[i], root = std::sqrt(v);
@@ -258,10 +259,13 @@ void report_horizons(Report& report) {
     return Cells{p.site, p.velocity, Estimate{p.s.value * scale, p.s.error * scale}};
   };
   report
-      .table("contours",
-             {number("site", "of the turning point", "site"), number("velocity", "impact velocity"),
-              estimate("kappa", "chi = s v0^(3/2)", "",
-                       "two steps and the last interval, against the largest")})
+      .table(
+          "contours",
+          {number("site", "site of the turning point", "site"),
+           number("velocity", "impact velocity"),
+           estimate(
+               "kappa", "chi = s v0^(3/2)", "",
+               "from two time steps and the last interval of the bisection, against the largest")})
       .fill(points, row, "horizons");
 
   // At each horizon the value at v0 = 0.1 and the limit
@@ -360,13 +364,14 @@ The points of the map are independent, so several machines can share them. `sec3
 rows` computes every eighth point from the second on and keeps it in the folder; without `--part` the command collects
 what is there, computes what is missing and prints the whole map. */
 struct TurningMap : MapPart {
-  static constexpr Title title{"map", "the map of turning, or a part of it"};
+  static constexpr Title title{"map",
+                               "map of the impacts whose packets turn back, or a part of the map"};
   MapGrid grid{};
 
   void parameters(Parameters& p) {
     MapPart::parameters(p);
-    p.add("columns", grid.columns, "impact velocities", {2, 1000});
-    p.add("rows", grid.rows, "anharmonicities", {2, 1000});
+    p.add("columns", grid.columns, "number of impact velocities", {2, 1000});
+    p.add("rows", grid.rows, "number of anharmonicities", {2, 1000});
   }
   Table table() const {
     Sweep sweep = turning_map_sweep(folder, grid);

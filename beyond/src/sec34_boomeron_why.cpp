@@ -122,8 +122,8 @@ void report_experiments(Report& report) {
   Table& tracks =
       report.table("experiments",
                    {count("experiment",
-                          "0 waves left, 1 absorbed behind, 2 absorbed at the end, then cut at "
-                          "60, 120, 200, 300"),
+                          "0: all waves kept, 1: absorbed behind the packet, 2: absorbed at the "
+                          "struck end, then waves removed at t = 60, 120, 200, 300"),
                     number("t", "time"), number("centre", "centre of the packet, smoothed", "site"),
                     number("energy", "energy of the packet, smoothed")});
   for (std::size_t k = 0; k < list.size(); ++k) {
@@ -181,10 +181,13 @@ void report_distance(Report& report) {
   };
   report
       .table("force_against_distance",
-             {number("s", "anharmonicity"), number("cut", "time of the cut, 0: never"),
-              count("behind", "waves are left up to so many sites behind, 0: all", "site"),
+             {number("s", "anharmonicity"),
+              number("cut", "time at which the waves are removed; 0: never"),
+              count("behind", "waves are kept up to this many sites behind the packet; 0: all",
+                    "site"),
               number("force", "acceleration of the centre", "site per squared unit of time"),
-              number("force_uncertainty", "fit and step", "site per squared unit of time")})
+              number("force_uncertainty", "from the fit and the time step",
+                     "site per squared unit of time")})
       .fill(list, row, "distances");
   for (const WakeAcceleration& p : list) {
     const std::string name = p.s == 0 ? "linear" : p.cut > 0 ? "cut" : "waves";
@@ -224,15 +227,16 @@ void report_budgets(Report& report) {
     fine[k] = budget(cases[k].impact, step / 2, 100, 220);
   });
   Table& table = report.table(
-      "budgets", {number("s", "anharmonicity"),
-                  count("behind", "waves are left up to so many sites behind, 0: all", "site"),
-                  number("packet", "change of the packet's energy"),
-                  number("near", "of the energy up to 15 sites behind its centre"),
-                  number("far", "of the energy further behind"),
-                  number("friction", "energy that friction took"),
-                  number("push_behind", "mean force of the contact behind the packet"),
-                  number("push_ahead", "mean force of the contact ahead of it"),
-                  number("wells", "mean force of its wells, backward")});
+      "budgets",
+      {number("s", "anharmonicity"),
+       count("behind", "waves are kept up to this many sites behind the packet; 0: all", "site"),
+       number("packet", "change of the packet's energy"),
+       number("near", "change of the energy up to 15 sites behind the packet's centre"),
+       number("far", "change of the energy farther behind"),
+       number("friction", "energy dissipated by the absorbing layer"),
+       number("push_behind", "mean force of the contact behind the packet"),
+       number("push_ahead", "mean force of the contact ahead of it"),
+       number("wells", "mean force of its wells, backwards")});
   for (std::size_t k = 0; k < cases.size(); ++k) {
     const Budget& b = fine[k];
     table.add({cases[k].impact.s, cases[k].impact.behind, b.packet, b.near, b.far, b.friction,
@@ -276,11 +280,11 @@ struct Packet {
 
 Columns with_fates(const Columns& which) {
   return {which,
-          count("behind", "waves are left up to so many sites behind, 0: all", "site"),
+          count("behind", "waves are kept up to this many sites behind the packet; 0: all", "site"),
           count("fate", "0 goes on, 1 returns, 2 trapped"),
-          count("fate_coarse", "the same with twice the step"),
-          number("furthest", "furthest mean centre by the end of the run", "site"),
-          number("when", "time of it")};
+          count("fate_coarse", "fate with twice the time step"),
+          number("furthest", "farthest mean centre by the end of the run", "site"),
+          number("when", "time at which it is reached")};
 }
 
 void report_late_fates(Report& report) {
@@ -296,8 +300,9 @@ void report_late_fates(Report& report) {
     return p.row({p.impact.velocity, p.impact.cut});
   };
   report
-      .table("late_fates", with_fates({number("velocity", "impact velocity"),
-                                       number("cut", "time of the cut, 0: never")}))
+      .table("late_fates",
+             with_fates({number("velocity", "impact velocity"),
+                         number("cut", "time at which the waves are removed; 0: never")}))
       .fill(list, row, "packets");
 
   // How many of five return, for each distance
@@ -387,9 +392,10 @@ void report_inside(Report& report) {
       4, [&](std::size_t i) { rows[i] = gauge(impacts[i / 2], i % 2 ? step / 2 : step, 420); });
   Table& along = report.table(
       "packet_inside",
-      {count("experiment", "0 waves left, 1 absorbed behind"), number("t", "time"),
-       number("centre", "centre of the packet", "site"), number("energy", "its energy"),
-       number("area", "its area"), number("omega", "its frequency")});
+      {count("experiment", "0: all waves kept, 1: absorbed behind the packet"), number("t", "time"),
+       number("centre", "centre of the packet", "site"), number("energy", "energy of the packet"),
+       number("area", "area of the packet (2 pi times the action)"),
+       number("omega", "frequency of the packet")});
   for (int k : {0, 1})
     for (const Inside& r : rows[2 * k + 1]) along.add({k, r.t, r.site, r.energy, r.area, r.omega});
 
@@ -397,10 +403,11 @@ void report_inside(Report& report) {
   const BreathersAtRest f = breathers_at_rest(hard);
   Table& rest = report.table(
       "breathers_at_rest",
-      {number("omega", "frequency"), number("energy_bond", "energy, bond-centred"),
-       number("energy_site", "energy, site-centred"), number("area_bond", "area, bond-centred"),
-       number("area_site", "area, site-centred"),
-       number("barrier", "E_site - E_bond at equal area")});
+      {number("omega", "frequency"), number("energy_bond", "energy of the bond-centred breather"),
+       number("energy_site", "energy of the site-centred breather"),
+       number("area_bond", "area of the bond-centred breather (2 pi times the action)"),
+       number("area_site", "area of the site-centred breather (2 pi times the action)"),
+       number("barrier", "E_site - E_bond at equal area (2 pi times the action)")});
   for (std::size_t k = 0; k < f.gap.size(); ++k)
     rest.add({f.bond[k].omega, f.bond[k].energy, f.site[k].energy, f.bond[k].area, f.site[k].area,
               f.gap[k]});
@@ -437,11 +444,11 @@ void report_waves(Report& report) {
   });
 
   // Every trial, so that one sees how much they scatter
-  Table& table =
-      report.table("waves_beside", {number("s", "anharmonicity of the well"),
-                                    count("side", "-1 waves on the left, 1 on the right"),
-                                    count("trial", "number of the draw"), number("t", "time"),
-                                    number("displacement", "of the centre, smoothed", "site")});
+  Table& table = report.table(
+      "waves_beside", {number("s", "anharmonicity of the well"),
+                       count("side", "-1: waves on the left, 1: on the right"),
+                       count("trial", "number of the random draw"), number("t", "time"),
+                       number("displacement", "displacement of the centre, smoothed", "site")});
   table.meta = {{"seed", std::to_string(phase_seed)}};
   for (std::size_t k = 0; k < list.size(); ++k) {
     const Path p = smooth(list[k].path, path_smoothing);

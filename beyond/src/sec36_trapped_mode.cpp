@@ -40,7 +40,7 @@ ImpactRun approach(const StruckArray& blow, double step) {
   const auto before = [&](const State<double>& now, const auto&) { return now.y[d - 5] == 0; };
   ImpactRun run = strike(EventCorrected{step}, blow.impact(1, 200, 1), before);
   if (run.end.y[d - 1] != 0 || run.end.y[d - 5] == 0)
-    throw NoPacket("the packet does not come to the defect as expected");
+    throw NoPacket("the packet does not reach the defect as expected");
   return run;
 }
 
@@ -107,10 +107,10 @@ Stays report_trapping(Report& report, const StruckArray& blow) {
     stays[i / 2][i % 2] = stay(blow, radii[i / 2].first, start[i % 2], {steps[i % 2], steps[0]});
   });
 
-  Table& table =
-      report.table("trapping", {number("ratio", "radius of the defect's beads over the others'"),
-                                number("t", "time", "ms"),
-                                estimate("near", "share of the energy on sites 96 to 104")});
+  Table& table = report.table(
+      "trapping",
+      {number("ratio", "radius of the defect's beads divided by that of the others"),
+       number("t", "time", "ms"), estimate("near", "fraction of the energy on sites 96 to 104")});
   for (std::size_t i = 0; i < stays.size(); ++i) {
     const auto& [coarse, fine] = stays[i];
     for (std::size_t k = 0; k < fine.t.size(); ++k)
@@ -181,9 +181,10 @@ void report_mode(Report& report, const StruckArray& blow, const Stays& stays) {
   };
   const auto run = nine_sites(fine.density, defect), breather = mode(256);
   Table& table = report.table(
-      "trapped_mode", {count("n", "site"), number("run", "share of the energy in the impact's run"),
-                       number("mode", "share of the energy in the breather"),
-                       number("y", "displacement of the breather at rest", "um")});
+      "trapped_mode",
+      {count("n", "site"), number("run", "fraction of the energy in the run of the impact"),
+       number("mode", "fraction of the energy in the breather"),
+       number("y", "displacement of the breather when all beads are at rest", "um")});
   for (std::size_t i = 0; i < breather.size(); ++i)
     table.add({defect - 3 + i, run[i], breather[i],
                orbit.start.y[middle - 4 + i] * blow.scales.xi() * 1e6});

@@ -126,9 +126,9 @@ void report_maps(Report& report, const BeamArray& beams) {
   });
   Table& table = report.table(
       "maps",
-      {number("ratio", "amplitude over the asymptotic threshold"),
+      {number("ratio", "amplitude divided by the asymptotic threshold"),
        number("t", "middle of the time interval", "ms"), count("n", "bead", "site"),
-       number("energy", "largest energy of the bead in the interval, without contacts", "J")});
+       number("energy", "largest energy of the bead in the interval, contacts excluded", "J")});
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < bins * drawn; ++k)
       table.add({ratios[i], beams.milliseconds((double(k / drawn) + 0.5) * time / double(bins)),
@@ -177,12 +177,11 @@ end on the orbit to a millionth of $a$, or the program stops.
 void report_orbits(Report& report, const BeamArray& beams) {
   DrivenChain array = beams.driven({By::piston, 1.1}, 10);
   const SolutionCurve curve = non_emitting(array, 64, 0.1, 0.8);
-  Table& orbits =
-      report.table("quiet_orbits", {number("amplitude", "of the piston", "um"),
-                                    number("response",
-                                           "of the first bead in the orbit, its amplitude at the "
-                                           "beginning of a period",
-                                           "um")});
+  Table& orbits = report.table(
+      "quiet_orbits",
+      {number("amplitude", "of the piston", "um"),
+       number("response", "amplitude of the first bead in the orbit, at the beginning of a period",
+              "um")});
   for (const Vector<double>& x : curve.points)
     orbits.add({beams.micrometres(x[20]), beams.micrometres(std::hypot(x[0], x[10]))});
 
@@ -268,11 +267,13 @@ std::vector<Fold> report_folds(Report& report, const BeamArray& beams) {
   parallel_for(folds.size(), [&](std::size_t i) {
     folds[i].amplitude = fold_of(beams, folds[i].by, folds[i].omega);
   });
-  Table& table = report.table(
-      "folds",
-      {label("by", "what is driven"), number("delta", "distance from the beams' frequency"),
-       number("frequency", "of the drive", "Hz"), estimate("fold", "amplitude of the fold", "um"),
-       number("law", "its asymptotic value as delta -> 0", "um"), estimate("ratio", "of the two")});
+  Table& table =
+      report.table("folds", {label("by", "drive: piston or base"),
+                             number("delta", "relative detuning from the beams' frequency"),
+                             number("frequency", "frequency of the drive", "Hz"),
+                             estimate("fold", "amplitude of the drive at the fold", "um"),
+                             number("law", "asymptotic value of the fold as delta -> 0", "um"),
+                             estimate("ratio", "ratio fold / law")});
   for (const Fold& f : folds) {
     const double law = threshold_law(f.by, f.omega);
     const Estimate ratio{f.amplitude.value / law, f.amplitude.error / law};
@@ -395,15 +396,19 @@ void report_thresholds(Report& report, const BeamArray& beams, const std::vector
   }
   Table& table = report.table(
       "thresholds",
-      {label("name", "of the case in the facts"), label("by", "what is driven"),
-       label("way", "first packet, slowly up or at once; lasting emission, at once or slowly down"),
-       number("delta", "distance from the beams' frequency"),
-       number("frequency", "of the drive", "Hz"),
-       number("threshold", "amplitude above which packets come", "um"),
-       number("rougher", "the same from rougher runs", "um"),
-       number("bracket", "between the highest quiet amplitude and the lowest that emits", "um"),
-       number("over_fold", "the same over the fold"),
-       number("over_law", "and over the asymptotic threshold")});
+      {label("name", "name of the case in the facts"), label("by", "drive: piston or base"),
+       label("way",
+             "criterion and ramp: first packet, amplitude raised slowly or at once; lasting "
+             "emission, set at once or lowered slowly"),
+       number("delta", "relative detuning from the beams' frequency"),
+       number("frequency", "frequency of the drive", "Hz"),
+       number("threshold", "amplitude above which packets are emitted", "um"),
+       number("rougher", "threshold from coarser runs", "um"),
+       number("bracket",
+              "distance between the highest non-emitting amplitude and the lowest emitting one",
+              "um"),
+       number("over_fold", "threshold divided by the fold"),
+       number("over_law", "threshold divided by the asymptotic threshold")});
   // In units of the fold, and in micrometres
   table.fill(points, [&](const std::pair<Way, Fold>& point) {
     const auto& [way, f] = point;
@@ -476,22 +481,25 @@ double spread(const std::vector<double>& passages, double time) {
 
 Sweep chart_of(const std::filesystem::path& folder, const BeamArray& beams, bool quick, Part part) {
   const std::size_t frequencies = quick ? 2 : 7, amplitudes = quick ? 3 : 10;
-  Sweep sweep{folder,
-              "chart",
-              {number("delta", "distance from the beams' frequency"),
-               number("frequency", "of the piston", "Hz"),
-               number("ratio", "amplitude over the asymptotic threshold"),
-               number("amplitude", "of the piston", "um"),
-               count("kind", "0 quiet, 1 periodic, 2 irregular or fewer than four packets"),
-               count("kind_rough", "the same for half the time and steps twice as long"),
-               number("rate", "packets that pass the detector site", "1/s"),
-               number("rate_rough", "the same for half the time and steps twice as long", "1/s"),
-               number("spread", "relative standard deviation of their intervals; -1: too few"),
-               number("power", "mean power of the drive", "W"),
-               number("power_rough", "the same for half the time and steps twice as long", "W"),
-               number("far", "largest displacement of the last bead", "um")},
-              frequencies * amplitudes,
-              std::string("chart of a driven array, ") + (quick ? "quick" : "full")};
+  Sweep sweep{
+      folder,
+      "chart",
+      {number("delta", "relative detuning from the beams' frequency"),
+       number("frequency", "of the piston", "Hz"),
+       number("ratio", "amplitude divided by the asymptotic threshold"),
+       number("amplitude", "of the piston", "um"),
+       count("kind",
+             "0: no emission, 1: periodic emission, 2: irregular, or fewer than four packets"),
+       count("kind_rough", "the same for half the time and steps twice as long"),
+       number("rate", "packets per second that pass the detector site", "1/s"),
+       number("rate_rough", "the same for half the time and steps twice as long", "1/s"),
+       number("spread",
+              "relative standard deviation of the intervals between packets; -1: too few packets"),
+       number("power", "mean power of the drive", "W"),
+       number("power_rough", "the same for half the time and steps twice as long", "W"),
+       number("far", "largest displacement of the last bead", "um")},
+      frequencies * amplitudes,
+      std::string("chart of a driven array, ") + (quick ? "quick" : "full")};
   const auto kind = [](const Sent& sent, double time) {
     const double gaps = spread(sent.passages, time);
     return sent.passages.empty() ? 0 : gaps >= 0 && gaps < 0.1 ? 1 : 2;
@@ -611,14 +619,16 @@ void report_packets(Report& report) {
 
   // What each packet is
   const auto seen = [](const std::string& name, const std::string& meaning) {
-    return Columns{number(name, meaning), number(name + "_spread", "largest difference of looks")};
+    return Columns{number(name, meaning),
+                   number(name + "_spread", "largest difference between repeated measurements")};
   };
   Table& table = report.table(
       "strengths",
-      {number("strength", "amplitude of the piston over the asymptotic threshold"),
-       seen("phase", "from site to site"), seen("family", "shift time and phase over 2 pi"),
-       seen("energy_ratio", "energy over that of the family's member"),
-       seen("width_ratio", "width over that of the family's member")});
+      {number("strength", "amplitude of the piston divided by the asymptotic threshold"),
+       seen("phase", "phase advance from site to site"),
+       seen("family", "(shift time + phase) / 2 pi"),
+       seen("energy_ratio", "energy divided by that of the family member"),
+       seen("width_ratio", "width divided by that of the family member")});
   std::vector<Estimate> family(count), energy(count), width(count);
   for (std::size_t i = 0; i < count; ++i) {
     family[i] = looks[i](family_of);
@@ -716,16 +726,16 @@ does not tell what follows; runs do.
 `drive` tells what comes out of one drive, `packet` what a packet is, `chart --part 1/10` computes a tenth of the chart.
 */
 struct OneDrive : DrivenArray {
-  static constexpr Title title{"drive", "what a driven array sends out"};
+  static constexpr Title title{"drive", "packets that a driven array emits"};
 
   void parameters(Parameters& p) {
-    p.add("frequency", frequency, "of the drive in Hz", {500, 20000, "Hz"});
-    p.add("amplitude", amplitude, "of piston or base in micrometres", {0, 200, "um"});
-    p.add("by", by, "what is driven: a piston that touches the first bead, or the first base",
+    p.add("frequency", frequency, "frequency of the drive in Hz", {500, 20000, "Hz"});
+    p.add("amplitude", amplitude, "amplitude of the piston or base in micrometres", {0, 200, "um"});
+    p.add("by", by, "type of drive: a piston that touches the first bead, or the first base",
           {{"piston", By::piston}, {"base", By::base}});
-    p.add("lifetime", lifetime, "of the energy of a beam that swings freely, in ms",
+    p.add("lifetime", lifetime, "lifetime of the energy of a freely oscillating beam, in ms",
           {0.5, 1e6, "ms"});
-    p.add("time", duration, "how long the drive lasts, in ms; shorter than 20 ms is a transient",
+    p.add("time", duration, "duration of the drive in ms; less than 20 ms is a transient",
           {20, 500, "ms"});
   }
   Table table() const {
@@ -739,44 +749,51 @@ struct OneDrive : DrivenArray {
 
 /// Shift time, phase, energy and width of one packet, and what they are over those of a breather of the families.
 struct OnePacket {
-  static constexpr Title title{"packet", "what a packet of a driven or struck array is"};
+  static constexpr Title title{
+      "packet",
+      "one packet of a driven or struck array, compared with the family of travelling breathers"};
   double strength = 1.3, lifetime = 0;
   std::size_t which = 1, from = 12, beads = 16;
 
   void parameters(Parameters& p) {
     p.add("strength", strength,
-          "amplitude of the piston over the asymptotic threshold; 0: an impact of 1 m/s", {0, 2.4});
-    p.add("lifetime", lifetime, "of the energy of a beam, in ms; 0: no losses", {0, 1e6, "ms"});
-    p.add("which", which, "packet that comes to the first bead", {1, 5});
-    p.add("from", from, "first bead of the stretch on which it is measured", {5, 70});
-    p.add("beads", beads, "length of the stretch", {8, 40});
+          "amplitude of the piston divided by the asymptotic threshold; 0: an impact at 1 m/s "
+          "instead",
+          {0, 2.4});
+    p.add("lifetime", lifetime,
+          "lifetime of the energy of a freely oscillating beam, in ms; 0: no losses",
+          {0, 1e6, "ms"});
+    p.add("which", which, "number of the packet, in the order of arrival at bead --from", {1, 5});
+    p.add("from", from, "first bead of the stretch over which the packet is measured", {5, 70});
+    p.add("beads", beads, "length of this stretch", {8, 40});
   }
   Table table() const {
     // Beyond the members that we have there is no ratio
     const Looks looks = look_at(strength, lifetime, {from, from + beads, which});
     const Families families;
     const std::string beyond =
-        "at least one of four looks lies outside of the members that we "
-        "have: family 2 to 5, phase -0.4 to 0.75";
+        "at least one of four measurements lies outside the computed members: family 2 to 5, phase "
+        "-0.4 to 0.75";
     Answers q;
     q.add("shift_time", looks([](const Traveller& p) { return p.shift_time; }), "tau_c",
-          "time from site to site");
+          "shift time: the time from site to site");
     q.add_small("phase", looks(phase_of), "",
-                "phase from site to site, in the frame of a free bead");
+                "phase advance from site to site, in the rotating frame of a single bead");
     q.add("family", looks(family_of), "",
-          "shift time and phase over 2 pi, a whole number for an exact breather");
+          "(shift time + phase) / 2 pi, a whole number for an exact breather");
     q.add("energy", looks([](const Traveller& p) { return p.energy; }), "units of the chain",
-          "geometric mean in time of the energy on the seven sites about the peak");
+          "geometric mean over time of the energy on the seven sites about the peak");
     q.add("energy_ratio", families.ratio(looks, &Traveller::energy), "",
-          "energy over that of the family's member with this shift time and phase", beyond);
+          "energy divided by that of the family member with this shift time and phase", beyond);
     q.add("width_ratio", families.ratio(looks, &Traveller::width), "",
-          "mean participation number of these sites over that of the same member", beyond);
+          "mean participation number of these sites divided by that of the same member", beyond);
     return q.table;
   }
 };
 
 struct Chart : MapPart {
-  static constexpr Title title{"chart", "a part of the chart over frequency and amplitude"};
+  static constexpr Title title{
+      "chart", "chart of the emission over frequency and amplitude of the drive, or a part of it"};
 
   Table table() const { return chart_of(folder, {}, false, mine()).table(mine()); }
 };

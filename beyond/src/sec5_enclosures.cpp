@@ -85,11 +85,11 @@ ball. Its components are then tightened until the tail, too, is known to many di
 [0.00536](num:sec5_enclosures.norm_site) and [0.00536](num:sec5_enclosures.norm_bond), the largest
 displacements [0.0504](num:sec5_enclosures.u0_site) and [0.0462](num:sec5_enclosures.u0_bond). */
 void report_strains(Report& report, const DpsBreather<double>& b, const std::string& who) {
-  Table& table =
-      report.table("strains" + who,
-                   {count("n", "contact, from the centre outwards"),
-                    number("lower", "lower bound of |u_(n+1) - u_n|, mu = 1"),
-                    number("upper", "upper bound"), number("relative", "width over lower bound")});
+  Table& table = report.table(
+      "strains" + who,
+      {count("n", "contact, counted from the centre outwards"),
+       number("lower", "lower bound of |u_(n+1) - u_n|, mu = 1"), number("upper", "upper bound"),
+       number("relative", "width of the interval divided by the lower bound")});
   for (std::size_t n = 0; n < b.r.size(); ++n)
     table.add({n, b.r[n].lower, b.r[n].upper, (b.r[n].upper - b.r[n].lower) / b.r[n].lower});
 }
@@ -112,7 +112,7 @@ in the ball, around a bond [480](num:sec5_enclosures.discarded_bond) and [68](nu
 None remains, else the program would stop here. */
 Table search_table(const std::vector<Piece<double>>& pieces) {
   Table table{{number("from", "lower end of the interval of r_0"), number("to", "upper end"),
-               count("contact", "at which the interval is decided"),
+               count("contact", "contact at which the interval is decided"),
                count("inside", "1 if its profiles lie in the ball of uniqueness, 0 if discarded")}};
   for (const Piece<double>& p : pieces)
     table.add({p.r_0.lower, p.r_0.upper, p.contact, std::int64_t(p.decision == Decision::inside)});
@@ -154,7 +154,7 @@ solution that starts close cannot leave. If its norm is slightly different, we c
 the same norm. */
 void report_eigenvalues(Report& report, const DpsBreather<double>& b, const std::string& who) {
   Table& table = report.table("eigenvalues" + who,
-                              {count("k", "number of the eigenvalue of M"),
+                              {count("k", "index of the eigenvalue of M"),
                                number("lower", "lower bound"), number("upper", "upper bound")});
   for (std::size_t k = 1; k <= 4; ++k) {
     const Interval<double> m = contact_eigenvalue(b, k);
@@ -182,7 +182,7 @@ higher of the two and, at fixed norm, a local *maximum* of $H$. [](finding:dps.e
 DpsBarrier<double> certain_barrier(const Both& both) {
   const DpsBarrier<double> barrier = dps_barrier(both.site, both.bond);
   if (!(barrier.equal_mu > Interval<double>(0) && barrier.equal_norm < Interval<double>(0)))
-    throw Failure("barrier of the DpS equation: its signs are not certain");
+    throw Failure("barrier of the DpS equation: its signs are not decided");
   return barrier;
 }
 
@@ -206,13 +206,13 @@ const std::pair<int, int> omega_b{11, 10};
 
 Table bound_table(const Column& which) {
   return {{which, number("kappa", "beta: norm of the inverse minus one"),
-           number("delta", "how badly the matrix is inverted"),
-           number("epsilon", "what broken lines miss of the operator"),
-           number("residual", "of the guess, in the supremum norm"),
-           number("eta", "how far the map moves the guess"),
-           number("q", "factor of the contraction in the large ball"),
-           number("unique_radius", "radius of the large ball"),
-           number("radius", "radius of the small ball, in which the solution is")}};
+           number("delta", "defect of the approximate inverse of the matrix"),
+           number("epsilon", "error of the operator on piecewise linear functions"),
+           number("residual", "residual of the approximation, in the supremum norm"),
+           number("eta", "distance by which the map moves the approximation"),
+           number("q", "contraction factor in the large ball"),
+           number("unique_radius", "radius of the large ball, in which the solution is unique"),
+           number("radius", "radius of the small ball, which contains the solution")}};
 }
 
 void report_chain(Report& report) {
@@ -255,7 +255,7 @@ constexpr std::pair<int, const char*> signs[] = {{1, "plus"}, {-1, "minus"}};
 
 void report_kernel_waves(Report& report) {
   Table& bounds =
-      report.output.add("wave_bounds", bound_table(label("sign", "of the central velocity")));
+      report.output.add("wave_bounds", bound_table(label("sign", "sign of the central velocity")));
   std::vector<EnclosedWave> found(2);
   WaveFineness fine;
   if (report.quick) fine.per_turn /= 4;
@@ -273,14 +273,14 @@ void report_kernel_waves(Report& report) {
   const Interval<double> action = found[0].action - found[1].action,
                          energy = found[0].energy - found[1].energy, zero;
   if (!report.quick && !(action < zero && energy < zero))
-    throw Failure("waves of the kernel equation: their order is not certain");
+    throw Failure("waves of the kernel equation: their order is not decided");
   report.facts.add("wave_action_difference", estimate_of(action), "plus minus minus");
   report.facts.add("wave_energy_difference", estimate_of(energy), "plus minus minus");
 }
 
 // Between which radii the lemma proves something
 void report_lemma(Report& report) {
-  Table& table = report.table("lemma", {number("radius", "of the ball, in strains"),
+  Table& table = report.table("lemma", {number("radius", "radius of the ball, in strains"),
                                         number("site", "eta / radius + q, site-centred"),
                                         number("bond", "the same, bond-centred")});
   const DpsGuess<double> site = dps_guess<double>(Centre::site),
@@ -299,8 +299,8 @@ void report_lemma(Report& report) {
 those for the chain and `sec5_enclosures wave --sign minus` those for the kernel equation. The barriers belong to
 both centres. A quantity that cannot be certified is not printed. */
 struct EnclosureTable {
-  Table table{{label("quantity", "what is enclosed"), number("lower", "lower bound"),
-               number("upper", "upper bound"), label("meaning", "what the quantity is, in words")}};
+  Table table{{label("quantity", "name of the enclosed quantity"), number("lower", "lower bound"),
+               number("upper", "upper bound"), label("meaning", "meaning of the quantity")}};
   void add(const std::string& quantity, const Interval<double>& x, const std::string& meaning) {
     table.add({quantity, x.lower, x.upper, meaning});
   }
@@ -309,8 +309,8 @@ struct EnclosureTable {
 constexpr const char* certified = "A quantity that cannot be certified is not printed.";
 
 struct EnclosedDps {
-  static constexpr Title title{"dps", "bounds for a breather of the DpS equation at mu = 1",
-                               certified};
+  static constexpr Title title{
+      "dps", "rigorous bounds on a static breather of the DpS equation, mu = 1", certified};
   Centre centre = Centre::site;
 
   void parameters(Parameters& p) {
@@ -324,9 +324,8 @@ struct EnclosedDps {
     EnclosureTable bounds;
     bounds.add("u0", b.largest(), "largest |u_n| of the breather");
     bounds.add("norm", b.norm(), "sum of u_n^2 over all sites");
-    bounds.add(
-        "second_eigenvalue", contact_eigenvalue(b, 2),
-        "second largest eigenvalue of the linearised contacts, which decides on the stability");
+    bounds.add("second_eigenvalue", contact_eigenvalue(b, 2),
+               "second largest eigenvalue of the linearised contacts, which decides the stability");
     bounds.add("exponent", root(abs(square_of_exponent(contact_eigenvalue(b, 2)))),
                "modulus of the exponent of the second eigenvalue, a growth rate if its square is "
                "positive");
@@ -341,7 +340,9 @@ struct EnclosedDps {
 // For the chain there is one frequency, that of the article's example
 struct EnclosedBreather {
   static constexpr Title title{
-      "breather", "bounds for a breather of the chain in linear wells, omega_b = 1.1", certified};
+      "breather",
+      "rigorous bounds on a static breather of the chain in linear wells, omega_b = 1.1",
+      certified};
   Centre centre = Centre::site;
 
   void parameters(Parameters& p) {
@@ -363,19 +364,22 @@ enum class Sign { plus = 1, minus = -1 };
 
 struct EnclosedWaves {
   static constexpr Title title{
-      "wave", "bounds for an exact travelling breather in linear wells, T = 2 pi", certified};
+      "wave",
+      "rigorous bounds on an exact travelling breather in linear wells, shift time T = 2 pi",
+      certified};
   Sign sign = Sign::plus;
 
   void parameters(Parameters& p) {
-    p.add("sign", sign, "of the central velocity", {{"plus", Sign::plus}, {"minus", Sign::minus}});
+    p.add("sign", sign, "sign of the central velocity",
+          {{"plus", Sign::plus}, {"minus", Sign::minus}});
   }
   Table table() const {
     const EnclosedWave w = enclose_wave(int(sign));
     EnclosureTable bounds;
-    bounds.add("energy", w.energy, "energy of the whole lattice that carries the wave, Eq. (6)");
+    bounds.add("energy", w.energy, "energy of the whole chain that carries the wave, Eq. (6)");
     bounds.add("peak", w.peak, "largest compression of a contact");
     bounds.add("action", w.action,
-               "integral over all times of d_+^(5/2), d being the compression of a contact");
+               "integral over all times of d_+^(5/2), with d the compression of a contact");
     return bounds.table;
   }
 };

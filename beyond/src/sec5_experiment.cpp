@@ -201,19 +201,20 @@ const Packet& find(const std::vector<DampedPacket>& all, double velocity, double
 
 // Each quantity from the runs, and beside it what the law predicts
 Columns damped_columns() {
-  return {number("velocity", "impact velocity", "m/s"),
-          number("lifetime", "of the energy; 0: no damping", "ms"),
-          estimate("sites", "travelled in 10 ms, by the strongest pushes", "site"),
-          number("sites_law", "the same from the slow clock", "site"),
-          estimate("periods", "oscillations in 10 ms"),
-          number("periods_law", "the same from the slow clock"),
-          estimate("centre", "of the energy at 10 ms, from one", "site"),
-          number("centre_law", "the same from the slow clock", "site"),
-          estimate("speed", "at 10 ms", "site/s", "difference of two resolutions; 0 at rest"),
-          number("speed_law", "the same from the slow clock", "site/s"),
-          estimate("frequency", "at 10 ms", "Hz"),
-          number("frequency_law", "the same from the slow clock", "Hz"),
-          number("budget", "energy and losses against the energy at the start, relative")};
+  return {
+      number("velocity", "impact velocity", "m/s"),
+      number("lifetime", "lifetime of the energy of a beam; 0: no damping", "ms"),
+      estimate("sites", "distance travelled in 10 ms, by the strongest contact forces", "site"),
+      number("sites_law", "the same, from the slow clock", "site"),
+      estimate("periods", "oscillations in 10 ms"),
+      number("periods_law", "the same, from the slow clock"),
+      estimate("centre", "centre of the energy at 10 ms, the first bead being 1", "site"),
+      number("centre_law", "the same, from the slow clock", "site"),
+      estimate("speed", "speed at 10 ms", "site/s", "difference of two resolutions; 0 at rest"),
+      number("speed_law", "the same, from the slow clock", "site/s"),
+      estimate("frequency", "frequency at 10 ms", "Hz"),
+      number("frequency_law", "the same, from the slow clock", "Hz"),
+      number("budget", "relative difference between energy plus losses and the initial energy")};
 }
 
 void report_distances(Report& report, const std::vector<DampedPacket>& all) {
@@ -322,10 +323,10 @@ void report_sights(Report& report) {
     packets[i] = two_runs(1, lifetime, 0, ms, step(report.quick));
   });
   Table& table = report.table(
-      "sights", {number("lifetime", "of the energy", "ms"),
-                 number("resolution", "velocity that the sensor resolves", "m/s"),
-                 estimate("seen", "place where the packet falls below the resolution", "site"),
-                 number("seen_law", "the same from the slow clock", "site")});
+      "sights", {number("lifetime", "lifetime of the energy of a beam", "ms"),
+                 number("resolution", "smallest velocity that the sensor resolves", "m/s"),
+                 estimate("seen", "site at which the packet falls below the resolution", "site"),
+                 number("seen_law", "the same, from the slow clock", "site")});
   Estimate off{};
   for (std::size_t i = 0; i < count; ++i) {
     const Packet law = slowed(packets[count], lifetimes[i]);
@@ -357,11 +358,11 @@ void report_contacts(Report& report) {
       report.quick ? std::vector{0.9} : std::vector{0.98, 0.95, 0.9, 0.8};
   Table& table = report.table(
       "contacts",
-      {number("restitution", "of two cantilevers at 1 m/s"),
-       number("contact", "the time A of the contacts' law", "us"),
-       estimate("sites", "travelled in 10 ms without damping of the beams", "site"),
-       estimate("periods", "oscillations in 10 ms"), estimate("speed", "at 10 ms", "site/s"),
-       number("budget", "energy and losses against the energy at the start, relative")});
+      {number("restitution", "coefficient of restitution of two cantilevers at 1 m/s"),
+       number("contact", "time constant A of the contact law", "us"),
+       estimate("sites", "distance travelled in 10 ms without damping of the beams", "site"),
+       estimate("periods", "oscillations in 10 ms"), estimate("speed", "speed at 10 ms", "site/s"),
+       number("budget", "relative difference between energy plus losses and the initial energy")});
   Estimate quoted{};
   table.fill(values, [&](double restitution) {
     const double viscous = contact_loss(restitution, units.velocity(1));
@@ -425,11 +426,14 @@ per cent off its branch. Friction does not destroy the breathers: they pass thro
 void report_decay(Report& report) {
   const double nu = units.rate(ten_ms), joule = units.unit_energy(), h = step(report.quick);
   Table& table = report.table(
-      "decay", {count("bond", "1 around a bond, 0 around a site"), number("t", "time", "ms"),
-                estimate("frequency", "of the decaying breather, over that of a beam"),
-                estimate("energy", "mean over a period", "J"),
-                number("energy_branch", "of the exact breather with this frequency", "J"),
-                number("area_law", "area of that breather over what friction prescribes")});
+      "decay",
+      {count("bond", "1: bond-centred, 0: site-centred"), number("t", "time", "ms"),
+       estimate("frequency", "frequency of the decaying breather divided by that of a beam"),
+       estimate("energy", "energy of the decaying breather, mean over a period", "J"),
+       number("energy_branch", "energy of the exact breather with this frequency", "J"),
+       number("area_law",
+              "area of that breather (2 pi times the action) divided by the value that friction "
+              "prescribes")});
   double worst = 0;
   for (Centre centre : {Centre::site, Centre::bond}) {
     const bool bond = centre == Centre::bond;
@@ -499,13 +503,13 @@ void report_instability(Report& report) {
   const auto spectrum = contact_spectrum(stationary<double>(Centre::site, 1.0, 31));
   const double limit = std::sqrt(lambda_squared(1.0, spectrum.m[1]));
   Table& table = report.table(
-      "instability", {number("omega", "frequency at the start, over that of a beam"),
-                      number("epsilon", "multiplier minus one; 0: pair on the circle"),
-                      number("scaled_growth", "growth rate over omega - 1"),
+      "instability", {number("omega", "initial frequency divided by that of a beam"),
+                      number("epsilon", "multiplier minus one; 0: pair on the unit circle"),
+                      number("scaled_growth", "growth rate divided by omega - 1"),
                       estimate("quality_e",
-                               "quality factor with which a shift grows e-fold before a hundredth "
-                               "of the energy is left"),
-                      estimate("lifetime_e", "the lifetime that belongs to it", "ms")});
+                               "quality factor at which a shift grows e-fold before only a "
+                               "hundredth of the energy is left"),
+                      estimate("lifetime_e", "lifetime with this quality factor", "ms")});
   for (std::size_t k = report.quick ? 8 : 60; k < members.size(); k += report.quick ? 2 : 4) {
     // The branch below a member, and every second one of it
     const BranchMember& start = members[k];
@@ -585,9 +589,10 @@ struct DampedArray {
   void parameters(Parameters& p) {
     p.add("velocity", velocity, "velocity of the impact on the first bead, in m/s",
           {0.1, 2, "m/s"});
-    p.add("lifetime", lifetime, "of the energy of a beam that swings freely, in ms",
+    p.add("lifetime", lifetime, "lifetime of the energy of a freely oscillating beam, in ms",
           {0.5, 1e6, "ms"});
-    p.add("restitution", restitution, "of two cantilevers that meet at 1 m/s", {0.5, 1});
+    p.add("restitution", restitution,
+          "coefficient of restitution of two cantilevers that collide at 1 m/s", {0.5, 1});
   }
   Table table() const;
 };
@@ -610,22 +615,22 @@ Table DampedArray::table() const {
   // How far, how fast, and where the energy is
   Answers q;
   q.add("sites_10ms", of_travelled(&Travelled::sites), "sites",
-        "distance of the packet from the first contact in the 10 ms after the impact, by the "
-        "strongest push of each contact");
+        "distance of the packet from the first contact 10 ms after the impact, by the strongest "
+        "force of each contact");
   q.add("periods_10ms", of_travelled(&Travelled::oscillations), "",
         "oscillations of the packet over this distance");
   q.add_small("speed", of_travelled(&Travelled::speed, units.per_second(1)), "sites/s",
               "speed of the packet after 10 ms, over its last five sites; 0 if it has stopped");
   q.add("period", of_travelled(&Travelled::period, units.milliseconds(1)), "ms",
         "period of the packet's oscillation after 10 ms");
-  q.add_small(
-      "budget", of([](const Arrivals& a) { return a.budget; }), "",
-      "energy and losses less the energy of the impact, relative to it: zero but for errors");
+  q.add_small("budget", of([](const Arrivals& a) { return a.budget; }), "",
+              "energy plus losses minus the energy of the impact, relative to it; zero up to "
+              "numerical errors");
   q.add("centre_10ms", of([&](const Arrivals& a) { return centre_after(a, t10); }), "site",
-        "centre of the energy of the whole array after 10 ms, from the first bead as one");
+        "centre of the energy of the whole array after 10 ms, the first bead being 1");
   q.add("slow_clock", exact(units.milliseconds(slow_clock(units.rate(lifetime), t10))), "ms",
-        "what the clock of the DpS field with these beams shows after 10 ms: without any losses "
-        "the centre of the energy is about as far then; the strongest push is not");
+        "slow time of the damped DpS field after 10 ms; at this time the centre of the energy has "
+        "come about as far in the array without losses, but the strongest contact force has not");
   return q.table;
 }
 

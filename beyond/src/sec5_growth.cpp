@@ -56,18 +56,19 @@ detuning, $|k|>|a|$. Rates go like $|A|^{1/2}$, so $|A| = 1$ throughout; a bead 
 | $\epsilon$ | `eps` | amplitude scale of the chain | */
 void report_chart(Report& report) {
   const int points = report.quick ? 20 : 60;
-  Table& growth = report.table("growth", {number("q", "wavenumber q of the plane wave", "1/site"),
-                                          number("modulation", "wavenumber Q", "1/site"),
-                                          number("growth", "per unit of slow time, at |A| = 1")});
+  Table& growth =
+      report.table("growth", {number("q", "wavenumber q of the plane wave", "1/site"),
+                              number("modulation", "wavenumber Q", "1/site"),
+                              number("growth", "growth rate per unit of slow time, at |A| = 1")});
   for (int i = 0; i < points; ++i)
     for (int k = 0; k < points; ++k) {
       const double q = pi * (0.4 + 0.6 * (i + 0.5) / points), Q = pi * (k + 0.5) / points;
       growth.add({q, Q, DpsWave<double>{q}.growth(Q)});
     }
-  Table& edge =
-      report.table("edge", {number("q", "wavenumber q of the plane wave", "1/site"),
-                            number("edge", "of the band", "1/site"),
-                            number("fastest", "modulation that grows fastest", "1/site")});
+  Table& edge = report.table(
+      "edge", {number("q", "wavenumber q of the plane wave", "1/site"),
+               number("edge", "edge Q_* of the unstable band", "1/site"),
+               number("fastest", "wavenumber Q of the fastest-growing modulation", "1/site")});
   for (int i = 1; i <= 400; ++i) {
     const DpsWave<double> wave{pi / 2 * (1 + i / 400.0)};
     edge.add({wave.q, wave.edge(), wave.fastest()});
@@ -150,10 +151,11 @@ void report_chain(Report& report) {
   Table& table = report.table(
       "chain_growth",
       {count("sites", "length of the ring", "site"), number("q", "wavenumber", "1/site"),
-       number("eps", "amplitude scale"), number("dps", "largest growth on the ring, DpS equation"),
-       estimate("growth", "the same in the chain"),
-       estimate("apart", "size of its relative difference"),
-       estimate("shift_apart", "relative difference of the frequency shift, its size")});
+       number("eps", "amplitude scale"),
+       number("dps", "largest growth rate on the ring in the DpS equation"),
+       estimate("growth", "largest growth rate on the ring in the chain"),
+       estimate("apart", "modulus of the relative difference of the growth rates"),
+       estimate("shift_apart", "modulus of the relative difference of the frequency shifts")});
   std::vector<double> sizes{1e-2, 1e-3, 1e-4};
   if (!report.quick) sizes.insert(sizes.end(), {1e-5, 1e-6, 1e-7});
   table.fill(chain_points(waves_tried(), sizes), [](const ChainPoint& p) {
@@ -233,9 +235,9 @@ double growth_below_quarter(std::size_t steps) {
 void report_marginal(Report& report) {
   const std::vector<ModulatedWave> waves{{8, 2, 4}, {39, 11, 0}};
   Table& table = report.table(
-      "marginal_growth",
-      {count("sites", "length of the ring", "site"), number("q", "wavenumber", "1/site"),
-       number("eps", "amplitude scale"), estimate("growth", "largest on the ring, in the chain")});
+      "marginal_growth", {count("sites", "length of the ring", "site"),
+                          number("q", "wavenumber", "1/site"), number("eps", "amplitude scale"),
+                          estimate("growth", "largest growth rate on the ring, in the chain")});
   const std::vector<double> sizes{1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7};
   table.fill(chain_points(waves, sizes), [](const ChainPoint& p) {
     return Cells{
@@ -365,11 +367,12 @@ void report_leftovers(Report& report) {
   // The breathers of the finer runs, one by one
   Table& table = report.table(
       "breathers",
-      {number("q", "wavenumber q of the plane wave", "1/site"), count("seed", "of the noise"),
-       number("born", "slow time"), number("lived", "slow time"), number("norm", "on five sites"),
-       number("energy", "of their contacts"), number("static_energy", "of a static one"),
-       number("speed", "slope of its path", "site per unit of slow time"),
-       number("strayed", "from its lowest place to its highest", "site")});
+      {number("q", "wavenumber q of the plane wave", "1/site"), count("seed", "seed of the noise"),
+       number("born", "slow time of its birth"), number("lived", "lifetime in slow time"),
+       number("norm", "norm on five sites"), number("energy", "contact energy of these sites"),
+       number("static_energy", "energy of a static breather with this norm"),
+       number("speed", "speed: slope of the path", "site per unit of slow time"),
+       number("strayed", "range of the path, from the lowest position to the highest", "site")});
   for (const Leftover& r : runs[1])
     for (const BreatherTrack& b : r.found)
       table.add({2 * pi * r.waves / 64, std::int64_t(r.seed), b.born, b.lived, b.norm, b.energy,

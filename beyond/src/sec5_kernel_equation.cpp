@@ -201,10 +201,10 @@ constexpr StopRule rule{1e-10, 60000, 25};
 Table ascent_table(const std::vector<Ascent>& all, std::size_t shown) {
   double top = 0;
   for (const Ascent& a : all) top = std::max(top, a.quotient());
-  Table table{
-      {count("start", "number of the random start"), count("step", "steps taken"),
-       number("quotient", "Q after the step"),
-       number("log_missing", "log10 of what is missing to the largest of all starts, relative")}};
+  Table table{{count("start", "number of the random start"), count("step", "number of steps taken"),
+               number("quotient", "Q after the step"),
+               number("log_missing",
+                      "log10 of the relative distance from the largest value of all starts")}};
   for (std::size_t i = 0; i < std::min(shown, all.size()); ++i) {
     const auto& q = all[i].quotients;
     for (std::size_t j = 0; j < q.size(); j += j < 50 ? 1 : j / 50)
@@ -280,14 +280,15 @@ their errors, the phase of the larger quotient is pinned and that of the other i
 void report_quotients(Report& report, const std::vector<TwoSigns>& all) {
   Table& table = report.table(
       "quotients",
-      {number("alpha", "exponent of the contacts"), estimate("plus", "quotient of the sign plus"),
-       estimate("minus", "quotient of the sign minus"),
-       estimate("difference", "of the quotients, plus minus minus, relative", "",
-                "against the largest: difference of two grids"),
-       number("log_difference", "log10 of its modulus, at least -16"),
-       estimate("kappa_plus", "of the phase; nan where it is rounding", "",
+      {number("alpha", "exponent of the contacts"),
+       estimate("plus", "Q of the wave with the sign plus"),
+       estimate("minus", "Q of the wave with the sign minus"),
+       estimate("difference", "relative difference of the quotients, sign plus minus sign minus",
+                "", "against the largest: difference of two grids"),
+       number("log_difference", "log10 of the modulus of the difference, at least -16"),
+       estimate("kappa_plus", "kappa of the internal phase; nan where it is rounding", "",
                 "against the largest: difference of two grids and tolerances; may be nan"),
-       estimate("kappa_minus", "of the phase; nan where it is rounding", "",
+       estimate("kappa_minus", "kappa of the internal phase; nan where it is rounding", "",
                 "against the largest: difference of two grids and tolerances; may be nan")});
   int compared = 0, agree = 0;
   const auto certain = [](const Estimate& e) { return std::abs(e.value) > e.error; };
@@ -344,8 +345,8 @@ positive for *both* signs, though iterations from the disturbed wave minus retur
 pinned phase in the table and not everywhere. */
 void report_kernel(Report& report) {
   Table& table =
-      report.table("kernel", {count("k", "oscillations a site"), number("turns", "sigma over 2 pi"),
-                              number("kernel", "K(sigma)")});
+      report.table("kernel", {count("k", "oscillations per site"),
+                              number("turns", "sigma over 2 pi"), number("kernel", "K(sigma)")});
   for (std::size_t k : {1, 2})
     for (int i = -400; i <= 400; ++i) {
       const double turns = i / 160.0;
@@ -355,14 +356,14 @@ void report_kernel(Report& report) {
 
 void report_bounds(Report& report, const std::vector<TwoGridWave>& all) {
   Table& table = report.table(
-      "waves",
-      {count("k", "oscillations a site"), count("sign", "of the central velocity"),
-       estimate("energy", "energy"), estimate("action", "integral of d_+^(5/2)"),
-       estimate("quotient", "action to the power -1/5"), estimate("peak", "largest compression"),
-       count("contacts", "intervals in which a contact is closed"),
-       number("scaled_energy", "energy times k^4"),
-       number("bound", "of the quotient, by Young's inequality"),
-       number("least_peak", "lower bound of the peak")});
+      "waves", {count("k", "oscillations per site"), count("sign", "sign of the central velocity"),
+                estimate("energy", "energy"), estimate("action", "integral of d_+^(5/2)"),
+                estimate("quotient", "Q, the action to the power -1/5"),
+                estimate("peak", "largest compression"),
+                count("contacts", "number of time intervals in which a contact is closed"),
+                number("scaled_energy", "energy times k^4"),
+                number("bound", "upper bound of the quotient, by Young's inequality"),
+                number("least_peak", "lower bound of the peak")});
   for (const TwoGridWave& w : all) {
     const Estimate energy = w(&KernelWave::energy);
     table.add({w.k, w.sign, energy, w(&KernelWave::action), w(&KernelWave::quotient),
@@ -411,10 +412,10 @@ zero and positive somewhere. So the proof holds with no other change for
 // A profile is symmetric, and its tail falls so fast that only the logarithm shows it
 void report_profiles(Report& report, const std::vector<TwoGridWave>& all) {
   Table& table = report.table(
-      "profiles", {count("k", "oscillations a site"), count("sign", "of the central velocity"),
-                   number("turns", "t over 2 pi"),
+      "profiles", {count("k", "oscillations per site"),
+                   count("sign", "sign of the central velocity"), number("turns", "t over 2 pi"),
                    estimate("d", "compression", "", "against the largest: difference of two grids"),
-                   number("log_d", "log10 of its modulus over the peak")});
+                   number("log_d", "log10 of |d| divided by the peak")});
   for (const TwoGridWave& w : all)
     for (int i = 0; i <= 600; ++i) {
       const double turns = i / 100.0;

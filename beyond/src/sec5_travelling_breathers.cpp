@@ -189,11 +189,12 @@ void add_profile(Table& table, const Exact& e, const Orbit<double>& orbit,
 Each orbit shown is computed on both chains; the difference is the error in the table. */
 void report_profiles(Report& report, const std::vector<Exact>& shown) {
   Table& table = report.table(
-      "profiles", {count("k", "oscillations a site"), count("sign", "of the central velocity"),
-                   count("n", "site", "site"), number("y", "position at t = 0"),
-                   number("v", "velocity at t = 0"),
-                   estimate("log_size", "log10 of the larger modulus of both over the amplitude",
-                            "", "against the largest: difference of two chain lengths")});
+      "profiles",
+      {count("k", "oscillations per site"), count("sign", "sign of the central velocity"),
+       count("n", "site", "site"), number("y", "position at t = 0"),
+       number("v", "velocity at t = 0"),
+       estimate("log_size", "log10 of the larger of |y| and |v|, divided by the amplitude", "",
+                "against the largest: difference of two chain lengths")});
   std::vector<Orbit<double>> orbits(2 * shown.size());
   parallel_for(orbits.size(), [&](std::size_t i) {
     orbits[i] = lengthened(shown[i / 2], i % 2 ? shorter : longer);
@@ -221,7 +222,7 @@ void add_map(Table& table, int which, const Chain& chain, State<double> state, d
 
 void report_maps(Report& report, const Exact& orbit) {
   Table& table = report.table(
-      "maps", {count("packet", "0 exact, 1 of an impact"), number("t", "time"),
+      "maps", {count("packet", "0: exact breather, 1: packet of an impact"), number("t", "time"),
                count("n", "site", "site"), number("log_e", "log10 of the energy density")});
   const Chain chain{120};
   add_map(table, 0, chain, embed(orbit.orbit.start, chain.sites, 0), 0, 0);

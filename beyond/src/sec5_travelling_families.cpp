@@ -148,17 +148,18 @@ Cells row_of(const Family& f, const Orbit<double>& member, double step) {
 }
 
 const Table& report_left_behind(Report& report, const std::vector<Family>& all, double step) {
-  Table& table =
-      report.table("left_behind",
-                   {count("k", "where the family begins"), count("sign", "of the central velocity"),
-                    number("turns", "shift time over 2 pi"), number("energy", "energy"),
-                    estimate("tail", "|1 - exp(-iT)| |V|, over the amplitude", "",
-                             "against the largest tail: from the equation left out"),
-                    number("log_tail", "its log10"),
-                    estimate("beads", "amplitude of the beads left behind, over that of the member",
-                             "", "against the largest: difference of two steps"),
-                    number("log_beads", "its log10"),
-                    number("log_pulse", "log10 of |1 - exp(-iT)| |g(1)|, over the amplitude")});
+  Table& table = report.table(
+      "left_behind",
+      {count("k", "k of the type I orbit at which the family begins"),
+       count("sign", "sign of the central velocity"), number("turns", "shift time over 2 pi"),
+       number("energy", "energy"),
+       estimate("tail", "|1 - exp(-iT)| |V| divided by the amplitude", "",
+                "against the largest tail: from the equation left out"),
+       number("log_tail", "log10 of tail"),
+       estimate("beads", "amplitude of the beads left behind, divided by that of the member", "",
+                "against the largest: difference of two steps"),
+       number("log_beads", "log10 of beads"),
+       number("log_pulse", "log10 of |1 - exp(-iT)| |g(1)| divided by the amplitude")});
   for (const Family& f : all)
     table.fill(
         f.members, [&](const Orbit<double>& member) { return row_of(f, member, step); }, "members");
@@ -245,9 +246,9 @@ std::vector<Twice> all_orbits(const std::vector<Family>& all, std::size_t slowes
 void report_orbit_chart(Report& report, const std::vector<Twice>& orbits) {
   Table& table = report.table(
       "orbits",
-      {count("type", "1 or 2"), count("k", "where the family begins"),
-       count("sign", "of the central velocity"),
-       estimate("turns", "shift time over 2 pi", "", "difference of two precisions, 0 where exact"),
+      {count("type", "1 or 2"), count("k", "k of the type I orbit at which the family begins"),
+       count("sign", "sign of the central velocity"),
+       estimate("turns", "shift time over 2 pi", "", "difference of two precisions; 0 where exact"),
        number("speed", "speed", "site per unit of time"),
        estimate("energy", "energy", "", "difference of two computations"),
        number("central_velocity", "velocity of the central bead at t = 0")});
@@ -306,9 +307,9 @@ void report_folds(Report& report, const std::vector<Start>& starts) {
 
 // Branches of slow orbits need few steps
 Table branch_table(const std::vector<Start>& starts, int steps) {
-  Table table{{count("k", "where the branch begins at s = 0"),
-               count("direction", "of s at the start"),
-               count("sign", "of the central velocity at s = 0"),
+  Table table{{count("k", "k of the orbit at which the branch begins, s = 0"),
+               count("direction", "direction in which s changes at the start"),
+               count("sign", "sign of the central velocity at s = 0"),
                number("s", "anharmonicity of the well"), number("turns", "shift time over 2 pi"),
                number("speed", "speed", "site per unit of time"), number("energy", "energy")}};
   std::vector<std::vector<Place>> ways(2 * starts.size());
@@ -374,7 +375,7 @@ Cells crossing(std::size_t k, Branch& branch) {
 }
 
 Table exact_at_one(const std::vector<Start>& starts) {
-  Table table{{count("k", "where the branch begins at s = 0"),
+  Table table{{count("k", "k of the orbit at which the branch begins, s = 0"),
                estimate("speed", "speed", "site per unit of time", "difference of two precisions"),
                estimate("energy", "energy", "", "difference of two precisions")}};
   std::vector<std::vector<Cells>> rows(starts.size());
@@ -415,10 +416,11 @@ void report_boomeron(Report& report, const Table& exact_orbits, const Path& coar
 }
 
 void report_packet(Report& report, const Path& p) {
-  Table& table = report.table("packet_at_one",
-                              {number("t", "time"), number("centre", "smoothed centre", "site"),
-                               number("speed", "of the smoothed centre", "site per unit of time"),
-                               number("energy", "smoothed energy of the packet")});
+  Table& table =
+      report.table("packet_at_one",
+                   {number("t", "time"), number("centre", "smoothed centre of the packet", "site"),
+                    number("speed", "speed of the smoothed centre", "site per unit of time"),
+                    number("energy", "smoothed energy of the packet")});
   for (std::size_t i = 1; i + 1 < p.t.size(); i += 2)
     table.add({p.t[i], p.centre[i], speed_in(p, i), p.energy[i]});
 }

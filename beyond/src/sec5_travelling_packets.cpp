@@ -131,14 +131,14 @@ void report_courses(Report& report, const std::vector<double>& velocities,
   const std::string two = "difference of two frames and steps";
   Table& table = report.table(
       "courses",
-      {number("velocity", "of the impact"), number("t", "time"),
-       number("site", "centre of the packet", "site"), number("log_site", "its log10"),
+      {number("velocity", "velocity of the impact"), number("t", "time"),
+       number("site", "centre of the packet", "site"), number("log_site", "log10 of site"),
        estimate("left", "amplitude of the bead left behind", "", two),
-       number("log_left", "log10 of the amplitude"),
-       estimate("angle", "phase from one bead left behind to the next", "",
+       number("log_left", "log10 of left"),
+       estimate("angle", "phase difference between one bead left behind and the next", "",
                 "against the largest: " + two),
-       number("inverse_angle", "one over the angle"),
-       number("speed", "mean speed since the last row", "site per unit of time"),
+       number("inverse_angle", "inverse of the angle"),
+       number("speed", "mean speed since the previous row", "site per unit of time"),
        number("turns", "shift time over 2 pi"), number("energy", "mean energy of the packet"),
        number("contact", "mean contact energy of the packet")});
   for (std::size_t k = 0; k < runs.size(); ++k)
@@ -369,7 +369,7 @@ void report_end(Quantities& facts, const std::string& name, const TwoRuns<Course
 // The line as a curve in the plane of shift time and energy
 void report_line(Report& report, const TypeOneLine& line) {
   Table& table = report.table(
-      "line_of_type_one", {count("exact", "1 for an orbit, 0 for a point between orbits"),
+      "line_of_type_one", {count("exact", "1: an orbit, 0: a point between orbits"),
                            number("turns", "shift time over 2 pi"), number("energy", "energy")});
   const auto add = [&](int exact, double turns) {
     const double c = 1 / (two_pi * turns);
@@ -455,12 +455,12 @@ double relative_sum(const DpsMember& m) {
 }
 
 void report_dps_family(Report& report, const TwoRuns<DpsFamily>& family) {
-  Table& table =
-      report.table("dps_family", {number("phase", "angle from site to site"),
-                                  estimate("V", "sum of the amplitudes over i", "",
-                                           "against the largest V: difference of two tolerances"),
-                                  number("log_V", "log10 of |V| over the root of the norm"),
-                                  number("norm", "norm"), number("energy", "energy")});
+  Table& table = report.table(
+      "dps_family", {number("phase", "phase advance from site to site"),
+                     estimate("V", "V: the sum of the amplitudes, divided by i", "",
+                              "against the largest V: difference of two tolerances"),
+                     number("log_V", "log10 of |V| divided by the square root of the norm"),
+                     number("norm", "norm"), number("energy", "energy")});
   for (std::size_t i = 0; i < family.fine.size(); ++i) {
     const DpsMember& m = family.fine[i];
     table.add({m.phase, compare(family.coarse[i].V, m.V),
@@ -476,8 +476,9 @@ void report_dps_family(Report& report, const TwoRuns<DpsFamily>& family) {
 // Beside the exact profile that of a struck packet, cut out at two sites and scaled to the same shift time
 void report_dps_profiles(Report& report, const DpsMember& exact) {
   Table& table = report.table(
-      "dps_profiles", {count("n", "site", "site"), number("re", "real part, exact"),
-                       number("im", "imaginary part, exact"), number("modulus", "modulus, exact"),
+      "dps_profiles", {count("n", "site", "site"), number("re", "real part of the exact breather"),
+                       number("im", "imaginary part of the exact breather"),
+                       number("modulus", "modulus of the exact breather"),
                        number("early", "modulus of the packet at site 20"),
                        number("late", "modulus of the packet at site 100")});
   const DpsTravelling problem;
@@ -538,10 +539,10 @@ void report_small_orbits(Report& report) {
                    compare(limit_of(ks, scaled[0], last - 1), limit_of(ks, scaled[0], last)),
                    "of energy over the fourth power of the speed");
   Table& table = report.table(
-      "small_orbits", {count("k", "oscillations a site"), count("sign", "of the central velocity"),
-                       number("inverse_k", "1 / k"),
-                       estimate("scaled_energy", "energy over the fourth power of the speed", "",
-                                "difference of two computations")});
+      "small_orbits", {count("k", "oscillations per site"),
+                       count("sign", "sign of the central velocity"), number("inverse_k", "1 / k"),
+                       estimate("scaled_energy", "energy divided by the fourth power of the speed",
+                                "", "difference of two computations")});
   for (std::size_t i : {0, 1})
     for (std::size_t j = 0; j <= last; ++j)
       table.add({ks[j], signs[i], 1 / double(ks[j]), scaled[i][j]});

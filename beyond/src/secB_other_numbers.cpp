@@ -244,9 +244,10 @@ void report_exponents(Report& report) {
                {"norm_difference", "N_bond / N_site - 1", row.norm_difference},
                {"margin_site", "m_2 / mu - 1 / alpha around a site, unstable if positive",
                 row.site.margin},
-               {"margin_bond", "the same around a bond", row.bond.margin},
-               {"rate_site", "growth over mu around a site", row.site.rate},
-               {"rate_bond", "frequency of the translational pair over mu around a bond",
+               {"margin_bond", "m_2 / mu - 1 / alpha around a bond, unstable if positive",
+                row.bond.margin},
+               {"rate_site", "growth rate divided by mu around a site", row.site.rate},
+               {"rate_bond", "frequency of the translational pair divided by mu around a bond",
                 row.bond.rate}});
 
   const auto at = [&](double alpha) {

@@ -27,7 +27,7 @@ struct CompressedImpact {
 
   /// Declares well, time, velocity, compression and tolerance.
   void parameters(Parameters& p) {
-    add_holding_well(p, well, "the phonons are others");
+    add_holding_well(p, well, "the phonon band is different");
     p.add("time", time, "duration of the run", {1, 2e4});
     p.add("velocity", velocity, "velocity of the impact on the first bead", {1e-6, 100});
     p.add("d", d, "static compression d of the contacts", {1e-3, 10});

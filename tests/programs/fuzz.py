@@ -104,7 +104,7 @@ def in_table(table):
     """Where a printed table holds what nobody announced, or does not say what a quantity is."""
     columns, quantities = {column.name: column for column in table.columns}, any(c.name == "meaning" for c in table.columns)
     for row in table.rows:
-        if quantities:  # help says: a quantity that does not exist is nan, and its reason says why
+        if quantities:  # help says: a quantity that does not exist is nan; the column reason says why
             value, error = row["value"], row["error"]
             if not row["meaning"] or math.isnan(value) != bool(row["reason"]) or math.isnan(value) != math.isnan(error):
                 yield f"{row['quantity']} is {value} +- {error} with the meaning '{row['meaning']}' and the reason '{row['reason']}'"

@@ -59,11 +59,11 @@ TEST_CASE("every command answers a wrong well in one line", "[cli][model]") {
     check_refused(command + "--well cubic", "none, harmonic, quartic, pendulum");
     check_refused(command + "--well pendulum --s 0.1", "--s: 'pendulum' has no parameter s");
   }
-  const std::string why = "'none' holds no bead, and without a well ";
+  const std::string why = "'none' does not hold a bead, and without a well ";
   const std::string others = " (allowed: harmonic, quartic, pendulum)";
   check_refused(breather + "--well none", why + "there is no breather" + others);
   check_refused(multipliers + "--well none", why + "there is no breather" + others);
-  check_refused(squeezed + "--well none", why + "the phonons are others" + others);
+  check_refused(squeezed + "--well none", why + "the phonon band is different" + others);
   check_refused(squeezed + "--contact power", "--contact");
   check_refused(boomeron + "--contact glue", "hertz, power");
   check_refused(impact + "--contact power --alpha 0.5", "[1, 10]");
@@ -73,7 +73,7 @@ TEST_CASE("every command answers a wrong well in one line", "[cli][model]") {
 }
 
 TEST_CASE("a frequency without breathers is refused with the reason", "[cli][model]") {
-  const std::string why = "these breathers begin at 1, the frequency of a bead at rest";
+  const std::string why = "these breathers bifurcate from 1, the frequency of a single bead";
   for (const std::string& command : {breather, multipliers, std::string("sec32_barrier barrier ")})
     for (const char* omega : {"1", "3.5"})
       check_refused(command + "--omega " + omega,

@@ -160,8 +160,9 @@ TEST_CASE("an answer that is nan has a reason, and one that is smaller than its 
   CHECK_THROWS_AS(q.add("speed", {nan, nan}, "", "of the packet"), std::logic_error);
   CHECK_THROWS_AS(q.add_small("speed", {nan, nan}, "", "of the packet"), std::logic_error);
   const auto vague = [&] { q.add("width", {5.62, 28.96}, "site", "of the packet"); };
-  CHECK(refusal<Failure>(vague) ==
-        "width: the error 28.96 is larger than the value 5.62, which is no answer; take less time");
+  CHECK(
+      refusal<Failure>(vague) ==
+      "width: the error 28.96 exceeds the value 5.62, so the result is unresolved; try less time");
   CHECK_THROWS_AS(q.add("speed", {-1, 1.1}, "", "of the packet"), Failure);
   CHECK(q.table.rows.size() == 5);
 }

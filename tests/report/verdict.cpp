@@ -117,10 +117,10 @@ TEST_CASE("a list that could not be judged is refused with its row", "[unit]") {
   for (const auto& [column, text, said] : std::vector<std::array<std::string, 3>>{
            {"tolerance", "rel x", "the tolerance 'rel x' is none"},
            {"criterion", "a.b > 1", "an answer or a criterion, and not both"},
-           {"answer", "here", "'here' is no fact"},
+           {"answer", "here", "'here' is not the name of a fact"},
            {"status", "fine", "the status 'fine' is none"},
-           {"reason", "they erred", "a reason is for what is missed"},
-           {"id", "thm.mean_force", "two rows of this id"}}) {
+           {"reason", "they erred", "a row needs a reason if it is missed"},
+           {"id", "thm.mean_force", "two rows have this id"}}) {
     CAPTURE(column, text);
     check_line(refused(column, text), said);
     check_line(refused(column, text), "claims.ecsv: row 2: ");

@@ -12,10 +12,10 @@ namespace lattice {
 
 void DpsOrbit::parameters(Parameters& p) {
   p.add("alpha", alpha, "exponent of the contact force, 3/2 for spheres",
-        {1.05, 4, "", "towards 1 breathers become wide; more than 4 is untested"});
-  p.add("phase", phase, "angle by which the phase turns from site to site", {0, 3});
-  p.add("time", time, "slow time from site to site (default: 2 pi)", {1e-3, 1e3});
-  p.add("profile", as_profile, "the field at tau = 0 instead of its quantities");
+        {1.05, 4, "", "towards 1 breathers become wide; exponents above 4 are untested"});
+  p.add("phase", phase, "phase advance from site to site, in rad", {0, 3});
+  p.add("time", time, "shift time: the slow time from site to site (default: 2 pi)", {1e-3, 1e3});
+  p.add("profile", as_profile, "print the field at tau = 0 instead of its quantities");
 }
 
 // The scaling law: at the shift time T the field is (2 pi / T)^{1/(alpha-1)} times as large
@@ -69,7 +69,7 @@ DpsOrbit::Found DpsOrbit::find() const {
   if (by <= 0.01) return found;
   std::ostringstream text;
   text << "with alpha = " << alpha << " the field of phase " << phase << " misses itself by " << by
-       << " of its amplitude after a shift time: no travelling breather (allowed: 0.01; with the "
+       << " of its amplitude after a shift time: not a travelling breather (allowed: 0.01; with "
           "phase 0 it is exact)";
   throw std::runtime_error(text.str());
 }
@@ -101,13 +101,15 @@ Table DpsOrbit::quantities(const Found& f) const {
   q.add("norm", both(2, [](const Member& m) { return m.second.norm; }), "",
         "sum of |A_n|^2, conserved");
   q.add("energy", both(alpha + 1, [](const Member& m) { return m.second.energy; }), "",
-        "sum of |A_{n+1} - A_n|^(alpha+1) over alpha + 1, conserved");
-  q.add_small("sum", sum, "relative to amplitude", "V: the sum of all A_n over i, conserved");
+        "sum of |A_{n+1} - A_n|^(alpha+1) / (alpha + 1), conserved");
+  q.add_small("sum", sum, "relative to amplitude",
+              "V: the sum of all A_n, divided by i; conserved");
   q.add_small("tail", small(left_behind), "relative to amplitude",
-              "largest |A_n| that is left behind on the way through the window of " +
+              "largest |A_n| left behind as the breather crosses the window of " +
                   std::to_string(f.fine.second.field.size()) + " sites");
-  q.add_small("residual", residual, "relative to amplitude",
-              "by how much the field misses itself after a shift time, one site further");
+  q.add_small(
+      "residual", residual, "relative to amplitude",
+      "difference between the field and itself one shift time later and one site further on");
   return q.table;
 }
 

@@ -5,9 +5,10 @@
 namespace lattice {
 
 void OneKernelWave::parameters(Parameters& p) {
-  p.add("k", k, "oscillations a site", {1, 12});
-  p.add("sign", sign, "of the central velocity", {{"plus", Sign::plus}, {"minus", Sign::minus}});
-  p.add("alpha", alpha, "exponent of the contacts", {1.1, 8});
+  p.add("k", k, "oscillations per site; the shift time is 2 pi k", {1, 12});
+  p.add("sign", sign, "sign of the central velocity",
+        {{"plus", Sign::plus}, {"minus", Sign::minus}});
+  p.add("alpha", alpha, "exponent of the contact force, 3/2 for spheres", {1.1, 8});
 }
 
 Table OneKernelWave::table() const {
@@ -15,17 +16,17 @@ Table OneKernelWave::table() const {
   const double residual = w.fine().residual();
   Answers q;
   q.add("energy", w(&KernelWave::energy), "",
-        "energy of the whole lattice that carries the wave, Eq. (6)");
+        "energy of the whole chain that carries the wave, Eq. (6)");
   q.add("action", w(&KernelWave::action), "",
-        "integral over all times of d_+^(alpha+1), d being the compression of a contact");
+        "integral over all times of d_+^(alpha+1), with d the compression of a contact");
   q.add("peak", w(&KernelWave::peak), "", "largest compression of a contact");
-  q.add("contacts", compare(w.grids[0].contacts(), w.fine().contacts()), "",
-        "number of intervals of time in which one contact is closed by more than 2.2e-16 of the "
-        "peak");
+  q.add(
+      "contacts", compare(w.grids[0].contacts(), w.fine().contacts()), "",
+      "number of time intervals in which a contact is compressed by more than 2.2e-16 of the peak");
   q.add("quotient", w(&KernelWave::quotient), "",
         "value Q of the variational quotient, action^(-(alpha-1)/(alpha+1))");
   q.add_small("residual", {residual, residual}, "relative to the peak",
-              "by how much the kernel equation is missed at the nodes of the finer grid");
+              "residual of the kernel equation at the nodes of the finer grid");
   return q.table;
 }
 

@@ -13,7 +13,9 @@ namespace lattice {
 
 /// The command.
 struct OneKernelWave {
-  static constexpr Title title{"wave", "one wave of the kernel equation"};
+  static constexpr Title title{
+      "wave",
+      "one solution of the kernel equation: an exact travelling breather in harmonic wells"};
   enum class Sign { plus = 1, minus = -1 };
   std::size_t k = 1;       ///< oscillations a site
   Sign sign = Sign::plus;  ///< of the central velocity

@@ -58,14 +58,18 @@ static double left_behind(const Shooting<double>& problem, const Orbit<double>& 
 /**
 An orbit can be named by its $k$ or by a shift time near it. */
 void OneOrbit::parameters(Parameters& p) {
-  const Option& type_one = p.add("k", k, "oscillations a site, of type I", {1, 60});
-  p.add("sign", sign, "of the central velocity at t = 0", {"plus", "minus"});
+  const Option& type_one =
+      p.add("k", k,
+            "oscillations per site of a type I orbit, whose shift time is 2 pi k in harmonic wells",
+            {1, 60});
+  p.add("sign", sign, "sign of the central velocity at t = 0", {"plus", "minus"});
   const Option& well = p.add("s", s, "anharmonicity of the well", {-10, 10});
-  p.add("near", near, "the orbit without a tail nearest to this shift time", {4, 100})
+  p.add("near", near,
+        "instead of --k, the orbit without a radiated tail nearest to this shift time", {4, 100})
       .excludes(type_one)
       .excludes(well);
-  p.add("reach", half_length, "sites on either side of the centre", {2, 10});
-  p.add("profile", as_profile, "the orbit at t = 0 instead of its quantities");
+  p.add("reach", half_length, "number of sites on either side of the centre", {2, 10});
+  p.add("profile", as_profile, "print the orbit at t = 0 instead of its quantities");
 }
 
 constexpr double two_pi = 2 * std::numbers::pi;
@@ -105,7 +109,7 @@ static void need_half_length(const OneOrbit& choice, const Orbit<double>& orbit)
   const double edge = std::hypot(half.y.back(), half.v.back()) / orbit.amplitude;
   if (edge > 1e-10)
     throw UsageError("--reach: " + std::to_string(choice.half_length) +
-                     " sites are too few for the tail, whose last bead still moves by " +
+                     " sites are too few for the tail: the last bead still moves by " +
                      short_text(edge) + " of the amplitude (allowed: more sites, at most 10)");
 }
 
@@ -184,7 +188,8 @@ Table OneOrbit::quantities(const Found& f) const {
   // share the rounding of the start, so that their difference is not its error
   Answers q;
   q.add("shift_time", compare(t, t_wide), "time",
-        "the T after which every bead does what its neighbour behind did: one site of way");
+        "time T after which every bead repeats the motion of its neighbour behind, one site of "
+        "travel");
   q.add("speed", compare(1 / t, 1 / t_wide), "site per unit of time",
         "speed of the breather, one site per shift time");
   q.add("energy", compare(f.orbit.energy, double(f.wide.energy)), "",
@@ -193,11 +198,12 @@ Table OneOrbit::quantities(const Found& f) const {
         "largest energy density of a site at t = 0");
   q.add_small("tail", {tail, std::max(tail, left_behind(f.problem, f.orbit, shifts, coarse))},
               "relative to amplitude",
-              "largest root of the squares of position and velocity of a bead that is left behind");
+              "largest (y^2 + v^2)^(1/2) of a bead left behind: the radiated tail");
   q.add_small("residual", {residual_of(f), residual_of(f)}, "relative to amplitude",
-              "by how much the printed profile misses itself after a shift time, one site further");
+              "difference between the printed profile and itself one shift time later and one site "
+              "further on");
   q.add("multiplier_modulus", largest_multiplier(phase, compare(narrow.second, better.second)), "",
-        "largest modulus of a multiplier per shift; 1 where no disturbance is seen to grow");
+        "largest modulus of a multiplier per shift; 1 where no perturbation is seen to grow");
   return q.table;
 }
 

@@ -36,8 +36,9 @@ static Check part_text() {
 }
 
 void MapPart::parameters(Parameters& p) {
-  p.add("part", part, "k/n: every n-th point from the k-th on", part_text());
-  p.add("folder", folder, "where rows wait for each other (default: nothing is kept)",
+  p.add("part", part, "part k of n: every n-th point, starting at the k-th", part_text());
+  p.add("folder", folder,
+        "folder that keeps finished rows, shared by all parts (default: nothing is kept)",
         writable_folder());
 }
 

@@ -40,7 +40,7 @@ Evaluation<T> Held<T>::evaluate(const Vector<T>& x, const EventTolerance<T>& rul
 
 template <class T>
 Equations<T> Held<T>::equations() const {
-  return {"breather held at a centre",
+  return {"breather constrained to a centre",
           [*this](const Vector<T>& x, const EventTolerance<T>& rule, bool derivative) {
             return evaluate(x, rule, derivative);
           },

@@ -57,7 +57,7 @@ std::vector<Intermediate> intermediate_breathers(const Cut& cut, const ExchangeP
     x = near.back();
   }
   std::vector<Intermediate> out(near.size());
-  parallel_for("breathers in between", out.size(),
+  parallel_for("intermediate breathers", out.size(),
                [&](std::size_t k) { out[k] = describe(cut, from, centre(k), near[k]); });
   return out;
 }

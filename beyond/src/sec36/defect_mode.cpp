@@ -36,7 +36,7 @@ Orbit<double> mode_of_energy(Shooting<double> problem, double energy) {
     problem.omega += change;
     orbit = newton(problem, Vector<double>(orbit.x + change * orbit.x_omega));
   }
-  throw std::runtime_error("no breather of the defect with the energy asked for was found");
+  throw std::runtime_error("no breather at the defect is found with the requested energy");
 }
 
 // Where the energy of the mode is, averaged over one period

@@ -373,7 +373,7 @@ ChainBreather enclose_chain(Centre centre, int numerator, int denominator,
       two_balls(proof.eta(residuals), 0x1p-10, [&](double radius) { return proof.q(radius); });
   const double r = exists.radius;
   if (!(Number(6) * mean_of_kernel(guess.omega) * root(Number(r)) < one))
-    throw NotProved("the tail does not certainly decay");
+    throw NotProved("the tail cannot be shown to decay");
 
   // The right half now, and the left half: the same, or what the right half is half a period later
   const Numbers d = compressions_at_rest(guess, false, r), y = positions(centre, d, r);

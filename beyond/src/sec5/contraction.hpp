@@ -55,7 +55,7 @@ template <class T, class Bound>
 std::pair<Contraction<T>, Contraction<T>> two_balls(T eta, T largest, Bound q) {
   Contraction<T> unique{eta, q(largest), largest};
   for (int halvings = 0; !unique.holds(); ++halvings) {
-    if (halvings == 60) throw NotProved("no ball on which the map contracts");
+    if (halvings == 60) throw NotProved("no ball is found on which the map contracts");
     const T radius = unique.radius / 2;
     unique = {eta, q(radius), radius};
   }
@@ -66,7 +66,7 @@ std::pair<Contraction<T>, Contraction<T>> two_balls(T eta, T largest, Bound q) {
     const T radius = std::min(exists.radius, enough.upper);
     exists = {eta, q(radius), radius};
   }
-  if (!exists.holds()) throw NotProved("no ball that the map leaves invariant");
+  if (!exists.holds()) throw NotProved("no ball is found that the map leaves invariant");
   return {unique, exists};
 }
 

@@ -162,9 +162,9 @@ void demand_no_negative(DpsBreather<T>& b) {
   std::size_t m = b.r.size();
   while (m > 0 && magnitude(b.r[m - 1]) < T(0.0625))
     largest = std::max(largest, magnitude(b.r[--m]));
-  if (!(largest < T(0.0625))) throw NotProved("the strains are not certainly small");
+  if (!(largest < T(0.0625))) throw NotProved("the strains cannot be shown to be small");
   for (std::size_t n = 0; n < std::max<std::size_t>(m, 1); ++n)
-    if (!(b.r[n].lower > 0)) throw NotProved("the central strains are not certainly positive");
+    if (!(b.r[n].lower > 0)) throw NotProved("the central strains cannot be shown to be positive");
   for (Interval<T>& r : b.r) r = positive_part(r);
   b.tail = positive_part(b.tail);
 }
@@ -174,9 +174,9 @@ void demand_decrease(const DpsBreather<T>& b) {
   for (std::size_t i = 0; i < b.r.size(); ++i) {
     const Interval<T>& next = i + 1 < b.r.size() ? b.r[i + 1] : b.tail;
     if (empty(b.r[i]) || !(b.r[i] > Interval<T>(0)) || !(next < b.r[i]))
-      throw NotProved("the strains do not certainly decrease");
+      throw NotProved("the strains cannot be shown to decrease");
   }
-  if (!(b.tail.upper < T(0.01))) throw NotProved("the tail is not certainly small");
+  if (!(b.tail.upper < T(0.01))) throw NotProved("the tail cannot be shown to be small");
 }
 
 // The lemma first, then the signs, the digits, and that strains decrease

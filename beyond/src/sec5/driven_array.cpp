@@ -20,7 +20,7 @@ double first_top(Drive::By by, double depth) {
     if (now < last) return last;
     last = now;
   }
-  throw std::runtime_error("no maximum along the decaying solutions");
+  throw std::runtime_error("no maximum is found along the decaying solutions");
 }
 
 /// The highest of them among tails that begin at `depth` or deeper: the best of a grid, then by thirds. One step of the
@@ -171,20 +171,21 @@ std::vector<DrivenQuantity> DrivenArray::quantities() const {
        "1 if a packet passes bead 20, otherwise 0"},
       {"emitted_per_second",
        of([&](const Emission& e) { return e.rate(horizon()) * per_second(1); }), "1/s",
-       "packets that pass bead 20 in the second half of the run, per second"},
+       "packets per second that pass bead 20 in the second half of the run"},
       {"power", of([&](const Emission& e) { return watts(e.power); }), "W",
        "mean power of the drive in the second half of the run"},
       {"response", of([&](const Emission& e) { return micrometres(e.response); }), "um",
        "largest displacement of the first bead in the second half of the run"},
       {"budget", of([](const Emission& e) { return e.budget; }), "",
-       "energy and losses less work, over the most energy that was there or came in: zero but "
-       "for errors"}};
+       "energy plus losses minus work, divided by the largest energy present or supplied; zero up "
+       "to numerical errors"}};
   if (omega(frequency) <= 1) return out;
   const Estimate law = law_estimate(by, omega(frequency));
   out.push_back({"threshold_law",
                  {micrometres(law.value), micrometres(law.error)},
                  "um",
-                 "amplitude of the fold of the quiet motion, by the law of small amplitudes"});
+                 "amplitude at the fold of the non-emitting motion, by the asymptotic law of small "
+                 "amplitudes"});
   return out;
 }
 

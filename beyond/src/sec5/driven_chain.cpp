@@ -113,9 +113,9 @@ double evolve(const DrivenChain& driven, State<double>& state, const TimeGrid& g
   const auto good = [](double rate) { return rate >= 0 && std::isfinite(rate); };
   if (!(good(losses.rate) && good(losses.contact) &&
         std::all_of(losses.of_site.begin(), losses.of_site.end(), good)))
-    throw std::invalid_argument("losses must be finite and not negative");
+    throw std::invalid_argument("loss rates must be finite and >= 0");
   if (!losses.of_site.empty() && losses.of_site.size() != driven.chain.sites)
-    throw std::invalid_argument("losses of single sites need one rate a site");
+    throw std::invalid_argument("site-dependent losses need one rate per site");
   if (driven.chain.ends != Ends::free &&
       (losses.contact > 0 || driven.drive.by != Drive::By::nothing))
     throw std::invalid_argument("a drive and losses in contacts need a chain with free ends");
@@ -188,7 +188,8 @@ double restitution(double contact, double velocity) {
 }
 
 double contact_loss(double e, double velocity) {
-  if (!(e > 0 && e <= 1)) throw std::invalid_argument("a restitution lies between 0 and 1");
+  if (!(e > 0 && e <= 1))
+    throw std::invalid_argument("a coefficient of restitution must lie between 0 and 1");
   if (e == 1) return 0;
   double low = 0, high = 1;
   while (restitution(high, velocity) > e) high *= 2;

@@ -202,7 +202,7 @@ Vector<double> solve_linearized(const HalfLine& line, const Vector<double>& stif
   std::vector<double> cosine, sine, rest{whole};
   while (std::abs(rest.back()) > enough * whole) {
     const std::size_t k = columns.size();
-    if (k == most) throw std::runtime_error("the linearized kernel equation was not solved");
+    if (k == most) throw std::runtime_error("the linearised kernel equation could not be solved");
     Vector<double> w = basis[k] - line.convolve(stiffness.cwiseProduct(basis[k]));
     std::vector<double> h(k + 1);
     for (std::size_t j = 0; j <= k; ++j) {
@@ -279,7 +279,7 @@ KernelWave wave_of_type_one(std::size_t k, int sign, const PowerContact& law,
   const Ascent ascent = ascend(convolve, 2 * line.weight(), law, u, 1e-7, 400);
   KernelWave wave = newton_wave({law, line, ascent.wave(law)}, shift_time, law, grid);
   if (wave.central_velocity() * sign < 0)
-    throw std::runtime_error("the ascent has led to the wave of the other sign");
+    throw std::runtime_error("the iteration has led to the wave of the other sign");
   return wave;
 }
 
@@ -291,7 +291,7 @@ KernelWave wave_of_type_two(KernelWave start, double to, double step, const Wave
     before = start;
     start = newton_wave(start, start.shift_time() + direction, start.law, grid);
     if ((to - start.shift_time()) * direction < 0)
-      throw std::runtime_error("no wave of type II up to that shift time");
+      throw std::runtime_error("no type II wave up to this shift time");
   } while (before.component() * start.component() > 0);
   for (int pass = 0; pass < 12; ++pass) {
     const double a = before.component(), b = start.component();

@@ -139,7 +139,7 @@ MemberGrid member_grid(std::size_t fastest, std::size_t slowest,
   std::vector<Orbit<double>> starts;
   for (std::size_t k = slowest; k >= fastest; --k) starts.push_back(orbits.orbit_at(k));
   const auto zero = std::size_t(std::find(phases.begin(), phases.end(), 0) - phases.begin());
-  if (zero == phases.size()) throw std::invalid_argument("the phases must contain 0");
+  if (zero == phases.size()) throw std::invalid_argument("the list of phases must contain 0");
   MemberGrid grid{phases, std::vector(phases.size(), std::vector<Traveller>(starts.size()))};
   parallel_for(2 * starts.size(), [&](std::size_t i) {
     const std::size_t family = i / 2;

@@ -365,10 +365,10 @@ EnclosedWave enclose_wave(int sign, const WaveFineness& fineness) {
   const auto [unique, exists] =
       two_balls(proof.eta(residuals), 0x1p-14, [&](double radius) { return proof.q(radius); });
   if (!(Number(16) * root(Number(exists.radius)) <= one))
-    throw NotProved("the tail does not certainly decay");
+    throw NotProved("the tail cannot be shown to decay");
   const BallBounds wave(guess, integrals, residual, exists.radius);
   if (!(Number(-sign) * wave.minus_velocity() > Number(0)))
-    throw NotProved("the sign of the wave is not certain");
+    throw NotProved("the sign of the wave cannot be shown");
   return {unique,        exists,          proof.inverse_excess(),
           proof.delta(), proof.epsilon(), residual,
           wave.energy(), wave.peak(),     wave.action()};

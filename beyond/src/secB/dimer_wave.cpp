@@ -125,8 +125,8 @@ DimerWave dimer_wave(DimerWave wave) {
     return wave;
   }
   throw std::runtime_error(
-      "Newton's method for the solitary wave of a dimer chain does not "
-      "converge, decadic logarithms of its steps " +
+      "Newton's method for the solitary wave of a dimer chain does not converge, log10 of its "
+      "steps " +
       history);
 }
 

@@ -15,7 +15,7 @@ TEST_CASE("a line that cannot be meant is refused by what is beyond the article"
       {"sec5_driving chart --part 5/4", "--part"},
       {"sec5_travelling_packets orbit --alpha 0.5", "[1.05, 4]"},
       {orbit + "--near 6 --k 1",
-       "--near: '6' cannot be together with --k (allowed: one of the two)"},
+       "--near: '6' cannot be combined with --k (allowed: one of the two)"},
       {orbit + "--s 1", "folds"}};
   for (const auto& [line, complaint] : lines) check_refused(line, complaint);
   check_reason("sec5_growth growth --q 1", "edge", "the wave is stable: no modulation of it grows");

@@ -161,7 +161,7 @@ TEST_CASE("potentials are found by name and parameters", "[unit][potential]") {
   };
   const Well* well = nullptr;
   CHECK(refused(well, "cubic", {}) == "'cubic' is not one of " + wells);
-  CHECK(refused(well, "pendulum", {{"s", 0}}) == "'pendulum' has no parameter s, nor any other");
+  CHECK(refused(well, "pendulum", {{"s", 0}}) == "'pendulum' has no parameter s; it has none");
   CHECK(refused(well, "quartic", {{"s", 11}}) == "s = 11 is not in the allowed range [-10, 10]");
   check_line(refused(well, "quartic", {{"s", std::nan("")}}), "allowed range");
   CHECK(refused(static_cast<const Contact*>(nullptr), "hertz", {{"alpha", 2}}) ==
@@ -338,9 +338,9 @@ TEST_CASE("a well whose functions do not belong together is refused", "[unit][po
   const auto one = [](double) { return 1; };
   CHECK(said_of(MyWell{{half, pull, one}}) == "");
   CHECK(said_of(MyWell{{half, pull, [](double) { return 2; }}}) ==
-        "the well's stiffness(-0.83541) is 2, and minus the slope of its force is 1 there");
+        "the well's stiffness(-0.83541) is 2, but minus the slope of its force is 1 there");
   refused(MyWell{{pull, half, one}}, "the well's force(-0.83541) is 0.348955");
-  refused(MyWell{{half, [](double y) { return y; }, one}}, "is -0.83541, and minus the slope");
+  refused(MyWell{{half, [](double y) { return y; }, one}}, "is -0.83541, but minus the slope");
   // Wrong on one side, in a small term, and only close to rest
   refused(MyWell{{half, [](double y) { return -std::abs(y); }, one}}, "the well's force(-0.83541)");
   refused(MyWell{{half, [](double y) { return -y - 0.01 * y * y * y; }, one}}, "force(-0.83541)");
@@ -356,7 +356,7 @@ TEST_CASE("a well must rest at zero, be finite and have a rim beyond it", "[unit
           "energy(0) is 1 and must be 0");
   refused(MyWell{{[](double y) { return y + y * y / 2; }, [](double y) { return -1 - y; },
                   [](double) { return 1; }}},
-          "force(0) is -1 and must be 0: count displacements from the place of rest");
+          "force(0) is -1 and must be 0: measure displacements from the rest position");
   for (const double bad : {none, inf, -inf}) {
     const auto broken = [=](double) { return bad; };
     refused(MyWell{{broken, good.f, good.k}}, "energy(0) is");
@@ -390,7 +390,7 @@ TEST_CASE("a contact whose functions do not belong together is refused", "[unit]
         refused(power_contact(alpha, d, 1, 1, 1, wrong), "minus the slope of its force is");
       }
   // Attraction, an opening that is none, and exponents
-  refused(power_contact(1.5, 0, -1), "it pulls");
+  refused(power_contact(1.5, 0, -1), "the contact pulls");
   const MyContact good = power_contact(1.5);
   for (const double open : {none, inf}) refused(MyContact{good, open}, "the contact's opening is ");
   for (const double exponent : {none, inf, 0.5, -1.0})
