@@ -91,7 +91,7 @@ figures: ready
 	@$(MAKE) summary
 	@$(call took,together   : %.0f s with compiling and drawing\n)
 
-## test: everything the tests of the article need (data and figures), then the tests; T=floquet: one file or folder of tests/
+## test: compute the data and figures that the tests of the article need, then test; T=floquet: one file or folder of tests/
 T :=
 test: $(if $(T),configure,ready)
 	@$(if $(T),,$(MAKE) all-figures)
@@ -99,18 +99,18 @@ test: $(if $(T),configure,ready)
 	@$(if $(filter lineage,$(T)),$(MAKE) test-lineage)
 	@$(if $(filter-out lineage,$(T)),sh tools/test.sh $(B) $(JOBS) $(filter-out lineage,$(T)))
 
-## beyond: the same of volume two, what is beyond the article: compute, draw, judge
+## beyond: the same for volume two, beyond the article: compute, draw, compare
 beyond: ready
 	@$(MAKE) volume=beyond all-figures
 	@$(MAKE) volume=beyond summary
 	@$(call took,together   : %.0f s with compiling and drawing\n)
 
-## test-beyond: its tests
+## test-beyond: the tests of volume two
 test-beyond: ready
 	@$(MAKE) volume=beyond all-figures
 	@$(MAKE) run-tests-beyond
 
-## all: these four
+## all: figures, test, beyond and test-beyond
 all:
 	@$(MAKE) figures
 	@$(MAKE) test
@@ -186,7 +186,7 @@ book: install-book
 	@$(MAKE) all-figures
 	@$(MAKE) weave
 
-## weave: the same from the data and figures that are there, in seconds
+## weave: build the book from the existing data and figures, in seconds
 weave: verdicts
 	@sh book/live/build.sh $(B)/live
 	@[ ! -f $(D)/data/sec5_growth/facts.ecsv ] || $(MAKE) volume=beyond verdicts
@@ -230,12 +230,12 @@ run-tests-beyond: configure
 	@$(sphinx) tests/lineage beyond
 	@ctest -j $(JOBS) $(CTEST_ARGS) --label-regex beyond
 
-## test-faults: runs that are killed, out of time or disk, or that nobody reads (minutes)
+## test-faults: test runs that are killed, run out of time or disk, or whose output is not read (minutes)
 test-faults: programs
 	@$(or $(PYTHON),python3) tests/programs/faults.py . $(B)/bin 60
 
 sanitized := -DCMAKE_BUILD_TYPE=Debug '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
-## test-fuzz: 5,000 random command lines for programs with sanitizers (SEED=..., COUNT=...; long)
+## test-fuzz: run the programs, built with sanitizers, on 5,000 random command lines (SEED=..., COUNT=...; long)
 COUNT := 5000
 SEED = $(shell date +%s)
 test-fuzz: install-deps
@@ -243,7 +243,7 @@ test-fuzz: install-deps
 	@sh tools/build.sh $(B)/asan $(JOBS) programs
 	@LATTICE_SLACK=12 $(or $(PYTHON),python3) tests/programs/fuzz.py $(B)/asan/bin $(COUNT) $(SEED)
 
-## test-python: the tests of the Python module, which is built with sanitizers for it (long)
+## test-python: test the Python module, built with sanitizers (long)
 test-python: export ASAN_OPTIONS := detect_leaks=0:verify_asan_link_order=0
 test-python: programs
 	@cmake -S . -B $(B)/asan $(sanitized) > /dev/null
@@ -252,7 +252,7 @@ test-python: programs
 	  LD_PRELOAD="$$(c++ -print-file-name=libasan.so) $$(c++ -print-file-name=libstdc++.so)" \
 	  $(call with,numpy) python/tests.py $(B)/bin
 
-## bench: time our integrators against GSL and Boost.odeint (ten minutes), as in tools/bench/ratios.ecsv
+## bench: time the integrators against GSL and Boost.odeint (ten minutes), as in tools/bench/ratios.ecsv
 bench: ready
 	@sh tools/build.sh $(B) $(JOBS) bench
 	@mkdir -p $(B)/bench
@@ -278,23 +278,23 @@ typeset: verdicts
 install-paper: install-deps
 	@DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt paper
 
-## lock: renew paper/converged.ecsv from the computed values and print what moved (volume=beyond: of volume two)
+## lock: renew the reference values paper/converged.ecsv from the computed ones and print changes (volume=beyond: of volume two)
 lock: install-deps
 	@$(MAKE) all-data
 	@$(lineage) --root ./$(home) lock --data $(B)/data
 
-## hashes: renew paper/hashes.ecsv, the bytes of all tables of the full and the quick run, and print what moved
+## hashes: renew paper/hashes.ecsv, the checksums of all tables of the full and the quick run, and print changes
 hashes: install-deps
 	@$(MAKE) QUICK= all-data
 	@$(MAKE) QUICK=1 all-data
 	@$(lineage) --root ./$(home) hashes --data $(B)/data --quick $(B)/quick/data
 
-## refresh: write the locked values into the prose of src/, and renew the tables of README.md
+## refresh: write the reference values into the prose of src/, and renew the tables of README.md
 refresh: verdicts
 	@$(lineage) refresh --costs $(B)/report/cost
 	@[ ! -d beyond ] || $(lineage) --root beyond refresh --costs $(B)/report/cost
 
-## show: one number, as in  make show ID=pn.omega11
+## show: print one number, as in  make show ID=pn.omega11
 show: verdicts
 	@$(lineage) show "$(ID)" --data $(B)/data
 
@@ -302,43 +302,43 @@ show: verdicts
 gallery: $(foreach r,$(rows),$(if $(wildcard $(home)figures/gallery/$(notdir $(basename $(call field,$(r),3))).png),,$(call command,$(call field,$(r),1))))
 	@$(lineage) --root ./$(home) gallery --figures $(D)/figures
 
-## second: headline numbers again by other methods in plain Python, into paper/second.ecsv of each volume (minutes)
+## second: recompute the headline numbers by other methods in plain Python, into paper/second.ecsv of each volume (minutes)
 second: install-deps
 	@PYTHONPATH=tests:$(PYTHONPATH) $(call with,numpy; import mpmath) -m second --write
 
-## mutants: errors put into the sources one at a time; the tests must notice (long)
+## mutants: put errors into the sources one at a time and check that the tests fail (long)
 mutants:
 	@$(or $(PYTHON),python3) tools/mutants.py $(MUTANTS)
 
-## test-platforms: the same bytes from other compilers, Debian 13 and ARM64 (an hour; PLATFORMS='clang trixie')
+## test-platforms: check that other compilers, Debian 13 and ARM64 give the same bytes (an hour; PLATFORMS='clang trixie')
 test-platforms: install-deps
 	@sh tools/platforms.sh $(PLATFORMS)
 
-## test-slurm: the lineage and a map in parts under Slurm, on a cluster of two nodes on this machine (takes root)
+## test-slurm: run make and a map in parts under Slurm, on a two-node cluster on this machine (needs root)
 test-slurm: programs
 	@$(MAKE) volume=beyond programs
 	@sh tests/programs/slurm/run.sh
 
-## fresh: the README's commands, make beyond, test-beyond, book and paper in a bare Debian root (SUITE=trixie; takes root)
+## fresh: run the README's commands, make beyond, test-beyond, book and paper in a bare Debian root (SUITE=trixie; needs root)
 fresh:
 	@sh tools/fresh.sh $(SUITE)
 
-## container: the steps of tools/Dockerfile in a bare root, where no container can run (SUITE=trixie; takes root)
+## container: run the steps of tools/Dockerfile in a bare root, where containers cannot run (SUITE=trixie; needs root)
 container:
 	@sh tools/fresh.sh --container $(SUITE)
 
-## dist: sources, tables, figures, and what is there of book, paper, supplement and theorem, in one archive, build/dist
+## dist: pack sources, tables, figures, and those of book, paper, supplement and theorem that exist, into one archive, build/dist
 dist:
 	@$(lineage) inventory --data $(B)/data --programs $(B)/bin --out $(B)/report
 	@PYTHON="$(PYTHON)" sh tools/dist.sh $(B)
 
-## style: clang-format, shellcheck and reuse (from its version 4 on), where they are installed
+## style: run clang-format, shellcheck and reuse (version 4 or newer), where installed
 style:
 	@! command -v clang-format >/dev/null 2>&1 || { files=$$(git ls-files '*.cpp' '*.hpp') && clang-format --dry-run --Werror $${files:?git lists none}; }
 	@! command -v shellcheck >/dev/null 2>&1 || shellcheck .ci/run tools/*.sh tests/*/*.sh tests/programs/slurm/*.sh examples/*.sbatch $(wildcard beyond/examples/*.sbatch)
 	@! reuse --version 2>/dev/null | grep -Eq ' ([4-9]|[1-9][0-9])\.' || reuse lint --lines
 
-## tidy: clang-tidy on the sources that differ from a commit, SINCE=HEAD~1; without it on all (an hour)
+## tidy: run clang-tidy on the sources changed since a commit, SINCE=HEAD~1; without SINCE on all (an hour)
 tidy:
 	@sh tools/tidy.sh $(SINCE)
 
@@ -346,19 +346,19 @@ tidy:
 install-deps:
 	@DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt
 
-## burn: remove all products
+## burn: remove everything that was built or computed
 burn:
 	@rm -rf $(B)
 
-## help: this list
+## help: print this list
 help:
 	@sed -n 's/^## /  make /p' Makefile
 	@awk '!/^#/ { at = index($$0, ","); id = substr($$0, 1, at - 1); if (id == "id") next; \
 	  text = $$0; for (k = 0; k < 7; ++k) text = substr(text, index(text, ",") + 1); \
 	  gsub(/"/, "", text); printf "  make %s: %s\n", (id ~ /^x/ ? id : "fig" id), text }' $(wildcard figures/figures.ecsv beyond/figures/figures.ecsv)
-	@echo "Variables: DEPS=skip (install nothing), PYTHON=..., JOBS=..., LAUNCH=... (put before every program),"
+	@echo "Variables: DEPS=skip (install nothing), PYTHON=..., JOBS=..., LAUNCH=... (put before each simulation),"
 	@echo "  THREADS=... (of each program), QUICK=1 (coarse, into $(B)/quick)"
 
 # What has no rule is mistyped.
 .DEFAULT:
-	$(error '$@': there is no such target or file (allowed: what `make help` lists))
+	$(error '$@': unknown target or file (allowed: those that `make help` lists))

@@ -107,7 +107,8 @@ OrbitMultipliers multipliers_through(const Chain& chain, const State<double>& st
                                      double period) {
   State<double> end = start;
   flow(chain, end, period);
-  refuse_beyond(1e-2, largest_difference(end, start) / largest(start), "it misses its start by");
+  refuse_beyond(1e-2, largest_difference(end, start) / largest(start),
+                "after one period it misses its start by");
   const auto moves = [](double v) { return v != 0; };
   const bool rests = std::none_of(start.v.begin(), start.v.end(), moves);
   const bool ring = chain.ends == Ends::periodic;
@@ -115,7 +116,7 @@ OrbitMultipliers multipliers_through(const Chain& chain, const State<double>& st
       rests ? orbit_from_rest(chain, start, period)
             : near_guess(chain, travelling(chain.sites, 0, ring), start, period, 1e-9);
   refuse_beyond(1e-3, largest_difference(found.orbit.start, start) / largest(start),
-                "the nearest one that is found begins at a distance of");
+                "the nearest one found begins at a distance of");
   if (!rests) return in_motion(found);
   const Spectrum all = spectrum<Wide>(found.problem, found.orbit);
   return {multipliers_of(all), all.largest_modulus()};

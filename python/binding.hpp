@@ -132,7 +132,7 @@ Command read(Words words) {
   Spoken<Command> spoken;
   words.insert(words.begin(), Command::title.name);
   if (read_line(spoken.offers, words).what != Asked::What::run)
-    throw UsageError("--help: is for programs (allowed: Python's own help)");
+    throw UsageError("--help: is an option of the programs (allowed: Python's own help)");
   return spoken.command;
 }
 
@@ -202,7 +202,7 @@ void refuse_too_many(const Chain& chain, double time, double sample) {
   std::ostringstream text;
   text.precision(3);
   text << "sample: y and v would take " << gigabytes << " GB (allowed: " << most_gigabytes
-       << "; take samples further apart, or several runs, each from the end of the one before)";
+       << "; take fewer samples, or several runs, each from the final state of the previous one)";
   throw UsageError(text.str());
 }
 

@@ -60,7 +60,7 @@ class Rows {
     if (!said) throw py::error_already_set();
     const auto returned = ask_interpreter([&] { return py::array::ensure(said); });
     if (!returned || std::string("fiu").find(returned.dtype().kind()) == std::string::npos)
-      throw std::invalid_argument(std::string(name) + " returns something else than real numbers");
+      throw std::invalid_argument(std::string(name) + " does not return real numbers");
     const auto answer = ask_interpreter(
         [&] { return py::array_t<T, py::array::c_style | py::array::forcecast>(returned); });
     // One number stands for as many as are asked for
@@ -68,7 +68,7 @@ class Rows {
     if (std::size_t(returned.size()) != n)
       throw std::invalid_argument(std::string(name) + " returns " +
                                   std::to_string(returned.size()) + " numbers for " +
-                                  std::to_string(n) + " (allowed: as many, or one)");
+                                  std::to_string(n) + " (allowed: the same number, or one)");
     std::copy_n(answer.data(), n, out);
   }
 
@@ -96,7 +96,7 @@ struct OwnChain {
   Chain chain{};
 
   void parameters(Parameters& p) {
-    p.add("sites", chain.sites, "number of beads (default: as long as needed)", {2, 1e6});
+    p.add("sites", chain.sites, "number of beads (default: as many as needed)", {2, 1e6});
     add_well(p, chain.well);
     add_contact(p, chain.contact);
     add_ends(p, chain.ends);

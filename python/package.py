@@ -1,19 +1,19 @@
 """Breathers in oscillator chains with Hertzian interactions, from Python.
 
-The functions are the commands of the programs: `strike`, `breather`, `multipliers`, `barrier` and `dps` take the
-same options, compute the same bits and refuse the same input with the same line (ValueError; a computation that does not
-deliver what it promises is a RuntimeError). A `Chain` may have masses, contacts and wells of your own.
+The functions are commands of the programs: `strike`, `breather`, `multipliers`, `barrier` and `dps` take the same
+options, compute the same bits and reject the same input with the same message (ValueError; a computation that fails is a
+RuntimeError). A `Chain` may have masses, contacts and wells of your own.
 
     >>> import lattice
     >>> lattice.strike(velocity=1.5, time=200, s="-1/6").speed
     >>> lattice.strike(lattice.Chain(100, mass=[1, 1.1]), velocity=1, time=150).centre
     >>> lattice.breather(contact="power", alpha=1.8).amplitude
 
-All quantities are dimensionless, as in Eqs. (9) and (10): the unit of time makes the frequency of small oscillations in
-a well one, the unit of length does the same for the coefficient of the contact force. Equation numbers are those of
-James, Kevrekidis and Cuevas, Physica D 251 (2013) 39-59. A long computation can be interrupted (Ctrl-C) and runs without
-the interpreter's lock. No result depends on the number of threads (`set_threads`). A Chain and a Result can be pickled,
-so that processes can share a scan; potentials of your own go with them if their functions can be pickled.
+All quantities are dimensionless, as in Eqs. (9) and (10): in these units of time and length the frequency of small
+oscillations in a well and the coefficient of the contact force are one. Equation numbers are those of
+James, Kevrekidis and Cuevas, Physica D 251 (2013) 39-59. A long computation can be interrupted (Ctrl-C) and releases
+the interpreter lock. Results do not depend on the number of threads (`set_threads`). A Chain and a Result can be pickled,
+so that processes can share a scan; so can potentials of your own, if their functions can be pickled.
 """
 
 import inspect
@@ -26,17 +26,17 @@ from pathlib import Path
 try:
     import numpy as np
 except ImportError:
-    raise ImportError(f"lattice needs numpy, which {sys.executable} does not have (Debian: apt install python3-numpy, and "
+    raise ImportError(f"lattice needs numpy, which {sys.executable} lacks (Debian: apt install python3-numpy, and "
                       "call /usr/bin/python3; in a virtual environment: pip install numpy)") from None
 try:
     from . import _lattice
 except ImportError as _error:
     _found = [path.name for path in Path(__file__).parent.glob("_lattice.*")]
     raise ImportError(
-        "lattice: its compiled half is missing (`make python` builds it; before cmake --install, cmake --build BUILD "
+        "lattice: the compiled part is missing (`make python` builds it; before cmake --install, cmake --build BUILD "
         "--target python_module)" if not _found else
         f"lattice: {_found[0]} cannot be loaded by {sys.executable}, a Python {sys.version.split()[0]}"
-        + (f": {_error}" if "circular" not in str(_error) else " (it was compiled for another one)")) from None
+        + (f": {_error}" if "circular" not in str(_error) else " (it was compiled for a different Python)")) from None
 
 __version__ = _lattice.version
 __all__ = ["Chain", "Contact", "Estimate", "Result", "Well", "barrier", "breather", "dps", "multipliers", "set_threads",
@@ -44,9 +44,9 @@ __all__ = ["Chain", "Contact", "Estimate", "Result", "Well", "barrier", "breathe
 
 
 class Estimate(float):
-    """A number that knows its error: a float with the attributes `error` (absolute, in the unit of the number), `unit`
-    (empty if dimensionless), `exact` (True where nothing could be different), `meaning` (what it is, in words) and
-    `reason` (why it is nan; otherwise empty). Errors are differences of two resolutions, as in the tables of the programs.
+    """A number with its error: a float with the attributes `error` (absolute, in the unit of the number), `unit`
+    (empty if dimensionless), `exact` (True where no error can arise), `meaning` (a description) and `reason` (why it is
+    nan; otherwise empty). Errors are differences of two resolutions, as in the tables of the programs.
     Arithmetic returns plain floats."""
 
     def __new__(cls, value, error, unit="", exact=False, meaning="", reason=""):
@@ -58,7 +58,7 @@ class Estimate(float):
         return float(self), self.error, self.unit, self.exact, self.meaning, self.reason
 
     def __str__(self):
-        """The digits that the error allows, and the error; the reason of a nan."""
+        """The significant digits and the error; for a nan, its reason."""
         value = float(self)
         if self.reason:
             return f"{value} ({self.reason})"
@@ -73,7 +73,7 @@ class Estimate(float):
 
 
 class Result:
-    """What a function found. `quantities` is a dictionary of Estimates, each with its `meaning`; they and the arrays are
+    """The result of a function. `quantities` is a dictionary of Estimates, each with its `meaning`; they and the arrays are
     attributes too."""
 
     def __init__(self, quantities, **arrays):
@@ -140,7 +140,7 @@ def _array(name, value, shapes, fits):
     except (TypeError, ValueError, OverflowError):
         array = None
     if array is None or array.dtype != float or np.ma.is_masked(value):
-        raise ValueError(f"{name}: {_short(value)} is no array of real numbers")
+        raise ValueError(f"{name}: {_short(value)} is not an array of real numbers")
     if not fits(array.shape):
         has = f"{len(array)} entries" if array.ndim == 1 else _short(value) if not array.ndim else f"shape {array.shape}"
         raise ValueError(f"{name}: {has} (allowed: {shapes})")
@@ -159,7 +159,7 @@ def _words(command, options):
         name = _FORMERLY.get(name, name)
         name = _DASHED.get(name, name)
         if len(name) > 60 or not name.replace("-", "_").isidentifier():
-            raise ValueError(f"{_short(name)}: there is no such option")
+            raise ValueError(f"{_short(name)}: unknown option")
         flag, allowed = declared.get(name, (False, ""))
         if name not in declared or flag and value is True:
             words.append(f"--{name}")
@@ -176,7 +176,7 @@ def _typed(name, value, allowed):
         return value
     if isinstance(value, (_lattice.Well, _lattice.Contact)):
         kind = type(value).__name__
-        raise ValueError(f"--{name}: a {kind} of your own has no place here (allowed: {allowed}; in a Chain)")
+        raise ValueError(f"--{name}: a {kind} of your own is accepted only in a Chain (allowed: {allowed})")
     if not allowed.startswith("["):
         raise ValueError(f"--{name}: {_short(value)} is not one of the allowed names {allowed}")
     x = _number(f"--{name}", value)
@@ -208,18 +208,18 @@ class Well(_lattice.Well):
     """A well of your own.
 
     energy, force, stiffness: functions of a numpy array of displacements that return arrays of the same length: W(y),
-        -W'(y) and W''(y). Errors are found by computing in extended precision too, so the functions get float64 or
-        longdouble and should return what they get; numpy's own functions do.
+        -W'(y) and W''(y). Errors come from a second computation in extended precision, so the functions receive float64
+        or longdouble and should return the same type, as numpy's own functions do.
     rim: displacement beyond which the well no longer pulls a bead back (default: none)
 
-    Breathers need a well with W''(0) = 1, which the unit of time can always give."""
+    Breathers need a well with W''(0) = 1; a suitable unit of time always gives this."""
 
     def __init__(self, energy, force, stiffness, rim=math.inf):
         functions = _functions(energy=energy, force=force, stiffness=stiffness)
         super().__init__(*functions.values(), _number("rim", rim))
         narrow = [name for name, function in functions.items() if _is_narrow(function)]
         if narrow:
-            warnings.warn(f"{' and '.join(narrow)} of the well: no longdouble is returned for longdouble, and the errors of "
+            warnings.warn(f"{' and '.join(narrow)} of the well: not longdouble for longdouble arguments, so the errors of "
                           "breathers and multipliers will be too small", stacklevel=2)
         if self._loses_digits:
             warnings.warn(_lattice.digits_hint, stacklevel=2)
@@ -237,8 +237,8 @@ class Contact(_lattice.Contact):
     energy, force, stiffness: functions of a numpy array: V(r), -V'(r) (not negative where beads repel) and V''(r);
         float64 or longdouble, as for a Well
     opening: the r at which the beads separate
-    exponent: the exponent with which the force grows from there; it must be known, because steps across an opening or
-        closing contact are corrected for it"""
+    exponent: the exponent with which the force grows from there; the integrator needs it to correct steps in which a
+        contact opens or closes"""
 
     def __init__(self, energy, force, stiffness, opening=0.0, exponent=1.5):
         super().__init__(*_functions(energy=energy, force=force, stiffness=stiffness).values(),
@@ -279,7 +279,7 @@ def _given(chain, options, named=()):
         raise TypeError(f"chain: {_short(chain)} is not a lattice.Chain")
     for name in options:
         if name in named or name in {option[0] for option in _lattice.options["Chain"]}:
-            raise ValueError(f"--{name}: belongs to the chain that is given (allowed: in Chain)")
+            raise ValueError(f"--{name}: belongs to the given chain (allowed: in Chain)")
     return chain
 
 
@@ -290,7 +290,7 @@ def _own(options, name, kind):
         return None
     for parameter in _lattice.parameters[name]:
         if options.get(parameter) is not None:
-            raise ValueError(f"--{parameter}: a {kind.__name__} of your own does not have it (allowed: with a name)")
+            raise ValueError(f"--{parameter}: a {kind.__name__} of your own does not have it (allowed: with a named potential)")
     return options.pop(name)
 
 
@@ -300,11 +300,12 @@ def _repeated(name, row, count, ring):
         return []
     if count < 2:
         raise ValueError(f"{name}: the chain has no number of sites (allowed: with `sites`)")
-    row = _array(name, row, f"{count}, or a pattern that fits in at least twice",
+    row = _array(name, row, f"{count}, or a pattern that fits at least twice",
                  lambda shape: len(shape) < 2 and (shape in ((), (count,)) or 0 < 2 * shape[0] <= count)).ravel()
     around = count - (name == "eta")
     if ring and 1 < len(row) < count and around % len(row):
-        raise ValueError(f"{name}: a pattern of {len(row)} does not close after {around} sites (allowed: one that does)")
+        raise ValueError(f"{name}: a pattern of length {len(row)} does not close on a ring of {around} sites "
+                         f"(allowed: a length that divides {around})")
     return np.append(np.resize(row, around), row[:count - around]) if len(row) < count and ring else np.resize(row, count)
 
 
@@ -326,11 +327,11 @@ class Chain(_lattice.Chain):
     OPTIONS
     mass: masses of the beads, `sites` numbers > 0, or a pattern that is repeated along the chain, such as [1, 0.5]
         (default: one)
-    eta: stiffnesses of the contacts, `sites` + 1 numbers >= 0, or a pattern; eta[n] is that of the contact on the left of
-        bead n, and the last one that of the right end (default: one)
+    eta: stiffnesses of the contacts, `sites` + 1 numbers >= 0, or a pattern; eta[n] belongs to the contact on the left of
+        bead n, the last one to the contact at the right end (default: one)
 
     `well` may be a `Well` and `contact` a `Contact` of your own. The attributes `sites`, `well`, `contact`, `ends`,
-    `mass` and `eta` tell what the chain is. Beads are counted from zero here, and from one in the article."""
+    `mass` and `eta` describe the chain. Beads are counted from zero here, and from one in the article."""
 
     def __init__(self, sites=None, mass=None, eta=None, **options):
         well, contact = _own(options, "well", Well), _own(options, "contact", Contact)
@@ -350,7 +351,7 @@ class Chain(_lattice.Chain):
                 options[name] = getattr(self, name)
         return _made, (type(self), options), self.__dict__ or None
 
-    onsite = property(lambda self: self.well, doc="The well, by its earlier name.")
+    onsite = property(lambda self: self.well, doc="The well, under its former name.")
 
     def __repr__(self):
         return f"Chain of {self.sites or 'as many'} beads{'' if self.sites else ' as needed'}: wells {self.well}; " \
@@ -360,29 +361,31 @@ class Chain(_lattice.Chain):
         """Positions or velocities: one number a site, or a whole run of such rows; all of one shape."""
         if not self.sites:
             raise ValueError("the chain has no number of sites (allowed: Chain(sites=...))")
-        out = [_array(name, value, f"{self.sites}, one a site, or samples x {self.sites}",
+        out = [_array(name, value, f"{self.sites}, one per site, or samples x {self.sites}",
                       lambda shape: 0 < len(shape) < 3 and shape[-1] == self.sites) for name, value in arrays.items()]
         if out[0].shape != out[-1].shape:
-            raise ValueError(f"y and v: shapes {out[0].shape} and {out[-1].shape} (allowed: equal ones)")
+            raise ValueError(f"y and v: shapes {out[0].shape} and {out[-1].shape} (allowed: equal shapes)")
         return out
 
     def _run(self, y, v, time, sample, tolerance):
         """What begins a run: one number a site, a time and how to look at it."""
         y, v = self._rows(y=y, v=v)
         if y.ndim != 1:
-            raise ValueError(f"y and v: shape {y.shape} (allowed: ({self.sites},), one number a site)")
+            raise ValueError(f"y and v: shape {y.shape} (allowed: ({self.sites},), one number per site)")
         return y, v, _within("time", time, 0, 1e9), _within("sample", sample, 1e-9, 1e9), _within("tolerance", tolerance, 1e-14, 0.1)
 
     def evolve(self, y, v, time, sample=0.2, tolerance=1e-4):
         """The motion from positions `y` and velocities `v` (arrays of `sites` numbers) over `time`.
 
-        The steps are halved until the end states of two runs agree to `tolerance`, relative to their largest entry;
-        otherwise RuntimeError with the history, and when a bead runs away. Returns a Result with the arrays t (samples), y
-        and v (samples x sites; 2 GB at most), samples being at most `sample` apart, and the quantities error, of the end
-        state, and energy_drift, the largest relative deviation of the energy, Eq. (6). The error is zero only where rounding
-        leaves no difference, as in a chain at rest."""
+        The step is halved until the final states of two runs agree to `tolerance`, relative to their largest entry.
+
+        Returns a Result with the arrays t (samples), y and v (samples x sites; 2 GB at most), the samples being at most
+        `sample` apart, and the quantities error, of the final state, and energy_drift, the largest relative deviation of
+        the energy, Eq. (6). The error is zero only where rounding leaves no difference, as in a chain at rest.
+
+        RuntimeError: the runs do not agree (the message has the history), or a bead runs away."""
         t, y, v, error, drift = super().evolve(*self._run(y, v, time, sample, tolerance))
-        known = {"error": Estimate(error, 0, "relative", meaning="difference of the end states of the last two runs"),
+        known = {"error": Estimate(error, 0, "relative", meaning="difference between the final states of the last two runs"),
                  "energy_drift": Estimate(drift, 0, "relative", meaning="largest deviation of the energy, Eq. (6)")}
         return Result(known, t=t, y=y, v=v)
 
@@ -390,35 +393,35 @@ class Chain(_lattice.Chain):
         """What begins an orbit: one number a site, and a period."""
         rows = self._rows(**arrays)
         if rows[0].ndim != 1 or self.sites > 1000:
-            raise ValueError(f"y and v: shape {rows[0].shape} (allowed: ({self.sites},), one number a site, at most 1000)")
+            raise ValueError(f"y and v: shape {rows[0].shape} (allowed: ({self.sites},), one number per site, at most 1000)")
         return *rows, _within("period", period, 1e-3, 1e5)
 
     def orbit(self, y, period):
-        """A periodic orbit near a guess of your own: at rest at the positions `y` (an array of `sites` numbers) at t = 0, even
-        in time, of the given period. Any wells, contacts, masses and ends; found by Newton's method as in `breather`.
+        """A periodic orbit of the given period, even in time, near a guess of your own: at t = 0 at rest at the positions `y`
+        (an array of `sites` numbers). Any wells, contacts, masses and ends; found by Newton's method as in `breather`.
 
-        Returns a Result with the quantities amplitude, energy (Eq. (6)), area, residual and iterations of `breather`, and the
-        arrays y and y_error, the positions at t = 0. Errors are differences from a wider number type. Near a bifurcation, or
-        from a guess that is far away, it can be another orbit than the one you think of: compare y with the guess.
+        Returns a Result with the quantities amplitude, energy (Eq. (6)), area (2 pi times the action), residual and iterations
+        of `breather`, and the arrays y and y_error, the positions at t = 0. Errors are differences from extended precision.
+        Near a bifurcation, or from a distant guess, Newton's method may find a different orbit: compare y with the guess.
 
-        RuntimeError: Newton's method fails, with its history; it shrinks to rest, or leaps off."""
+        RuntimeError: Newton's method fails (the message has its history), shrinks to rest, or leaves the guess far behind."""
         found, y, y_error = super().orbit(*self._orbit(period, y=y))
         return Result(_estimates(found), y=y, y_error=y_error)
 
     def multipliers(self, y, v, period):
         """All Floquet multipliers of the periodic orbit that begins at the positions `y` and velocities `v` (arrays of `sites`
-        numbers) and returns after `period`. Where it is at rest at t = 0 half a period is computed, with more digits.
+        numbers) and returns after `period`. An orbit at rest at t = 0 is computed over half a period, with more digits.
 
         Returns a Result with the quantity largest_modulus (the orbit is unstable if it exceeds one by more than its error)
         and the arrays multiplier (complex) and multiplier_error, two entries per bead, as `lattice.multipliers` does: the
-        first two are the pair of a shift in time, exactly +1, then come those next to +1. Errors are differences of two
+        first two are the time-translation pair, exactly +1, followed by those next to +1. Errors are differences of two
         tolerances or precisions.
 
         ValueError: no periodic orbit passes within a thousandth of the amplitude. RuntimeError: Newton's method fails."""
         modulus, error, found = super().multipliers(*self._orbit(period, y=y, v=v))
         numbers, errors = zip(*found)
-        known = {"largest_modulus": Estimate(modulus, error, meaning="of all multipliers; the orbit is unstable if it exceeds 1 "
-                                                                     "by more than its error")}
+        known = {"largest_modulus": Estimate(modulus, error, meaning="largest modulus of all multipliers; the orbit is "
+                                                                     "unstable if it exceeds 1 by more than its error")}
         return Result(known, multiplier=np.array(numbers), multiplier_error=np.array(errors))
 
     def energy_density(self, y, v):
@@ -434,7 +437,7 @@ class Chain(_lattice.Chain):
 def _finite(what, array):
     bad = np.flatnonzero(~np.isfinite(array))
     if len(bad):
-        raise RuntimeError(f"the {what} of bead {bad[0] % array.shape[-1]} is {array.flat[bad[0]]}: beyond the range of "
+        raise RuntimeError(f"the {what} of bead {bad[0] % array.shape[-1]} is {array.flat[bad[0]]}: outside the range of "
                            "double precision, or of a potential of your own")
     return array
 
@@ -454,20 +457,20 @@ def _chain(found):
 
 
 def strike(chain=None, **options):
-    """Strikes the first bead of a resting chain, Eq. (26), and follows the packet of energy that runs away (section 3.4).
+    """Strikes the first bead of a chain at rest, Eq. (26), and follows the packet of energy that travels away (section 3.4).
 
-    chain: a `Chain`; without one the wells and contacts are options. If it has no number of sites it is made as long as
-        the packet needs; if it has, it keeps it, and what its far end sends back belongs to the run.
+    chain: a `Chain`; without one, wells and contacts are options. A chain without a number of sites is made as long as
+        the packet needs; one with a number keeps it, and reflections from its far end are part of the run.
     OPTIONS
 
     Returns a Result with the quantities of `sec34_impact run`: speed (of the foremost packet's centre X, Eq. (24), from site
     20 to twenty sites before the far end; sites per unit of time), centre (site, from one), strongest_site (of the largest
-    energy density outside of the first five, which in hard wells need not be the foremost packet's),
-    peak_energy_density (the foremost one's largest maximum in time on its way from site 20), packet_energy_fraction,
-    boundary_energy_fraction (first five sites), energy_drift, escaped and far_end_moved (both 0 or 1), nan where one does
-    not exist; the arrays n, y, v and e, one entry per bead: site (from one), position, velocity and energy density,
-    Eq. (23), at the end; t, track_centre, track_energy and track_peak, one entry per sample: the packet's way, energy and
-    largest density; and the `chain`. Errors are differences of the last two of a series of runs with halved steps.
+    energy density beyond the first five sites, which in hard wells may lie outside the foremost packet),
+    peak_energy_density (the foremost packet's largest maximum in time from site 20 on), packet_energy_fraction,
+    boundary_energy_fraction (first five sites), energy_drift, escaped and far_end_moved (both 0 or 1); one that does not
+    exist is nan. It has the arrays n, y, v and e, one entry per bead: site (from one), position, velocity and energy
+    density, Eq. (23), at the end; t, track_centre, track_energy and track_peak, one entry per sample: the packet's centre,
+    energy and largest density; and the `chain`. Errors are differences of the last two of a series of runs with halved steps.
 
     RuntimeError: a bead runs away, the motion reaches the far end, or no step reaches the tolerance."""
     found, end, track, chain = _lattice.strike(_words("strike", options), _given(chain, options))
@@ -476,22 +479,22 @@ def strike(chain=None, **options):
 
 
 def breather(chain=None, **options):
-    """A static breather, a periodic motion at rest in space (section 3.2), by Newton's method.
+    """A static breather, a localised periodic motion (section 3.2), by Newton's method.
 
-    chain: a `Chain`; without one wells, contacts and masses are options. Its masses and stiffnesses must be symmetric about
-        its middle, its ends free. If it has no number of sites it is made as long as the tail needs.
+    chain: a `Chain`; without one, wells, contacts and masses are options. Its masses and stiffnesses must be symmetric
+        about its middle, its ends free. A chain without a number of sites is made as long as the tail needs.
     OPTIONS
 
-    `well` may be a `Well` of your own, and is then computed with calls into Python: seconds become minutes. Other exponents
-    are found like that of spheres; compression and masses are reached on a path from equal, uncompressed beads at the same
-    frequency, which must be above the linear waves of the chain.
+    `well` may be a `Well` of your own; its calls into Python turn seconds into minutes. All exponents are found like that
+    of spheres; compression and masses are reached by continuation from equal, uncompressed beads at the same frequency,
+    which must be above the linear waves of the chain.
 
     Returns a Result with the quantities of `sec32_newton_breathers breather`: amplitude, energy (Eq. (6)), area (the
-    integral of twice the kinetic energy over a period), residual (distance after a period, relative to the amplitude) and
-    iterations; the arrays n and y, one entry per bead: site (around the centre) and position at t = 0, where all are at
-    rest; and the `chain`. Errors are differences from a wider number type.
+    integral of twice the kinetic energy over a period, 2 pi times the action), residual (distance after a period, relative
+    to the amplitude) and iterations; the arrays n and y, one entry per bead: site (from the centre) and position at t = 0,
+    when all beads are at rest; and the `chain`. Errors are differences from extended precision.
 
-    RuntimeError: Newton's method fails, the branch that begins at omega = 1 does not reach `omega`, or the path ends."""
+    RuntimeError: Newton's method fails, the branch from omega = 1 does not reach `omega`, or the continuation stops."""
     _given(chain, options, _DASHED)
     well = _own(options, "well", Well)
     found, profile, chain = _lattice.breather(_words("breather", options), well, chain)
@@ -506,11 +509,11 @@ def multipliers(chain=None, **options):
 
     `well` may be a `Well` of your own, as in `breather`.
 
-    Returns a Result with the quantities kappa = (lambda + 1/lambda - 2)/4 of the pinning pair, the one nearest to +1, and
-    largest_modulus of all multipliers; and the arrays multiplier (complex) and multiplier_error, two entries per bead, the
-    first two being the pair of the phase, which is exactly +1, as `sec33_floquet multipliers` prints them. The breather is
-    unstable if largest_modulus exceeds one by more than its error, as it does where kappa is positive by more than its own;
-    a negative kappa alone says nothing of the other pairs. Errors are differences of two tolerances."""
+    Returns a Result with the quantities kappa = (lambda + 1/lambda - 2)/4 of the pinning (translational) pair, the one
+    nearest to +1, and largest_modulus of all multipliers; and the arrays multiplier (complex) and multiplier_error, two
+    entries per bead, beginning with the time-translation pair, exactly +1, as `sec33_floquet multipliers` prints them. The
+    breather is unstable if largest_modulus exceeds one by more than its error, as it does where kappa is positive by more
+    than its error; a negative kappa says nothing about the other pairs. Errors are differences of two tolerances."""
     _given(chain, options, _DASHED)
     well = _own(options, "well", Well)
     found, all_of_them = _lattice.multipliers(_words("multipliers", options), well, chain)
@@ -519,15 +522,15 @@ def multipliers(chain=None, **options):
 
 
 def barrier(chain=None, **options):
-    """The Peierls-Nabarro barrier, the energy between the site-centred and the bond-centred breather (section 3.2).
+    """The Peierls-Nabarro barrier, the energy difference of the site- and the bond-centred breather (section 3.2).
 
-    chain: a `Chain` without a number of sites, since the two breathers have chains of their own; without one wells and
-        contacts are options, and `well` may be a `Well` of your own
+    chain: a `Chain` without a number of sites, since the two breathers need chains of different length; without one, wells
+        and contacts are options, and `well` may be a `Well` of your own
     OPTIONS
 
-    Returns a Result with the quantities of `sec32_barrier barrier`: equal_frequency, E_site - E_bond at one frequency, as
-    in the article but with its sign, and equal_area, the same at equal area, which is what a moving breather keeps.
-    Errors are differences of two tolerances in a wider number type."""
+    Returns a Result with the quantities of `sec32_barrier barrier`: equal_frequency, E_site - E_bond at the same frequency,
+    as in the article but with its sign, and equal_area, the same at equal area (2 pi times the action), which a moving
+    breather keeps. Errors are differences of two tolerances in extended precision."""
     if _given(chain, options) and (chain.sites or chain.ends != "free"):
         raise ValueError(f"chain: {chain.sites or 'no'} beads, ends {chain.ends} (allowed: no number of sites, free ends)")
     well = _own(options, "well", Well)
@@ -535,22 +538,22 @@ def barrier(chain=None, **options):
 
 
 def dps(**options):
-    """The same impact in the limit of small amplitude, the discrete p-Schroedinger equation (12) with Eq. (25).
+    """An impact in the limit of small amplitude, the discrete p-Schroedinger equation (12) with Eq. (25).
 
     OPTIONS
 
     Returns a Result with the quantities of `sec31_dps_limit impact`: centre (site, from one), speed (sites per unit of
-    slow time), amplitude, norm_window (share of the norm in the packet) and residual_boundary (share left on the first
-    ten sites); the arrays n and amplitude_n, one entry per site: site (from one) and complex amplitude A_n at the end;
-    and tau, track_centre, track_energy and track_peak, one entry per sample, the packet's way in |A_n|^2. They hold for
-    every epsilon. Errors are differences of two tolerances."""
+    slow time), amplitude, norm_window (fraction of the norm in the packet) and residual_boundary (fraction left on the
+    first ten sites); the arrays n and amplitude_n, one entry per site: site (from one) and complex amplitude A_n at the
+    end; and tau, track_centre, track_energy and track_peak, one entry per sample, which follow the packet in |A_n|^2. The
+    results hold for every epsilon. Errors are differences of two tolerances."""
     found, end, track = _lattice.dps(_words("dps", options))
     path = {"tau": track["t"]} | {f"track_{name}": track[name] for name in ("centre", "energy", "peak")}
     return Result(_estimates(found), n=end["n"], amplitude_n=end["real"] + 1j * end["imag"], **path)
 
 
 def set_threads(count=0):
-    """Sets the number of threads; zero stands for all cores that the process may use. No result depends on it."""
+    """Sets the number of threads; zero means all cores that the process may use. Results do not depend on it."""
     for half in filter(None, (_lattice, _beyond)):
         half.set_threads(int(_within("count", count, 0, 1024)))
 

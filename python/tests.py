@@ -166,8 +166,8 @@ class Refusals(unittest.TestCase):
     def test_states_and_runs(self):
         """Lengths, types and numbers that cannot be meant, said with the name and in a few words."""
         chain, zero, v = lattice.Chain(4), np.zeros(4), np.eye(4)[0]
-        for message, y in [("5 entries .allowed: 4", range(5)), ("None", None), ("no array of real", zero + 1j),
-                           ("no array of real", np.ma.masked_equal([0, 1, 2, 3], 1)), ("nan in entry 1", [0, math.nan, 0, 0])]:
+        for message, y in [("5 entries .allowed: 4", range(5)), ("None", None), ("not an array of real", zero + 1j),
+                           ("not an array of real", np.ma.masked_equal([0, 1, 2, 3], 1)), ("nan in entry 1", [0, math.nan, 0, 0])]:
             for call in (chain.accelerations, lambda y: chain.energy_density(y, zero), lambda y: chain.evolve(y, zero, 1)):
                 self.refused((f"^y.*{message}", lambda: call(y)))
         for name, value in [("time", -1), ("time", "20"), ("time", True), ("sample", 0), ("tolerance", 1), ("tolerance", 1e-30)]:
@@ -184,7 +184,7 @@ class Refusals(unittest.TestCase):
         chain, rest = lattice.Chain(5, well="quartic", s=1), np.zeros(5)
         self.refused(("shrinks to rest", lambda: chain.orbit(rest, 5)), ("period: -5", lambda: chain.orbit(np.ones(5), -5)),
                      ("misses its start", lambda: chain.multipliers(np.eye(5)[2], rest, 5)),
-                     (r"\(5,\), one number a site", lambda: chain.multipliers(np.zeros((2, 5)), np.zeros((2, 5)), 5)),
+                     (r"\(5,\), one number per site", lambda: chain.multipliers(np.zeros((2, 5)), np.zeros((2, 5)), 5)),
                      ("no number of sites", lambda: lattice.Chain().orbit([1], 5)), kind=(ValueError, RuntimeError))
 
     def test_potentials_that_are_none(self):
@@ -192,7 +192,7 @@ class Refusals(unittest.TestCase):
         energy, force = lambda y: y * y / 2, lambda y: -y
         self.refused(
             ("force", lambda: lattice.Well(energy, lambda y: -1.01 * y, np.ones_like)), ("stiffness", lambda: lattice.Well(energy, force, lambda y: 2)),
-            (r"force returns (\d+) numbers for \d+ .allowed: as many, or one", lambda: lattice.Well(energy, lambda y: -y[1:], np.ones_like)),
+            (r"force returns (\d+) numbers for \d+ .allowed: the same number, or one", lambda: lattice.Well(energy, lambda y: -y[1:], np.ones_like)),
             ("energy returns something else", lambda: lattice.Well(lambda y: y * y / 2 + 0j, force, np.ones_like)),
             ("rim is nan", lambda: lattice.Well(energy, force, np.ones_like, math.nan)),
             ("exponent", lambda: lattice.Contact(overlap_energy, overlap_force, overlap_stiffness, exponent=math.inf)),
@@ -299,8 +299,8 @@ class OwnChains(unittest.TestCase):
     def test_a_pattern_is_repeated(self):
         self.assertEqual(bits(lattice.Chain(5, mass=(1, 0.5)).mass), bits([1, 0.5, 1, 0.5, 1]))
         self.assertEqual(bits(lattice.Chain(6, eta=[1, 3], ends="periodic").eta), bits([1, 3, 1, 3, 1, 3, 1]))
-        for message, options in [("eta: a pattern of 2 does not close after 5 sites", {"sites": 5, "eta": [1, 3], "ends": "periodic"}),
-                                 ("mass: .*allowed: 4, or a pattern that fits in at least twice", {"sites": 4, "mass": [1, 2, 3]})]:
+        for message, options in [("eta: a pattern of length 2 does not close on a ring of 5 sites", {"sites": 5, "eta": [1, 3], "ends": "periodic"}),
+                                 ("mass: .*allowed: 4, or a pattern that fits at least twice", {"sites": 4, "mass": [1, 2, 3]})]:
             with self.assertRaisesRegex(ValueError, message):
                 lattice.Chain(**options)
 
@@ -343,7 +343,7 @@ class OwnChains(unittest.TestCase):
     def test_digits_that_are_lost(self):
         with self.assertWarnsRegex(UserWarning, "expm1"):
             lattice.Well(lambda y: np.exp(-y) - 1 + y, lambda y: np.exp(-y) - 1, lambda y: np.exp(-y))
-        with self.assertWarnsRegex(UserWarning, "^force of the well: no longdouble"):
+        with self.assertWarnsRegex(UserWarning, "^force of the well: not longdouble"):
             lattice.Well(lambda y: y * y / 2, lambda y: (-y).astype(float), np.ones_like)
         with warnings.catch_warnings():
             warnings.simplefilter("error")

@@ -106,7 +106,7 @@ if(PYTHON)
   if(installed OR NOT text MATCHES "The Python module is not installed: it is not built")
     message(FATAL_ERROR "without the compiled half of the module the installation says: ${text}")
   endif()
-  python_says("${place}/bare" "import lattice" "\nImportError: lattice: its compiled half is missing[^\n]*\n$")
+  python_says("${place}/bare" "import lattice" "\nImportError: lattice: the compiled part is missing[^\n]*\n$")
 endif()
 
 # None is left out
