@@ -55,7 +55,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     for command in ([f"-S{ROOT}", f"-B{build}", "-DLATTICE_TESTS=OFF", f"-DPython_EXECUTABLE={sys.executable}"],
                     ["--build", build, "--target", "python_module", "--parallel", str(os.cpu_count() or 2)]):
         if subprocess.run(["cmake", *map(str, command)], check=False).returncode:
-            sys.exit("lattice: CMake did not build the Python module; what it lacks is said above")
+            sys.exit("lattice: CMake failed to build the Python module; see its messages above")
     return pack(build / "python/lattice", wheel_directory)
 
 

@@ -9,9 +9,9 @@ case $here in
 *[\"\;:\#\$\\]*) refuse "the folder '$here' has a character in its name that CMake or make cannot use (allowed: all but \" ; : # \$ \\)" ;;
 esac
 [ -z "$(printf '%s' "$here" | sed 's/[^][]//g; :pair; s/\[\]//; t pair')" ] ||
-  refuse "the folder '$here' has a bracket without its other half in its name, which CMake cannot use (allowed: pairs [ ])"
+  refuse "the folder '$here' has an unpaired bracket in its name, which CMake cannot use (allowed: pairs [ ])"
 (mkdir -p "$build" && : > "$build/.writable.$$" && rm "$build/.writable.$$") 2>/dev/null ||
-  refuse "cannot write to $here/$build (allowed: a checkout in which you may write)"
+  refuse "cannot write to $here/$build (allowed: a writable checkout)"
 # shellcheck source=tools/shared.sh
 . "${0%/*}/shared.sh"
 hold "$build/.lock"
@@ -20,7 +20,7 @@ rm -f "$build/configure.log" "$build/build.log"
 if [ -f "$build/CMakeCache.txt" ]; then
   home=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$build/CMakeCache.txt")
   if [ "$(cd "$home" 2>/dev/null && pwd -P)" != "$here" ]; then
-    echo "  build    $build was made in $home: everything is built again for $here"
+    echo "  build    $build was made in $home: rebuilding everything for $here"
     rm -rf "$build/CMakeCache.txt" "$build/CMakeFiles" "${build:?}/bin" "$build/configured"
   fi
 fi

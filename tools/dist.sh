@@ -9,11 +9,11 @@ unset CDPATH
 build=$1 products=
 refuse() { echo "dist: $1" >&2; exit 1; }
 unset GIT_DIR GIT_WORK_TREE
-[ -n "$(sh "${0%/*}/revision.sh")" ] || refuse "this is no checkout of the repository (allowed: a clone with its history)"
+[ -n "$(sh "${0%/*}/revision.sh")" ] || refuse "not a checkout of the repository (allowed: a clone with its history)"
 version=$(sed -n 's/^ *"version": *"\([0-9.]*\)".*/\1/p' codemeta.json)
 [ -n "$version" ] || refuse "codemeta.json names no version"
 { [ -d "$build/data" ] && [ -d "$build/figures" ]; } || refuse "$build/data and $build/figures are missing: compute them first (make figures)"
-[ -z "$(git status --porcelain --untracked-files=no)" ] || echo "dist       : what is not committed is not in it"
+[ -z "$(git status --porcelain --untracked-files=no)" ] || echo "dist       : uncommitted changes are not included"
 
 name=breathers-$version out=$build/dist
 epoch=$(git log -1 --format=%ct)
@@ -29,7 +29,7 @@ take() {
     cp -r "$build/$1" "$part/$name/build/$1"
     products="$products ${1##*/}"
   else
-    echo "dist       : without $2, which is not there ($3)"
+    echo "dist       : without $2, which does not exist ($3)"
   fi
 }
 take data "the tables" "make figures"

@@ -18,7 +18,7 @@ place=$PWD/build/fresh
 kind=$suite include=--include=g++,cmake,make,git,ca-certificates
 [ "$what" != --container ] || { kind=$suite-container include=; }
 base=$place/$kind.tar root=$place/$kind logs=$place/log-$kind
-cannot() { echo "  fresh    no bare root here: $1" >&2; exit 77; }
+cannot() { echo "  fresh    cannot make a bare root: $1" >&2; exit 77; }
 case $suite in ''|*[!a-z]*) cannot "'$suite' is no name of a release" ;; esac
 
 [ "$(id -u)" = 0 ] || cannot "that takes root"
@@ -46,7 +46,7 @@ fi
 [ -n "${KEEP:-}" ] || trap forget EXIT
 cp /etc/resolv.conf /etc/hosts "$root/etc/" 2>/dev/null || true
 apt-config dump 2>/dev/null | grep '^Acquire::.*Proxy ' > "$root/etc/apt/apt.conf.d/proxy" || true
-[ -z "$(git status --porcelain --untracked-files=no)" ] || echo "  fresh    what is not committed is not in it"
+[ -z "$(git status --porcelain --untracked-files=no)" ] || echo "  fresh    uncommitted changes are not included"
 
 # A step in the root: step FOLDER USER COMMAND. Nothing is in the environment but `home` and what FRESH_ENV adds.
 home='' bad=0

@@ -8,7 +8,7 @@ shift
 packages=$(awk -v asked=" $* " '/^\[/ { off = !index(asked, " " substr($0, 2, length($0) - 2) " "); next }
   !off && NF { print $1 }' "$list")
 if ! command -v apt-get >/dev/null 2>&1; then
-  echo "This machine has no apt. Install what these Debian packages contain, then say DEPS=skip:" >&2
+  echo "This machine has no apt. Install the contents of these Debian packages, then use DEPS=skip:" >&2
   echo "$packages" | sed 's/^/  /' >&2
   exit 1
 fi
@@ -19,7 +19,7 @@ done
 [ -n "$missing" ] || exit 0
 echo "Installing missing packages:$missing"
 if [ "$(id -u)" = 0 ]; then as_root=; elif command -v sudo >/dev/null 2>&1; then as_root=sudo; else
-  echo "Neither root nor sudo: ask someone to install them, then say DEPS=skip." >&2
+  echo "No root access and no sudo: ask an administrator to install them, then use DEPS=skip." >&2
   exit 1
 fi
 export DEBIAN_FRONTEND=noninteractive

@@ -80,7 +80,7 @@ clang() {
 }
 
 trixie() {
-  [ "$(id -u)" = 0 ] && command -v debootstrap > /dev/null || { lacks "that takes root and debootstrap"; return 0; }
+  [ "$(id -u)" = 0 ] && command -v debootstrap > /dev/null || { lacks "needs root and debootstrap"; return 0; }
   there="$place/trixie"
   [ -f "$there/made" ] || { rm -rf "$there"; debootstrap --variant=minbase \
     --include=g++,cmake,make,libgsl-dev,libeigen3-dev,libboost-dev,catch2 trixie "$there" \
@@ -123,7 +123,7 @@ arm64() {
   for it in "$here/build/bin/"tests_lattice_* "$here/build/bin/"tests_sec*; do
     qemu-aarch64-static "$it" "[unit]" || bad=1
   done > "$place/arm64-unit.log" 2>&1
-  say "arm64: unit tests: $(grep -c '^All tests passed' "$place/arm64-unit.log") executables in order, $(grep -c '^test cases:' "$place/arm64-unit.log") not"
+  say "arm64: unit tests: $(grep -c '^All tests passed' "$place/arm64-unit.log") executables pass, $(grep -c '^test cases:' "$place/arm64-unit.log") fail"
   # The published suite reads the tables of this machine's full run
   if [ -d "$root/build/data" ]; then
     ln -sfn "$root/build/data" "$here/build/data"
@@ -139,7 +139,7 @@ mkdir -p "$place"
 for name; do
   case $name in
   gcc|narrow|clang|trixie|arm64) "$name" ;;
-  *) echo "platforms.sh: '$name' is none of gcc, narrow, clang, trixie, arm64" >&2; exit 2 ;;
+  *) echo "platforms.sh: '$name' is unknown (allowed: gcc, narrow, clang, trixie, arm64)" >&2; exit 2 ;;
   esac
 done
 exit $bad

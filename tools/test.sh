@@ -6,7 +6,7 @@ shift 2
 for name; do
   names=$names${names:+|}$name
   grep -qE "(^|/)${name}[/ ]" "$build/tests.txt" ||
-    { echo "T: '$name' is no test (allowed: files and folders of tests/ and beyond/tests/, such as floquet or orbits)" >&2; exit 2; }
+    { echo "T: '$name' is not a test (allowed: files and folders of tests/ and beyond/tests/, such as floquet or orbits)" >&2; exit 2; }
 done
 # shellcheck disable=SC2046
 sh "${0%/*}/build.sh" "$build" "$jobs" $(grep -E "(^|/)($names)[/ ]" "$build/tests.txt" | cut -d ' ' -f 2 | sort -u)

@@ -12,15 +12,15 @@ for name in clang-tidy-16 clang-tidy clang-tidy-17 clang-tidy-18 clang-tidy-19; 
   version=$("$name" --version 2>/dev/null | sed -n 's/.*version \([0-9]*\).*/\1/p')
   if [ "${version:-0}" -ge 16 ]; then tidy=$name && break; fi
 done
-[ -n "$tidy" ] || { echo "tidy: there is no clang-tidy of version 16 or newer (Debian 12: clang-tidy-16)" >&2; exit 1; }
+[ -n "$tidy" ] || { echo "tidy: clang-tidy 16 or newer is missing (Debian 12: clang-tidy-16)" >&2; exit 1; }
 if [ -n "$since" ]; then
-  git rev-parse -q --verify "$since^{commit}" >/dev/null || { echo "tidy: '$since' is no commit" >&2; exit 1; }
+  git rev-parse -q --verify "$since^{commit}" >/dev/null || { echo "tidy: '$since' is not a commit" >&2; exit 1; }
   changed=$(git diff --name-only --diff-filter=d "$since" -- src beyond/src)
 else
   changed=$(git ls-files src beyond/src)
 fi
 files=$(echo "$changed" | sed -n 's/\.[hc]pp$/.cpp/p' | sort -u | while read -r file; do [ ! -f "$file" ] || echo "$file"; done)
-[ -n "$files" ] || { echo "  tidy     nothing in src and beyond/src differs"; exit 0; }
+[ -n "$files" ] || { echo "  tidy     no changes in src and beyond/src"; exit 0; }
 log=build/tidy/log
 mkdir -p build/tidy
 cmake -S . -B build/tidy -D LATTICE_TESTS=OFF > "$log" 2>&1 || { cat "$log"; exit 1; }

@@ -24,7 +24,7 @@ class Chapters(Scratch):
         self.assertEqual(self.read("paper/costs.ecsv").splitlines()[-2:], ["sec1_demo,10", "sec2_new,nan"])
         self.assertEqual([chapters.shown_cost(s) for s in (float("nan"), 0.6, 2.5, 3.4)], ["?", "< 1", "3", "3"])
         self.write("build/report/cost/sec1_demo", "soon")
-        self.refuses("refresh", "cost/sec1_demo: no time in seconds")
+        self.refuses("refresh", "cost/sec1_demo: not a time in seconds")
 
 
 class Here(unittest.TestCase):

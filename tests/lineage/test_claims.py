@@ -16,7 +16,7 @@ GOOD = ["pull", "Up to t = 10 it is [](num:a.one) and $x_1 > 0$.", "observed", "
 class Rows(Scratch):
     def test_our_numbers_in_a_row(self):
         self.assertEqual(claims.said("It is {p.q}, {not a name}.", {"p.q": finding(1.25, 1e-3)}), "It is 1.250, {not a name}.")
-        with self.assertRaisesRegex(ecsv.Fault, "nothing is known of 'p.none'"):
+        with self.assertRaisesRegex(ecsv.Fault, "there is no number 'p.none'"):
             claims.said("{p.none}", {})
         row = {"sentence": "It is [](num:a.one).", "criterion": "sec1_demo.fact > 1; sec1_demo.other < sec2_why.so", "answer": "",
                "assumption": "with {sec1_demo.q}", "covered_by": "a.two^2"}
@@ -26,9 +26,9 @@ class Rows(Scratch):
     def test_the_sentence_of_a_finding_stands_in_one_place(self):
         self.write("paper/findings.ecsv", table(FINDINGS, [GOOD]))
         for prose, words in [("[](finding:push)", "sec1_demo.cpp: paper/findings.ecsv has no finding 'push'"),
-                             ("", "pull: no chapter and no page of the report quotes it"),
+                             ("", "pull: it is quoted in no chapter and no page of the report"),
                              ("[](finding:pull) Up to t = 10 it\nis [1.0](num:a.one) and $x_1 > 0$.", "the sentence of pull is typed"),
-                             ("(finding:pull)", "this is no [](finding:id)")]:
+                             ("(finding:pull)", "this is not of the form [](finding:id)")]:
             self.write("src/sec1_demo.cpp", f"/**\n# 1 A demonstration\n\n{prose} */\n")
             self.refuses("refresh", words)
         self.write("src/sec1_demo.cpp", "/**\n# 1 A demonstration\n\n[](finding:pull) */\n")

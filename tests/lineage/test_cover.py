@@ -42,7 +42,7 @@ class Archive(Scratch):
         archive, inside = self.root / "build/dist/breathers-1.0.0.tar.gz", self.root / "out/breathers-1.0.0"
         code, said = self.dist()
         self.assertEqual(code, 0, said)
-        self.assertIn("dist       : without the book, which is not there (make book)\n", said)
+        self.assertIn("dist       : without the book, which does not exist (make book)\n", said)
         with tarfile.open(archive) as opened:
             members = opened.getmembers()
             opened.extractall(self.root / "out")

@@ -25,11 +25,11 @@ class Reader(unittest.TestCase):
 
     def test_what_cannot_be_read_is_one_line(self):
         good = table(LOCK, [["p", "a", 1.0, 0.0, "", "value"], ["p", "b", 2.0, 0.0, "", "value"]])
-        for bad, message in [("", "t: no table (it is empty)"), (good[:300], "t: no table (it ends in its header)"),
+        for bad, message in [("", "t: not a table (it is empty)"), (good[:300], "t: not a table (it ends in its header)"),
                              (good[:-9], "row 2: 5 cells under 6 columns"), (good[:-1], "t: row 2: the file is cut off"),
                              (good.replace("p,b,2", "p,b,two"), "t: row 2: 'two' in the column 'value' is not a number"),
-                             (good.replace("p,b,", 'p,"b,'), "t: quotes that do not close"),
-                             (good.replace("program,id", "program,name"), "names above the rows")]:
+                             (good.replace("p,b,", 'p,"b,'), "t: unbalanced quotes"),
+                             (good.replace("program,id", "program,name"), "column names above the rows")]:
             with self.assertRaises(ecsv.Fault) as caught:
                 ecsv.parse(bad, "t")
             self.assertIn(message, str(caught.exception))
@@ -76,9 +76,9 @@ class Files(Scratch):
         """Also if no number is read from it; a header does not count."""
         self.computed("sec1_demo/speeds.ecsv", table(["value"], [[1.0], [2.0]]))
         self.write("apt-packages.txt", "")
-        changed, readers = "not what sec1_demo wrote; remove it to have it computed again", ("lock", "show a.one", "tables", "inventory")
+        changed, readers = "changed since sec1_demo wrote it; remove it to recompute it", ("lock", "show a.one", "tables", "inventory")
         for path, old, new, words, verbs in [
-                (self.FACTS, r"(?s).*", "", "no table (it is empty)", readers[:2]), (self.FACTS, r"(?s).{12}$", "", "row 3: ", readers[:2]),
+                (self.FACTS, r"(?s).*", "", "not a table (it is empty)", readers[:2]), (self.FACTS, r"(?s).{12}$", "", "row 3: ", readers[:2]),
                 (self.FACTS, "one,1,", "one,2,", changed, readers), (self.FACTS, r"fact,.*\n", "", changed, readers),
                 (self.FACTS, "# - {tables: .*\n", "", changed, readers[:2]), (self.SPEEDS, "\n2\n", "\n3\n", changed, readers)]:
             good = self.read(path)
@@ -98,10 +98,10 @@ class Files(Scratch):
         for verb in ("lock", "show a.one", "inventory"):
             self.refuses(verb, f"{self.SPEEDS} is missing")
         facts = self.read(self.FACTS)
-        self.assertEqual(self.lineage("tables"), (0, f"  missing  {self.SPEEDS}: its program runs again\n", ""))
+        self.assertEqual(self.lineage("tables"), (0, f"  missing  {self.SPEEDS}: its program will run again\n", ""))
         self.assertFalse((self.root / self.FACTS).exists())
         self.write(self.FACTS, re.sub("# - {tables: .*\n", "", facts))
-        self.assertIn("facts.ecsv with checksums: its program runs again", self.lineage("tables")[1])
+        self.assertIn("facts.ecsv with checksums: its program will run again", self.lineage("tables")[1])
 
 
 def doubts(columns, rows):

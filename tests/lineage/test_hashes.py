@@ -67,7 +67,7 @@ class Hashes(Scratch):
             refused(f"{FACTS}: of a quick run; remove", check)
         self.facts(*FACTS_OF_DEMO)
         self.change(FACTS, "fact,2,", "fact,3,")
-        refused("sec1_demo/facts.ecsv: not what sec1_demo wrote; remove it to have it computed again")
+        refused("sec1_demo/facts.ecsv: changed since sec1_demo wrote it; remove it to recompute it")
         (self.root / "build/quick/data/sec1_demo/facts.ecsv").unlink()
         self.facts(*FACTS_OF_DEMO)
         refused("sec1_demo did not finish")

@@ -16,7 +16,7 @@ class Inventory(Scratch):
             ("one", "--well", "none, harmonic, quartic, pendulum", "well of every bead")])
         self.assertEqual(list(inventory.commands(self.root, self.root / "none")), [])
         self.write("build/bin/sec1_demo", HELP.replace("#!/bin/sh\n", "#!/bin/sh\nexit 3\n"))
-        with self.assertRaisesRegex(ecsv.Fault, "sec1_demo: does not say what it can"):
+        with self.assertRaisesRegex(ecsv.Fault, "sec1_demo: cannot print its help"):
             list(inventory.commands(self.root, self.root / "build/bin"))
 
     def test_a_table_describes_its_columns(self):

@@ -51,4 +51,4 @@ class Told(Scratch):
         self.write("codemeta.json", good.replace('"version"', '"versoin"'))
         self.refuses("refresh", "codemeta.json: there is no 'version'")
         self.write("codemeta.json", good[:-5])
-        self.refuses("refresh", "codemeta.json: line", "no JSON")
+        self.refuses("refresh", "codemeta.json: line", "not JSON")

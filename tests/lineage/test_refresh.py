@@ -50,7 +50,7 @@ class Refreshing(Scratch):
 
     def test_what_is_quoted_must_be_locked(self):
         self.write("src/sec1_demo.cpp", "/** [](num:sec1_demo.other) */\n")
-        self.refuses("refresh", "src/sec1_demo.cpp: nothing is locked under 'sec1_demo.other'")
+        self.refuses("refresh", "src/sec1_demo.cpp: there is no reference value 'sec1_demo.other'")
 
 
 class Here(unittest.TestCase):

@@ -64,9 +64,9 @@ class Paper(Scratch):
         self.assertFalse((self.root / "build/paper").exists())
         self.write("paper/paper.tex", GOOD)
         self.change("paper/converged.ecsv", "sec1_demo,one", "sec1_demo,none")
-        self.refuses("macros", "nothing is there for \\num{a.one}")
+        self.refuses("macros", "\\num{a.one} refers to nothing")
         self.write("paper/paper.tex", r"\wide{01} \gone{a.one}{cause}")
-        self.refuses("macros", "nothing is locked for the claim 'a.one'")
+        self.refuses("macros", "there is no reference value for the claim 'a.one'")
 
     def test_what_the_documents_leave_out_or_show_twice_is_named(self):
         self.write("figures/figures.ecsv", table(FIGURES, [
@@ -76,9 +76,9 @@ class Paper(Scratch):
         for name, old, new, words in [
                 ("paper", "", "", None), ("paper", "\\wide", "% \\wide", "figure 01 of figures/figures.ecsv is not shown"),
                 ("more", "", "\\pair{x04}{02}", "figure 02 is shown 2 times (supplement, supplement); figure x04 is shown 2 times"),
-                ("theorem", "None", "See Figs.~01, x06\nand 05.", "figure 05 is cited and not in figures/figures.ecsv; figure x06"),
-                ("supplement", "\\input", "% \\input", "more.tex: none of paper.tex, supplement.tex, theorem.tex reads it"),
-                ("supplement", "\n", "\\gone{a.two}{none}\n", "'a.two' has a row \\gone and is not discrepant")]:
+                ("theorem", "None", "See Figs.~01, x06\nand 05.", "figure 05 is cited but not in figures/figures.ecsv; figure x06"),
+                ("supplement", "\\input", "% \\input", "more.tex: it is read by none of paper.tex, supplement.tex, theorem.tex"),
+                ("supplement", "\n", "\\gone{a.two}{none}\n", "'a.two' has a row \\gone but is not discrepant")]:
             for file, text in (good | {name: good[name].replace(old, new, 1)}).items():
                 self.write(f"paper/{file}.tex", text)
             if words:
@@ -109,7 +109,7 @@ class Paper(Scratch):
         for wrong in (r"\num{a.one}", "5 & 6", "$x", "a_b"):
             self.assertRaises(ecsv.Fault, tex.in_markdown, wrong)
         for wrong, words in [("\\see{01}{One.}\n\\see{01}{Two.}\n", "figure 01 has two captions"),
-                             ("\\see{01}{One.}\n\\sea{02}{Two.}\n", r"this is no \see{number}{text}: \sea{02}")]:
+                             ("\\see{01}{One.}\n\\sea{02}{Two.}\n", r"this is not of the form \see{number}{text}: \sea{02}")]:
             self.write("paper/captions.tex", wrong)
             self.refuses("macros", words)
 

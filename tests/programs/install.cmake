@@ -69,7 +69,7 @@ execute_process(COMMAND ${CMAKE_COMMAND} -S ${EXAMPLES}/.. -B ${place}/lacking -
                         CMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON -D CMAKE_CXX_COMPILER=${COMPILER}
                 RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE text)
 string(REGEX REPLACE "[ \n]+" " " text "${text}")
-if(code EQUAL 0 OR NOT text MATCHES "LIBRARIES: there is no GSL 2.7 .Debian: libgsl-dev., Eigen 3.4 .Debian: libeigen3-dev. .allowed")
+if(code EQUAL 0 OR NOT text MATCHES "LIBRARIES: missing GSL 2.7 .Debian: libgsl-dev., Eigen 3.4 .Debian: libeigen3-dev. .allowed")
   message(FATAL_ERROR "where GSL and Eigen are missing CMake says: ${text}")
 endif()
 
@@ -103,7 +103,7 @@ if(PYTHON)
   file(COPY ${BUILD}/python/lattice/__init__.py DESTINATION ${place}/bare/lattice)
   run(${CMAKE_COMMAND} -D CMAKE_INSTALL_PREFIX=${place}/bare/prefix -P ${place}/bare/install.cmake)
   files_in(installed ${place}/bare/prefix lib/python*/site-packages/lattice/*)
-  if(installed OR NOT text MATCHES "The Python module is not installed: it is not built")
+  if(installed OR NOT text MATCHES "The Python module is not installed, because it is not built")
     message(FATAL_ERROR "without the compiled half of the module the installation says: ${text}")
   endif()
   python_says("${place}/bare" "import lattice" "\nImportError: lattice: the compiled part is missing[^\n]*\n$")

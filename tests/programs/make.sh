@@ -158,13 +158,13 @@ echo 'lattice/orbits/floquet tests_lattice_orbits' > build/tests.txt
 run test T=floquet
 called '-R .*(floquet)' "T=floquet runs no test"
 refused test T=floq
-said "'floq' is no test" "a test that is none is not named"
+said "'floq' is not a test" "a test that is none is not named"
 cp -r tools "$scratch/foreign/inner"
 cd "$scratch/foreign/inner"
 (cd .. && git init -q . && git -c user.name=x -c user.email=x@y commit -q --allow-empty -m x)
 [ -z "$(sh tools/revision.sh)" ] || fail "another repository's revision is taken for ours"
 ! sh tools/dist.sh build 2> "$scratch/out" || fail "another repository's history is packed"
-said 'no checkout of the repository' "why nothing is packed is not said"
+said 'not a checkout of the repository' "why nothing is packed is not said"
 cd "$here"
 
 # One line says that something is compiled, and none if nothing is.
@@ -185,7 +185,7 @@ ran "sec2_long sec1_short " "the next make did not go on"
 
 # A copy is built for itself, as is a checkout that was moved.
 cp -r "$here" "$scratch/copy"
-(cd "$scratch/copy" && run all-data && said 'everything is built again' "the copy does not say what it does" &&
+(cd "$scratch/copy" && run all-data && said 'rebuilding everything' "the copy does not say what it does" &&
   grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" build/bin/.home) || fail "the copy builds the original"
 
 # Without the tools that draw nothing is computed in vain.
@@ -236,7 +236,7 @@ sed -i 1d build/data/sec3_own/*.ecsv
 sed -i s/1/2/ build/data/sec3_own/own.ecsv
 for target in x01 build/figures/x01_own.svg; do
   refused "$target"
-  said "build/data/sec3_own/own.ecsv: not what sec3_own wrote" "a changed table is drawn"
+  said "build/data/sec3_own/own.ecsv: changed since sec3_own wrote it" "a changed table is drawn"
 done
 rm build/data/sec3_own/own.ecsv
 run x01

@@ -12,7 +12,7 @@
     codecheck what a codechecker compares: codecheck.yml
     tex       the same values for the paper
     show      one number, statement or finding
-    inventory every table with its columns, every command, the packages used
+    inventory list every table with its columns, every command and the packages used
     cover     the first page of the archive of `make dist`
     gallery   the small pictures of the README
     sources   chapters as prose and code, and the line that recorded a number

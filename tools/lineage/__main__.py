@@ -26,7 +26,7 @@ def lock(given):
 
 def tables(given):
     for path in () if given.files else ecsv.forget_incomplete(given.data):
-        print(f"  missing  {path}: its program runs again")
+        print(f"  missing  {path}: its program will run again")
     files = [name for name in given.files if name.endswith(".ecsv")]
     faults = list(ecsv.faults_of(files) if given.files else ecsv.altered(given.data))
     for fault in faults:
@@ -74,13 +74,13 @@ class Parser(argparse.ArgumentParser):
 
 
 def reader():
-    parser = Parser(prog="lineage", description="Reads what the programs wrote.")
+    parser = Parser(prog="lineage", description="Reads the tables that the programs wrote.")
     parser.add_argument("--root", default=".", help="folder of the repository (default: here)")
     verbs = parser.add_subparsers(dest="verb", required=True, metavar="verb")
-    options = {"data": ("build/data", "folder with one folder of tables a program"),
-               "quick": ("build/quick/data", "the same of the run with --quick"),
-               "figures": ("build/figures", "folder of the drawings"),
-               "costs": ("build/report/cost", "folder with the seconds that each program took"),
+    options = {"data": ("build/data", "folder that holds one folder of tables per program"),
+               "quick": ("build/quick/data", "the same for the run with --quick"),
+               "figures": ("build/figures", "folder of the figures"),
+               "costs": ("build/report/cost", "folder with the run time of each program in seconds"),
                "programs": ("build/bin", "folder of the compiled programs")}
 
     def verb(run, help, *wanted, out=None):
@@ -92,23 +92,23 @@ def reader():
             sub.add_argument("--out", default=out, help="where to write (default: %(default)s)")
         return sub
 
-    verb(show, "one number: printed, converged, error, verdict, figure, command", "data").add_argument("id")
-    kept = verb(lock, "renew paper/converged.ecsv and say what moved", "data")
-    kept.add_argument("--check", action="store_true", help="only say what is gone or outside; exit code 1 if anything")
-    verb(tables, "whether tables are what their programs wrote; a run that has lost one is made to run again",
+    verb(show, "show one number: printed, converged, error, verdict, figure, command", "data").add_argument("id")
+    kept = verb(lock, "renew the reference values paper/converged.ecsv and print changes", "data")
+    kept.add_argument("--check", action="store_true", help="only report values that are gone or outside their errors; exit code 1 if any")
+    verb(tables, "check that tables are as their programs wrote them; a program whose table is missing will run again",
          "data").add_argument("files", nargs="*", help="only the tables among these files")
-    same = verb(hashes, "record the bytes of all tables in paper/hashes.ecsv", "data", "quick")
-    same.add_argument("--check", action="store_true", help="only say what differs; exit code 1 if anything, 77 if the "
-                                                           "processor is another than that of the record")
+    same = verb(hashes, "record the checksums of all tables in paper/hashes.ecsv", "data", "quick")
+    same.add_argument("--check", action="store_true", help="only report what differs; exit code 1 if anything does, 77 if "
+                                                           "the processor is not that of the record")
     same.add_argument("--run", dest="run_of", choices=("full", "quick"), default="full",
-                      help="which run the folder of --data has, with --check (default: %(default)s)")
-    same.add_argument("--against", help="folder of the tables of another platform, to tell in which row they differ")
-    stale = verb(refresh, "write the locked values into the prose, and the tables of the pages", "costs")
-    stale.add_argument("--check", action="store_true", help="only say what is stale; exit code 1 if anything")
-    verb(macros, "write the locked values for the paper", out="build/paper")
+                      help="with --check: which run the folder of --data holds (default: %(default)s)")
+    same.add_argument("--against", help="folder of the tables from another platform, to report the rows that differ")
+    stale = verb(refresh, "write the reference values into the prose, and renew the tables of the pages", "costs")
+    stale.add_argument("--check", action="store_true", help="only report what is stale; exit code 1 if anything is")
+    verb(macros, "write the reference values as macros for the paper", out="build/paper")
     verb(gallery, "draw the small pictures of the README", "figures")
-    verb(inventory, "every table with its columns, every command, the packages used", "data", "programs", out="build/report")
-    verb(cover, "index.html of the archive, with the article's figures and claims")
+    verb(inventory, "list every table with its columns, every command and the packages used", "data", "programs", out="build/report")
+    verb(cover, "write index.html of the archive, with the article's figures and claims")
     return parser
 
 

@@ -81,7 +81,7 @@ def measured_costs(folder, which=0):
         try:
             out[path.name] = float(ecsv.text_of(path).split()[which])
         except (ValueError, IndexError):
-            raise ecsv.Fault(f"{path}: no time in seconds") from None
+            raise ecsv.Fault(f"{path}: not a time in seconds") from None
     return out
 
 

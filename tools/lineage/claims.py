@@ -118,7 +118,7 @@ def said(text, numbers):
     """A text of the list of claims with our numbers, by their names, in the places of these, `{pn.omega11}`."""
     def shown(m):
         if m[1] not in numbers:
-            raise ecsv.Fault(f"paper/claims.ecsv: nothing is known of '{m[1]}' (a new number: make lock)")
+            raise ecsv.Fault(f"paper/claims.ecsv: there is no number '{m[1]}' (a new number: make lock)")
         return numbers[m[1]].shown
 
     return QUOTED.sub(shown, text)
@@ -155,7 +155,7 @@ def with_sentences(text, rows, sentence):
         if id in ("id", "..."):
             return found[0]  # the form itself, where a comment explains it
         if brackets != "[]" or not end:
-            raise ecsv.Fault(f"this is no [](finding:id): {found[0]}")
+            raise ecsv.Fault(f"this is not of the form [](finding:id): {found[0]}")
         if id not in rows:
             raise ecsv.Fault(f"paper/findings.ecsv has no finding '{id}'")
         return sentence(rows[id])
@@ -171,7 +171,7 @@ def with_kind(row):
 def in_plain(sentence, numbers):
     """The sentence with its numbers as texts, by their names."""
     if lost := [name for name in NUMBERS.findall(sentence) if name not in numbers]:
-        raise ecsv.Fault(f"paper/findings.ecsv: nothing is locked under '{lost[0]}' (a new one: make lock)")
+        raise ecsv.Fault(f"paper/findings.ecsv: there is no reference value '{lost[0]}' (a new one: make lock)")
     return NUMBERS.sub(lambda m: numbers[m[1]].shown, sentence)
 
 
@@ -188,7 +188,7 @@ def check_quotations(rows, texts):
         bare = words_of(text)
         for id, row in rows.items():
             if words_of(row["sentence"]) in bare:
-                raise ecsv.Fault(f"{path}: the sentence of {id} is typed here; say [](finding:{id})")
+                raise ecsv.Fault(f"{path}: the sentence of {id} is typed here; write [](finding:{id})")
     for id, row in rows.items():
         if id not in quoted:
-            raise row.fault(f"{id}: no chapter and no page of the report quotes it")
+            raise row.fault(f"{id}: it is quoted in no chapter and no page of the report")

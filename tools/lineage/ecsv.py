@@ -71,7 +71,7 @@ def text_of(path):
     except FileNotFoundError:
         raise Fault(f"{path} is missing") from None
     except (OSError, UnicodeDecodeError) as error:
-        raise Fault(f"{path}: cannot be read ({getattr(error, 'strerror', None) or 'no UTF-8'})") from None
+        raise Fault(f"{path}: cannot be read ({getattr(error, 'strerror', None) or 'not UTF-8'})") from None
 
 
 def value_of(text, column):
@@ -126,13 +126,13 @@ def parse(text, path="<text>", needed=()):
     columns, meta = header_of(text)
     lines = [line for line in text.split("\n") if line and not line.startswith("#")]
     if not columns or not lines:
-        raise Fault(f"{path}: no table ({'it is empty' if not text.strip() else 'it ends in its header'})")
+        raise Fault(f"{path}: not a table ({'it is empty' if not text.strip() else 'it ends in its header'})")
     try:
         names, *rows = csv.reader(lines, strict=True)
     except csv.Error as error:
-        raise Fault(f"{path}: quotes that do not close, or a line break in a cell ({error})") from None
+        raise Fault(f"{path}: unbalanced quotes, or a line break in a cell ({error})") from None
     if names != [column.name for column in columns]:
-        raise Fault(f"{path}: the names above the rows are not those of the header")
+        raise Fault(f"{path}: the column names above the rows differ from those of the header")
     for name in needed:
         if name not in names:
             raise Fault(f"{path}: there is no column '{name}'")
@@ -166,7 +166,7 @@ def sums_in(folder):
 def check_run(path, text, quick):
     """Fault if the table is of a quick run, as its header says, and should be of a full one, or the other way round."""
     if bool(re.search(r"^# - \{parameters: '(?:[^'\n]*, )?quick = yes[,']", text, re.M)) != quick:
-        raise Fault(f"{path}: of a {'full' if quick else 'quick'} run; remove {path.parent} to have it computed again")
+        raise Fault(f"{path}: from a {'full' if quick else 'quick'} run; remove {path.parent} to recompute it")
 
 
 def check_written(path, text):
@@ -175,7 +175,7 @@ def check_written(path, text):
     if path.resolve().parents[2].name != "quick":
         check_run(path, text, quick=False)
     if sums_in(path.parent).get(path.name) != rows_sum(text):
-        raise Fault(f"{path}: not what {path.parent.name} wrote; remove it to have it computed again")
+        raise Fault(f"{path}: changed since {path.parent.name} wrote it; remove it to recompute it")
 
 
 def faults_of(paths):

@@ -22,7 +22,7 @@ COLUMNS = [
     ecsv.Column("program", "string", "program that writes the table"),
     ecsv.Column("table", "string", "name of the table"),
     ecsv.Column("full", "string", "SHA-256 of the full run's table without its lines with #"),
-    ecsv.Column("quick", "string", "the same of the run with --quick"),
+    ecsv.Column("quick", "string", "the same for the run with --quick"),
     ecsv.Column("left_out", "string", "columns, or first cells of rows, that depend on the platform, by hand"),
     ecsv.Column("reason", "string", "why they do"),
 ]
@@ -45,7 +45,7 @@ def read_record(root):
     table, out = ecsv.read(record_of(root), [c.name for c in COLUMNS]), {}
     for key, row in table.by(("program", "table")).items():
         if bool(row["left_out"]) != bool(row["reason"]):
-            raise row.fault("rows are left out with a reason, and a reason is for rows that are left out")
+            raise row.fault("a row needs a reason if it is left out, and only then")
         out[key] = Entry(*(row[c.name] for c in COLUMNS[2:]))
     return out, table.meta
 
@@ -131,9 +131,9 @@ def check(root, data, run, against=None):
     print(f"             here     {maker_of(next(iter(found.values())))}, {platform.machine()}")
     print(f"             recorded {meta.get('maker', 'unknown')}, {meta.get('processor', 'unknown')}")
     if meta.get("processor") == platform.machine():
-        print("             moved by a change that is meant: make hashes; values within their errors: make lock")
+        print("             after an intended change: make hashes; if values moved within their errors: make lock")
         return 1
-    print("             another kind of processor need not give the same bytes (CONTRIBUTING.md)")
+    print("             a different kind of processor may give different bytes (CONTRIBUTING.md)")
     return OTHER_PROCESSOR
 
 

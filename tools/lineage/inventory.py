@@ -50,7 +50,7 @@ def help_of(program, *command):
     try:
         run = subprocess.run([str(program), *command, "--help"], capture_output=True, text=True, check=True, timeout=60)
     except (OSError, subprocess.SubprocessError) as error:
-        raise ecsv.Fault(f"{program}: does not say what it can ({error})") from None
+        raise ecsv.Fault(f"{program}: cannot print its help ({error})") from None
     return run.stdout
 
 

@@ -39,7 +39,7 @@ def read_lock(root):
     for key, row in ecsv.read(lock_of(root), [c.name for c in COLUMNS]).by(("program", "id")).items():
         found = Finding(*(row[c.name] for c in COLUMNS))
         if found.kind not in KINDS:
-            raise row.fault(f"{found.id}: the kind '{found.kind}' is none of {', '.join(KINDS)}")
+            raise row.fault(f"{found.id}: the kind '{found.kind}' is unknown (allowed: {', '.join(KINDS)})")
         if found.error < 0:
             raise row.fault(f"{found.id}: the error {found.error:g} is negative")
         out[key] = found

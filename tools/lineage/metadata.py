@@ -21,7 +21,7 @@ def read(root):
     try:
         meta = json.loads(ecsv.text_of(path))
     except json.JSONDecodeError as error:
-        raise ecsv.Fault(f"{path}: line {error.lineno}: no JSON ({error.msg})") from None
+        raise ecsv.Fault(f"{path}: line {error.lineno}: not JSON ({error.msg})") from None
     for name in REQUIRED:
         if not meta.get(name):
             raise ecsv.Fault(f"{path}: there is no '{name}'")

@@ -32,7 +32,7 @@ def with_numbers(text, numbers):
         if brackets is None or not end:
             raise ecsv.Fault(f"a link without brackets: {found[0]}")
         if id not in numbers:
-            raise ecsv.Fault(f"nothing is locked under '{id}' (a new one: make lock)")
+            raise ecsv.Fault(f"there is no reference value '{id}' (a new one: make lock)")
         row = text[text.rfind("\n", 0, found.start()) + 1:].startswith("|")
         return f"[{numbers[id].shown_in_table if row else numbers[id].shown_in_prose}](num:{id})"
 
@@ -43,10 +43,10 @@ def with_marked_numbers(text, numbers):
     """The same for a page that others show, where such a link would lead nowhere: `<!--num:id-->value<!--/-->`, of
     which a reader sees the value. Fault for a mark that is not whole, or an id that is not there."""
     if len(MARK.findall(text)) != text.count("<!--num:") or text.count("<!--num:") != text.count("<!--/-->"):
-        raise ecsv.Fault("a number whose two marks do not match")
+        raise ecsv.Fault("the two marks of a number do not match")
     for id in MARK.findall(text):
         if id not in numbers:
-            raise ecsv.Fault(f"nothing is locked under '{id}' (a new one: make lock)")
+            raise ecsv.Fault(f"there is no reference value '{id}' (a new one: make lock)")
     return MARK.sub(lambda found: f"<!--num:{found[1]}-->{numbers[found[1]].shown}<!--/-->", text)
 
 
@@ -148,7 +148,7 @@ def fresh_page(text, tables):
 
     for name in re.findall(r"<!-- (/?\w+) -->", text):
         if text.count(f"<!-- {name.strip('/')} -->\n") != 1 or text.count(f"<!-- /{name.strip('/')} -->") != 1:
-            raise ecsv.Fault(f"no place for the table '{name.strip('/')}': its two marks do not match")
+            raise ecsv.Fault(f"the two marks of the table '{name.strip('/')}' do not match")
     return re.sub(r"<!-- (\w+) -->\n.*?<!-- /\1 -->", renewed, text, flags=re.S)
 
 

@@ -59,7 +59,7 @@ def of_finding(row, numbers, verdict):
 
 
 def show(root, data, name):
-    """The verb: a line for each; the fresh value where the program has run, the locked one elsewhere."""
+    """The verb: a line for each; the fresh value where the program has run, the reference value elsewhere."""
     all, claims = volumes(root), read_claims(root)
     programs = [program for volume in all for program in programs_of(volume)]
     ran = {program for program, _ in runs_of(data, programs)}

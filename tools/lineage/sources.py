@@ -23,7 +23,7 @@ def blocks_of(text, path="<text>"):
         start = at + len(piece) - len(piece.lstrip("\n"))
         if found := re.search(r"^[ \t]*/\*\*(?![*/<])", piece, re.M):
             line = text.count("\n", 0, at + found.start()) + 1
-            raise ecsv.Fault(f"{path}:{line}: a block of prose without an end of its own")
+            raise ecsv.Fault(f"{path}:{line}: a block of prose without its own end")
         if piece.strip():
             out.append((False, text.count("\n", 0, start) + 1, text[start:until].rstrip()))
 

@@ -133,7 +133,7 @@ def paper_texts(claims, numbers, verdicts, figures, meta, findings):
     nums = {name: text for (kind, name), text in out.items() if kind == "num"}
     for id, row in findings.items():
         if lost := [name for name in NUMBERS.findall(row["sentence"]) if name not in nums]:
-            raise row.fault(f"{id}: nothing is locked under '{lost[0]}' (a new one: make lock)")
+            raise row.fault(f"{id}: there is no reference value '{lost[0]}' (a new one: make lock)")
         out["finding", id] = sentence(row, nums)
     out.update({("fig", id): Path(f["script"]).stem for id, f in figures.items()})
     out.update({("tally", what): str(n) for what, n in counts.items()})
@@ -179,7 +179,7 @@ def files_of(root, programs):
         out[document] = texts
     for path in there.values():
         if chapter_needed(ecsv.text_of(path)) in ("", *programs) and not any(path in texts for texts in out.values()):
-            raise ecsv.Fault(f"{path}: none of {', '.join(d + '.tex' for d in DOCUMENTS)} reads it")
+            raise ecsv.Fault(f"{path}: it is read by none of {', '.join(d + '.tex' for d in DOCUMENTS)}")
     return out
 
 
@@ -198,9 +198,9 @@ def omissions(documents, verdicts, figures):
     return ([f"figure {id} of figures/figures.ecsv is not shown" for id in figures if not shown[id]]
             + [f"figure {id} is shown {len(places)} times ({', '.join(places)})" for id, places in shown.items()
                if len(places) > 1]
-            + [f"figure {id} is cited and not in figures/figures.ecsv" for id in sorted(cited - set(figures))]
+            + [f"figure {id} is cited but not in figures/figures.ecsv" for id in sorted(cited - set(figures))]
             + [f"the discrepant claim '{id}' has no row \\gone" for id in lost if id not in caused]
-            + [f"'{id}' has a row \\gone and is not discrepant" for id in caused if id not in lost])
+            + [f"'{id}' has a row \\gone but is not discrepant" for id in caused if id not in lost])
 
 
 SEE = re.compile(r"\\see\{(x?\d\d)\}\{((?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*)\}")
@@ -217,7 +217,7 @@ def captions(root):
             raise ecsv.Fault(f"{path}: figure {id} has two captions")
         out[id] = " ".join(said.split())
     if left := SEE.sub("", text).strip():
-        raise ecsv.Fault(f"{path}: this is no \\see{{number}}{{text}}: {left.splitlines()[0][:60]}")
+        raise ecsv.Fault(f"{path}: this is not of the form \\see{{number}}{{text}}: {left.splitlines()[0][:60]}")
     return out
 
 
@@ -249,7 +249,7 @@ def claim_rows(claims, numbers, verdicts):
     for id, c in sorted(claims.items(), key=lambda claim: claim[1]["section"]):
         f, verdict = numbers.get(id), verdicts[id]["verdict"]
         if c["answer"] and not f:
-            raise ecsv.Fault(f"nothing is locked for the claim '{id}' (make lock)")
+            raise ecsv.Fault(f"there is no reference value for the claim '{id}' (make lock)")
         if verdict == "discrepant":
             continue
         if c["section"] != section:
@@ -275,7 +275,7 @@ def marked(words):
     """Words between formulas: emphasis, code and bound numbers of Markdown in TeX. Fault for any other mark."""
     def piece(m):
         if m["odd"]:
-            raise ecsv.Fault(f"the proof has a mark that is not known to tools/lineage/tex.py: {m.string[m.start():][:40]}")
+            raise ecsv.Fault(f"the proof has a mark that tools/lineage/tex.py does not know: {m.string[m.start():][:40]}")
         if m["num"]:
             return rf"\num{{{m['num']}}}"
         kind = "textbf" if m["bold"] else "emph" if m["emph"] else "texttt"
@@ -336,7 +336,7 @@ def write(root, out):
     texts = paper_texts(claims, numbers, verdicts, figures, metadata.read(root), findings)
     said = joined(captions, all)
     documents = files_of(root, programs)
-    if missing := [f"{path}: nothing is there for {reference}" for path, text in
+    if missing := [f"{path}: {reference} refers to nothing" for path, text in
                    sorted({p: t for document in documents.values() for p, t in document.items()}.items())
                    for reference in dangling(text, texts)]:
         raise ecsv.Fault("; ".join(missing) + " (a new number: make lock)")
