@@ -569,16 +569,16 @@ class Bind(SphinxTransform):
 
     def number(self, id, found):
         if id not in self.book.numbers:
-            say.warning(f"nothing is locked or computed under '{id}'", location=found)
+            say.warning(f"'{id}' has no reference value and no computed value", location=found)
             return nodes.Text(found.astext())
         number = self.book.numbers[id]
         text, known = found.astext(), number.shown
         if text not in ("", known, number.shown_in_prose, number.shown_in_table):
-            say.warning(f"{id} is stale: {text} stands here, {known} is locked (make refresh)", location=found)
+            say.warning(f"{id} is stale: the text has {text}, the reference value is {known} (make refresh)", location=found)
         if id in self.book.stale:
-            say.warning(f"{id} is stale: computed is another value than {known}, which is locked (make lock)", location=found)
+            say.warning(f"{id} is stale: the computed value differs from the reference value {known} (make lock)", location=found)
         if not self.book.lines.get(id):
-            say.warning(f"no line writes '{id}'", location=found)
+            say.warning(f"no line of the sources records '{id}'", location=found)
         return Number("", text or known, id=id)
 
     def bound(self, text):
