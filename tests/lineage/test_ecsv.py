@@ -66,7 +66,7 @@ class Files(Scratch):
             self.refuses("lock", "sec1_demo/facts.ecsv: " + words)
         self.facts()
         self.change("paper/converged.ecsv", "m,value", "m,vaule")
-        self.refuses("refresh", "converged.ecsv: row 1: one: the kind 'vaule' is none")
+        self.refuses("refresh", "converged.ecsv: row 1: one: the kind 'vaule' is unknown")
         (self.root / "build/data").rename(self.root / "build/gone")
         self.refuses("lock", "build/data is missing: compute it first")
         (self.root / "paper/converged.ecsv").unlink()

@@ -60,11 +60,11 @@ class Hashes(Scratch):
             self.assertEqual(self.read(RECORD), record)
 
         self.quick("1", "no")
-        refused("quick/data/sec1_demo/facts.ecsv: of a full run; remove")
+        refused("quick/data/sec1_demo/facts.ecsv: from a full run; remove")
         self.quick("1")
         self.computed("sec1_demo/facts.ecsv", of_run("yes", self.read(FACTS)))
         for check in ("", "--check"):
-            refused(f"{FACTS}: of a quick run; remove", check)
+            refused(f"{FACTS}: from a quick run; remove", check)
         self.facts(*FACTS_OF_DEMO)
         self.change(FACTS, "fact,2,", "fact,3,")
         refused("sec1_demo/facts.ecsv: changed since sec1_demo wrote it; remove it to recompute it")
@@ -80,7 +80,7 @@ class Hashes(Scratch):
             self.says(code, check="--check")
         self.says(0)
         self.change(RECORD, ",fact error,rounding", ',fact error,""')
-        self.says(1, "with a reason", check="--check")
+        self.says(1, "needs a reason", check="--check")
 
     @of_volume
     def test_this_record_is_complete(self):

@@ -21,7 +21,7 @@ class Sources(unittest.TestCase):
         self.assertEqual(sources.blocks_of("  /**\n  One\n    deep */\n  int x;")[0][2], "\nOne\n  deep")
         self.assertEqual([prose for prose, *_ in sources.blocks_of("/* a */ int x; /// b\n/**/ int y;")], [False])
         for wrong in ("/**\nwords\n", "/** words */ int x;\n"):
-            with self.assertRaisesRegex(ecsv.Fault, "a.cpp:1: a block of prose without an end"):
+            with self.assertRaisesRegex(ecsv.Fault, "a.cpp:1: a block of prose without its own end"):
                 sources.blocks_of(wrong, "a.cpp")
 
     def test_definitions_begin_a_line(self):

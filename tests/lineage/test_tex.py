@@ -96,7 +96,7 @@ class Paper(Scratch):
         self.write(f"src/{tex.PROOF}.cpp", prose)
         self.assertEqual(tex.proof(self.root), tex.HEAD + ought)
         for text, words in [(prose.replace("$\\square$", ""), "0 blocks of prose end with"), (prose * 2, "2 blocks"),
-                            (prose.replace("**L**", "**L"), "a mark that is not known")]:
+                            (prose.replace("**L**", "**L"), "a mark that tools/lineage/tex.py does not know")]:
             self.write(f"src/{tex.PROOF}.cpp", text)
             with self.assertRaisesRegex(ecsv.Fault, words):
                 tex.proof(self.root)

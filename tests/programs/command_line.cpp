@@ -29,7 +29,7 @@ TEST_CASE("help and version", "[cli]") {
   CHECK(run.find("--contact {hertz|power} ") != std::string::npos);
   CHECK(matches(run, "such as -1/6").size() == 1);
   CHECK(help.find("(default: build/data/sec34_impact,") != std::string::npos);
-  for (const char* shown : {"(default: 1.87)", "(default: quartic)", "(default: as long as needed)",
+  for (const char* shown : {"(default: 1.87)", "(default: quartic)", "(default: as many as needed)",
                             "(default: standard output)", "is nan; the column reason says why"})
     CHECK(run.find(shown) != std::string::npos);
   CHECK(run.find("A full run takes") == std::string::npos);
@@ -202,8 +202,8 @@ TEST_CASE("what does not exist has a reason", "[cli]") {
     const char *command, *quantity, *reason;
   } all[] = {
       {"sec34_impact run --velocity 1 --sites 2 --time 20", "speed",
-       "the way from site 20 to twenty sites before the far end is empty: it takes more than 40 "
-       "sites"},
+       "the chain is too short for a fit from site 20 to twenty sites before the far end: it needs "
+       "more than 40 sites"},
       {"sec34_impact run --sites 5 --time 5", "strongest_site",
        "the chain has no site beyond the first five"},
       {"sec34_impact run --time 20", "speed",
@@ -211,17 +211,17 @@ TEST_CASE("what does not exist has a reason", "[cli]") {
       {"sec34_impact run --time 20", "peak_energy_density",
        "% of the energy stays on the first 5 sites"},
       {"sec34_impact run --velocity 1 --well harmonic --sites 41 --time 96", "peak_energy_density",
-       "the energy density has no maximum in time on this way"},
+       "the energy density has no maximum in time on this stretch"},
       {"sec31_dps_limit impact --tau 1 --sites 30", "amplitude",
        "no maximum in time on its last two sites"},
       {"sec31_dps_limit impact --tau 40 --sites 60", "speed",
        "% of the norm stays on the first 10 sites"},
-      {"sec31_dps_limit impact --tau 10 --sites 30", "speed", "is empty"},
+      {"sec31_dps_limit impact --tau 10 --sites 30", "speed", "the chain is too short"},
       {"sec33_mobility kick --c 1e-6 --time 2000", "velocity", "sites, less than one"},
       {"sec33_mobility kick --c 0.05 --omega 1.2 --sites 24 --time 1000", "velocity",
-       "averaged four times over eleven periods"},
+       "shorter than four averages of the position, each over eleven periods"},
       {"sec34_boomeron run --time 60", "apex_site", "not come back by five sites by t = 60"},
-      {"sec34_boomeron run --time 60", "decorrelation_time", "have not parted by t = 240"},
+      {"sec34_boomeron run --time 60", "decorrelation_time", "have not decorrelated by t = 240"},
       {"sec4_precompression_mi ring --longest 200", "gathered",
        "the energy has not localised by t = 200"},
       {"sec4_precompression_mi impact --velocity 20 --d 10 --s 10 --time 60", "width",

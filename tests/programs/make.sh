@@ -140,7 +140,7 @@ grep -q yesterday "$scratch/out" && fail "an old log is shown as the cause"
 chmod 755 closed
 
 # A path that CMake or make cannot use is refused in one line, as is a name that is mistyped.
-for name in 'a;b has a character' 'a[b has a bracket'; do
+for name in 'a;b has a character' 'a[b has an unpaired bracket'; do
   cp -r . "$scratch/${name%% *}"
   (cd "$scratch/${name%% *}" && refused all-data && said "${name#* }" "the path is not named")
 done
@@ -231,7 +231,7 @@ grep -q draw "$scratch/out" && fail "a figure is drawn again without a reason"
 # A table that is not what its program wrote is drawn by nobody; one that is gone is computed again.
 sed -i "1i # - {parameters: 'quick = yes'}" build/data/sec3_own/*.ecsv
 refused x01
-said "build/data/sec3_own/facts.ecsv: of a quick run; remove build/data/sec3_own to" "a quick table is drawn"
+said "build/data/sec3_own/facts.ecsv: from a quick run; remove build/data/sec3_own to" "a quick table is drawn"
 sed -i 1d build/data/sec3_own/*.ecsv
 sed -i s/1/2/ build/data/sec3_own/own.ecsv
 for target in x01 build/figures/x01_own.svg; do

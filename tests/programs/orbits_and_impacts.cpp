@@ -42,8 +42,10 @@ TEST_CASE("what has no breather is refused in one line by the program", "[cli][c
     check_refused(command + "--alpha 1.8", "--alpha: 'hertz' has no parameter alpha");
     check_refused(command + "--precompression 0.01 --omega 1.2", "[1, 1.26491]");
     check_refused(command + "--mass-ratio 0.8", "--omega: 1.1 is not above the linear waves");
-    check_refused(command + "--mass-ratio 0.8 --centre bond", "--mass-ratio: such beads are not");
-    check_refused(command + "--defect-mass 2 --centre bond", "--defect-mass: such beads are not");
+    check_refused(command + "--mass-ratio 0.8 --centre bond",
+                  "--mass-ratio: such a chain is not symmetric");
+    check_refused(command + "--defect-mass 2 --centre bond",
+                  "--defect-mass: such a chain is not symmetric");
     check_refused(command + "--precompression 1e-3 --omega 1.3 --sites 15", "--sites: 15");
     check_refused(command + "--well none --precompression 0.1", "there is no breather");
   }

@@ -18,7 +18,8 @@ TEST_CASE("a line that cannot be meant is refused by what is beyond the article"
        "--near: '6' cannot be combined with --k (allowed: one of the two)"},
       {orbit + "--s 1", "folds"}};
   for (const auto& [line, complaint] : lines) check_refused(line, complaint);
-  check_reason("sec5_growth growth --q 1", "edge", "the wave is stable: no modulation of it grows");
+  check_reason("sec5_growth growth --q 1", "edge",
+               "the wave is stable: none of its modulations grows");
 }
 
 TEST_CASE("a band of modulations has the side that is told", "[cli]") {
