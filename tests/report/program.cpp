@@ -152,9 +152,9 @@ TEST_CASE("an answer that is nan has a reason, and one that is smaller than its 
   q.add("count", compare(0.0, 0.0), "", "of packets");  // with the error of a rounding
   q.add_small("drift", {1e-9, 2e-9}, "", "of the energy");
   CHECK(q.table.columns.back().name == "reason");
-  CHECK(q.table.texts("reason") == std::vector<std::string>{"no packet left",
-                                                            "only the finer of two runs has it", "",
-                                                            "", ""});
+  CHECK(q.table.texts("reason") ==
+        std::vector<std::string>{"no packet left", "only the finer of two runs has a value", "", "",
+                                 ""});
   CHECK(std::isnan(q.table.numbers("value")[1]));
   CHECK(q.table.numbers("error")[3] == least);
   CHECK_THROWS_AS(q.add("speed", {nan, nan}, "", "of the packet"), std::logic_error);

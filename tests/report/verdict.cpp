@@ -115,10 +115,10 @@ TEST_CASE("a list that could not be judged is refused with its row", "[unit]") {
     return refusal<std::runtime_error>([&] { read_claims(scratch.path / "claims.ecsv"); });
   };
   for (const auto& [column, text, said] : std::vector<std::array<std::string, 3>>{
-           {"tolerance", "rel x", "the tolerance 'rel x' is none"},
-           {"criterion", "a.b > 1", "an answer or a criterion, and not both"},
+           {"tolerance", "rel x", "the tolerance 'rel x' is unknown"},
+           {"criterion", "a.b > 1", "either an answer or a criterion is needed, not both"},
            {"answer", "here", "'here' is not the name of a fact"},
-           {"status", "fine", "the status 'fine' is none"},
+           {"status", "fine", "the status 'fine' is unknown"},
            {"reason", "they erred", "a row needs a reason if it is missed"},
            {"id", "thm.mean_force", "two rows have this id"}}) {
     CAPTURE(column, text);

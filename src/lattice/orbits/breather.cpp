@@ -64,8 +64,7 @@ static void refuse_neighbours_in_phase(const Shooting<double>& problem,
   for (std::size_t n = 1; n < y.size(); ++n)
     if (std::abs(y[n]) > small && std::abs(y[n - 1]) > small && y[n] * y[n - 1] > 0)
       throw NewtonFailed(
-          problem.name() +
-              ": Newton's method finds a motion with neighbours in phase instead of the breather",
+          problem.name() + ": not the breather but a motion with neighbours in phase is found",
           orbit.history);
 }
 
@@ -83,10 +82,8 @@ Orbit<double> find_breather(const Shooting<double>& problem, Phase phase,
   const double expected = sup<double>(from);
   if (start.amplitude > 3 * expected)
     throw NewtonFailed(
-        number_label(
-            nearby.name() + ": Newton's method finds, instead of the breather, a motion of size",
-            start.amplitude) +
-            number_label(" from a guess of size", expected),
+        number_label(nearby.name() + ": not the breather but a motion of size", start.amplitude) +
+            number_label(" is found, from a guess of size", expected),
         start.history);
   refuse_neighbours_in_phase(nearby, start);
   if (nearby.omega == problem.omega) return start;
