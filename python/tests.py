@@ -158,7 +158,7 @@ class Refusals(unittest.TestCase):
             ("symmetric about the centre", lambda: lattice.breather(lattice.Chain(31, mass=range(1, 32)), omega=1.2)),
             ("--sites: 31 does not fit --centre bond", lambda: lattice.breather(lattice.Chain(31), centre="bond")),
             ("free ends", lambda: lattice.breather(lattice.Chain(31, ends="fixed"))),
-            ("--mass_ratio: belongs to the chain", lambda: lattice.multipliers(lattice.Chain(31), mass_ratio=2)),
+            ("--mass_ratio: belongs to the given chain", lambda: lattice.multipliers(lattice.Chain(31), mass_ratio=2)),
             ("linear waves of the chain, .1, 1.26491.", lambda: lattice.multipliers(lattice.Chain(precompression=0.01))),
             ("chain: 31 beads", lambda: lattice.barrier(lattice.Chain(31))))
         self.refused(("chain: 5 is not a lattice.Chain", lambda: lattice.breather(5)), kind=TypeError)
@@ -193,11 +193,11 @@ class Refusals(unittest.TestCase):
         self.refused(
             ("force", lambda: lattice.Well(energy, lambda y: -1.01 * y, np.ones_like)), ("stiffness", lambda: lattice.Well(energy, force, lambda y: 2)),
             (r"force returns (\d+) numbers for \d+ .allowed: the same number, or one", lambda: lattice.Well(energy, lambda y: -y[1:], np.ones_like)),
-            ("energy returns something else", lambda: lattice.Well(lambda y: y * y / 2 + 0j, force, np.ones_like)),
+            ("energy does not return real numbers", lambda: lattice.Well(lambda y: y * y / 2 + 0j, force, np.ones_like)),
             ("rim is nan", lambda: lattice.Well(energy, force, np.ones_like, math.nan)),
             ("exponent", lambda: lattice.Contact(overlap_energy, overlap_force, overlap_stiffness, exponent=math.inf)),
             ("--s: a Well of your own does not have it", lambda: lattice.breather(well=lattice.Well(energy, force, np.ones_like), s=0.1)),
-            ("wells with W''(0) = 1", lambda: lattice.breather(well=lattice.Well(lambda y: y * y, lambda y: -2 * y, lambda y: 2 * np.ones_like(y)))))
+            (r"wells with W''\(0\) = 1", lambda: lattice.breather(well=lattice.Well(lambda y: y * y, lambda y: -2 * y, lambda y: 2 * np.ones_like(y)))))
         self.refused(("stiffness: 1 is not a function", lambda: lattice.Well(energy, force, 1)), kind=TypeError)
         one = lattice.Chain(3, well=lattice.Well(energy, force, lambda y: 1.0))  # a number stands for a row of it
         self.assertEqual(list(one.accelerations([1, 1, 1])), [-1, -1, -1])

@@ -315,7 +315,7 @@ struct KinkImpact {
 
   void parameters(Parameters& p) {
     p.add("velocity", velocity, "velocity of the impact on the first bead", {1e-6, 100});
-    p.add("patience", patience, "longest run for the counts to settle", {400, 1e5});
+    p.add("patience", patience, "longest time to wait for the counts to settle", {400, 1e5});
     p.add("sites", sites, "number of sites", {2, 1e5});
   }
   Table table() const;

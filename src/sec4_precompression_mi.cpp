@@ -778,7 +778,7 @@ struct OneRing {
   std::size_t waves = 24;
 
   void parameters(Parameters& p) {
-    p.add("s", s, "anharmonicity of the well", {-0.5, 10});
+    p.add("s", s, "anharmonicity s of the quartic well", {-0.5, 10});
     p.add("waves", waves, "number of wavelengths of the phonon on the ring of 200 sites", {1, 99});
     p.add("longest", longest, "longest run; it ends earlier if the energy localises", {100, 1e6});
   }

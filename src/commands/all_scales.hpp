@@ -18,7 +18,8 @@ namespace lattice {
 
 /// The command: an impact velocity in m/s.
 struct AllScales {
-  static constexpr Title title{"scales", "all constants in SI units"};
+  static constexpr Title title{"scales",
+                               "constants of the cantilever array and of the cradle, in SI units"};
   double velocity = 1;
 
   void parameters(Parameters& p) {

@@ -35,7 +35,8 @@ struct KickedBreather : ChosenBreather {
 
 /// The command `kick`.
 struct OneKick : KickedBreather {
-  static constexpr Title title{"kick", "speed of a breather after a kick along its pinning mode"};
+  static constexpr Title title{"kick",
+                               "speed of a breather after a kick along its discrete gradient"};
   double c = 2e-4, time = 20000;
 
   void parameters(Parameters& p) {

@@ -212,8 +212,7 @@ Invocation::Invocation(const Program& of, int argc, char** argv)
     : program(of), command(command_text(of.name, argc, argv)) {
   const auto add_threads = [this](Parameters& p) {
     p.add("threads", threads,
-          "number of threads; results do not depend on it (default: the available cores)",
-          {1, 1024});
+          "number of threads; no effect on results (default: the available cores)", {1, 1024});
   };
   Offer& full = offers.emplace_back();
   full.meaning = of.title;

@@ -63,7 +63,7 @@ void OneOrbit::parameters(Parameters& p) {
             "oscillations per site of a type I orbit, whose shift time is 2 pi k in harmonic wells",
             {1, 60});
   p.add("sign", sign, "sign of the central velocity at t = 0", {"plus", "minus"});
-  const Option& well = p.add("s", s, "anharmonicity of the well", {-10, 10});
+  const Option& well = p.add("s", s, "anharmonicity s of the quartic well", {-10, 10});
   p.add("near", near,
         "instead of --k, the orbit without a radiated tail nearest to this shift time", {4, 100})
       .excludes(type_one)
