@@ -479,11 +479,12 @@ void report_speeds(Report& report, const Breathers& at, const std::array<double,
   for (double c : {4.7e-6, 5.5e-6, 8e-6, 2e-5, 5e-5, 2e-4}) kicks.push_back({1, c});
   if (report.quick) kicks = {{0, strong}, {1, strong}};
   Table& table = report.table(
-      "speeds", {label("centre", "centre at which the breather starts"),
-                 number("c", "size c of the kick", speed_unit),
-                 estimate("speed", "mean speed over one site", speed_unit,
-                          "from two time steps and two starting points"),
-                 number("pendulum", "mean speed of a pendulum of the pinning frequency", speed_unit)});
+      "speeds",
+      {label("centre", "centre at which the breather starts"),
+       number("c", "size c of the kick", speed_unit),
+       estimate("speed", "mean speed over one site", speed_unit,
+                "from two time steps and two starting points"),
+       number("pendulum", "mean speed of a pendulum of the pinning frequency", speed_unit)});
   // The chain with two steps, and the pendulum
   const Methods coarse = methods(false, report.quick), fine = methods(true, report.quick);
   const auto row = [&](const Kick& kick) {

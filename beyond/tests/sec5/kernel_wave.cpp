@@ -331,7 +331,7 @@ TEST_CASE("the linearized equation is the linear system of the grid", "[unit][ke
   }
   CHECK((left[0] > 1e-4 && left[1] > 1e-6 && left[2] > 1e-9));
   check_line(refusal<std::runtime_error>([&] { solve_linearized(line, stiffness, right, 0); }),
-             "not solved");
+             "could not be solved");
 }
 
 TEST_CASE("the wave of an ascent is its image times a power of its last quotient",
