@@ -29,7 +29,7 @@ from sphinx.transforms import SphinxTransform
 from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective
 
-from lineage import ecsv, inventory, markdown as md, tex
+from lineage import ecsv, inventory, markdown as md
 from lineage.chapters import article_tests, explained_by, read_commands, read_costs, run_of, shown_cost
 from lineage.claims import (KINDS, OBTAINED, agrees, by_name, in_plain, meanings, program_of, programs_of, read_claims, read_facts,
                             read_findings, read_literature, read_second, read_verdicts, said as filled, with_kind,
@@ -118,7 +118,7 @@ class Book:
         self.lines = {name: made_at(f, near.get(f.program, ())) for name, f in self.numbers.items()}
 
     def read_figures(self):
-        self.figures, self.captions = joined(read_figures, self.volumes), joined(tex.captions, self.volumes)
+        self.figures = joined(read_figures, self.volumes)
         equations = ecsv.read(self.root / "book/equations.ecsv", ("number", "label", "name", "tex")).rows
         self.equations = {int(row["number"]): row for row in equations}
         self.labels = {row["label"]: f"Eq. ({row['number']})" for row in equations}
@@ -309,8 +309,7 @@ class Book:
         row = self.figures[id]
         script = next(path for v in self.volumes if (path := v / "figures" / row["script"]).exists())
         own = "A figure of this book" if id[0] == "x" else f"A figure of the article, section {row['section']}"
-        out = [f"{ORPHAN}# {spoken(id)}\n\n```{{fig}} {id}\n:whole:\n\n{row['caption']} "
-               + tex.in_markdown(self.captions.get(id, "")) + f"\n```\n\n{own}; shown in "
+        out = [f"{ORPHAN}# {spoken(id)}\n\n```{{fig}} {id}\n:whole:\n\n{row['caption']} {row['details']}\n```\n\n{own}; shown in "
                f"{self.speaks('fig} ' + id) or self.page_link(row['program'])}.\n\n## Tables\n"]
         for path in (path for name in row["data"].split() if (path := self.data / row["program"] / f"{name}.ecsv").exists()):
             count = len(ecsv.rows_of(ecsv.text_of(path))) - 1

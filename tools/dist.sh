@@ -1,6 +1,6 @@
 #!/bin/sh
 # Everything in one archive, for those who will not run anything: dist.sh BUILD, into BUILD/dist.
-# The sources are those of the last commit, and build/ has tables, figures, the book, paper, supplement and theorem, and
+# The sources are those of the last commit, and build/ has tables, figures, the book, paper and theorem, and
 # the list of packages where `make` puts them, so that codecheck.yml and the README's paths hold; index.html leads through
 # them, and SHA256SUMS is over every file. Equal contents give equal bytes: names in order, nobody's files, all of the
 # time of the last commit.
@@ -40,7 +40,6 @@ for index in packages tables commands; do
 done
 take book "the book" "make book"
 take paper.pdf "the paper" "make paper"
-take supplement.pdf "its supplement" "make paper"
 take theorem.pdf "the theorem" "make paper"
 find "$part/$name/build" -name '.*' -exec rm -rf {} +
 "${PYTHON:-python3}" -m lineage --root "$part/$name" cover

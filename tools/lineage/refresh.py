@@ -156,7 +156,7 @@ def fresh_page(text, tables):
 
 
 def read_figures(root):
-    return ecsv.read(Path(root) / "figures/figures.ecsv", ("id", "program", "script", "data")).by("id", "figures")
+    return ecsv.read(Path(root) / "figures/figures.ecsv", ("id", "program", "script", "data", "caption", "details")).by("id", "figures")
 
 
 def fresh_texts(root, measured):
