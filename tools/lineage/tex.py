@@ -113,6 +113,11 @@ def paper_texts(claims, numbers, verdicts, figures, meta, findings):
     return out | {("meta", "version"): meta["version"], ("meta", "date"): meta["datePublished"]}
 
 
+FIGURES = re.compile(r"\\(?:wide|twins|own)(?:\[[^]]*\])?((?:\{x?\d\d\})+)"
+                     r"|\bFigs?\.[~\s](x?\d\d(?:(?:--|,\s|\sand\s|,\sand\s)x?\d\d)*)")
+CAUSED = re.compile(r"\\gone\{([^}#]*)\}")
+
+
 def dangling(paper, texts):
     """References to nothing, each once. A comment refers to nothing, and `#1` is a parameter."""
     paper = uncommented(paper)
@@ -120,11 +125,6 @@ def dangling(paper, texts):
     figures = {id for words in FIGURES.findall(paper) for id in re.findall(r"x?\d\d", "".join(words))}
     return (sorted({m[0] for m in found if (m[1], m[2]) not in texts})
             + [f"figure {id}" for id in sorted(figures) if ("fig", id) not in texts])
-
-
-FIGURES = re.compile(r"\\(?:wide|twins|own)(?:\[[^]]*\])?((?:\{x?\d\d\})+)"
-                     r"|\bFigs?\.[~\s](x?\d\d(?:(?:--|,\s|\sand\s|,\sand\s)x?\d\d)*)")
-CAUSED = re.compile(r"\\gone\{([^}#]*)\}")
 
 
 def omissions(paper, verdicts):
