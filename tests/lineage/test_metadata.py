@@ -21,8 +21,9 @@ class Here(unittest.TestCase):
                          [meta[name] for name in ("name", "version", "datePublished")])
         self.assertEqual(re.search(r"^## (\S+)", ecsv.text_of(ROOT / "CHANGELOG.md"), re.M)[1], meta["version"])
         self.assertEqual(ecsv.text_of(ROOT / "README.md").splitlines()[0], "# " + meta["name"])
-        for text in (said, ecsv.text_of(ROOT / "paper/paper.tex"), ecsv.text_of(ROOT / "paper/refs.bib").replace("{H}", "H")):
-            self.assertIn(meta["referencePublication"]["name"], text)
+        for name in ("CITATION.cff", "paper/paper.tex", "paper/refs.bib"):
+            text = ecsv.text_of(ROOT / name).replace("{H}", "H")
+            self.assertTrue(meta["referencePublication"]["name"] in text, name)
 
     @unittest.skipUnless(importlib.util.find_spec("tomllib"), "this python has no tomllib")
     @unittest.skipUnless((ROOT / ".git").exists(), "this is no checkout")
