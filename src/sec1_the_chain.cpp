@@ -100,9 +100,9 @@ VectorXd energy_density(const Chain& chain, const State& now) {
 /**
 ## An impact, and its packet
 
-Strike the first bead of a chain at rest with the velocity $v_0$, Eq. (26), and look at the energy every 0.2 units of
-time, some thirty times in an oscillation. Ahead of the packet the displacements fall off so fast that after a few beads
-they underflow to zero. So the length of the chain does not matter as long as its last bead has not moved. */
+We strike the first bead of a chain at rest with the velocity $v_0$, Eq. (26), and sample the energy every 0.2 units of
+time, about thirty times in an oscillation. Ahead of the packet the displacements fall off so fast that after a few
+beads they underflow to zero. So the length of the chain does not matter as long as its last bead has not moved. */
 constexpr double every = 0.2;
 
 template <class Look>
@@ -120,8 +120,8 @@ void strike(const Chain& chain, double v0, double h, Look look) {
 We locate the packet by its energy. Several packets may leave the struck end. The foremost one is at the first site,
 counted from the far end, whose energy is the largest of the eleven around it, provided that these hold at least a
 hundredth of the total. Its centre is $X = \sum n\,e_n/\sum e_n$ over these sites, Eq. (24). Here bead `n` has the
-number $n+1$, so that the first is number one; as long as the packet is within the first five, the first site stands for
-it. */
+number $n+1$, so that the first is number one; while the packet is within the first five, its position is taken as the
+first site. */
 Index foremost(const VectorXd& e) {
   for (Index n = e.size() - 6; n >= 5; --n) {
     const VectorXd window = e.segment(n - 5, 11);

@@ -13,9 +13,9 @@ tend to zero, so this mean is zero. A force that is never negative and has zero 
 the only periodic motion of free beads is rest.
 
 No computation proves a theorem, but ours could have refuted it, by a search that ends in a breather or a localized
-state that stays together. (Newton's law makes the means equal on every periodic motion; that check tests our motions
+state that stays together. (By Newton's law the means are equal on every periodic motion; that check tests our motions
 and averages.) Each test is also run as a control in the wells of section 3, whose mean force balances unequal contact
-forces on the two sides of a bead, so that breathers exist.
+forces on the two sides of a bead, so breathers exist.
 
 ![Mean contact forces are the same at every contact of free chains (a) and not in wells (b); how searches from small
 and large starts end (c); energy and mean force of a localized state (d, e). Drawn by x16_mean_force.py from the tables
@@ -163,9 +163,9 @@ Motion averaged(const std::string& name, const AnyChain& chain, const State<doub
 Localized motions of the free chain do not exist, so we check the identity on motions that fill a ring or a box. A ring
 of eight equal beads carries a wave that moves on by one site in the time $q$; there symmetry alone makes the means
 equal, so this case checks the method. On two others masses and stiffnesses differ by up to 15 per cent, with
-$\alpha = 3/2$ on a ring and $\alpha = 2$ between walls. In the last chain every contact has an exponent of its own,
-from 1.4 to 1.8. The library has no such chain, so its force is written here; its motion is found by GSL's integrator,
-too, with derivatives by central differences. */
+$\alpha = 3/2$ on a ring and $\alpha = 2$ between walls. In the last chain every contact has its own exponent, from 1.4
+to 1.8. The library has no such chain, so its force is written here; its motion is found by GSL's integrator, too, with
+derivatives by central differences. */
 struct MixedChain {
   std::size_t sites;
   std::vector<double> mass, gamma, alpha;

@@ -93,7 +93,7 @@ std::vector<double> deviations(const std::vector<Complex>& A, const Well& well, 
                 tolerance);
   Reference gsl([&](double, const double* x, double* dx) { chain_equation(chain, x, dx); },
                 2 * sites, {tolerance * eps, tolerance, gsl_odeiv2_step_rk8pd});
-  // The observation: both are carried to the instant at which we look at the chain
+  // The observation: both are integrated to the time of each sample of the chain
   double tau = 0, t = 0, apart = 0;
   const auto look = [&](const State<double>& now) {
     if (now.t == 0) return;
@@ -107,7 +107,7 @@ std::vector<double> deviations(const std::vector<Complex>& A, const Well& well, 
           largest[k] = std::max(largest[k], std::abs(y_app - now.y[n]));
       if (halvings == 0) apart = std::max(apart, std::abs(y[n] - now.y[n]));
     }
-    // An overlap up to 1e-60 exerts no force (contact.hpp), so that distant beads are exactly at rest
+    // An overlap up to 1e-60 exerts no force (contact.hpp), so distant beads are exactly at rest
     if (now.y.back() != 0) throw Failure("the motion has come to the far end");
   };
   // The run
@@ -364,8 +364,8 @@ Wave exact_wave(std::size_t beads, double eps, std::size_t points, std::size_t h
 
 /**
 Is this a solution? On a ring of twelve beads the chain's event-driven integrator brings waves of $\epsilon = 10^{-3}$
-back after a period to [6e-7](num:sec31_dps_limit.wave_returns) of their size. Without their higher harmonics they must
-miss by far more, or the run stops. */
+back after a period to [6e-7](num:sec31_dps_limit.wave_returns) of their size. Without their higher harmonics the
+deviation must be far larger, or the run stops. */
 double missed_after_period(const Wave& wave, std::size_t beads, double eps) {
   Chain ring{12};
   ring.ends = Ends::periodic;
@@ -438,7 +438,7 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** Another start is a vector of complex amplitudes in `start_of`, another well a struct like `Lopsided`.
-Another contact law stands in two lines, both called `to_right`, and in the library's chain (model/contact.hpp).
+For another contact law change two lines, both called `to_right`, and in the library's chain (model/contact.hpp).
 
 1. *Easy.* Does a packet of the chain move as the DpS equation says?
    `build/bin/sec34_impact run --velocity 0.01 --time 1000` gives `speed` = 0.02531. Hint: an impact of velocity $v_0$

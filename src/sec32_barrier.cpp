@@ -146,7 +146,7 @@ Families report_barriers(Report& report) {
 /**
 A zero lies between neighbouring pairs of opposite sign. Newton's method in the frequency finds it, and the error of the
 barrier over its slope is the error of the zero (breather_pairs.hpp). Two zeros within one step of the frequency would
-be missed; a single run over 1500 frequencies from 1.003 on, in the soft well up to 1.886, showed no others.
+be missed; one run over 1500 frequencies from 1.003 on, in the soft well up to 1.886, showed no others.
 
 | zeros at equal frequency | soft well | linear well | hard well |
 |---|---|---|---|
@@ -374,10 +374,10 @@ The article prints the accuracy of one breather: Newton's method left a residual
 error of the energy does this allow? An exact breather of a slightly different frequency, $\omega_b+\delta\omega$,
 leaves such a residual because its phase is off at $T_b$, and its energy is off by
 $\mathcal H'(\omega_b)\,\delta\omega$. We compute one, at two values of $\delta\omega$, and scale both to the printed
-residual. This is slightly more than the amount by which the printed barrier exceeds ours, so that the two agree within
-the accuracy of the article. This is a generous bound: if the errors of both breathers were alike, the difference would
-be known better. (The article's second number, a last variation of $1.7\cdot10^{-11}$, says nothing about the accuracy
-of its integration.)
+residual. This is slightly more than the amount by which the printed barrier exceeds ours, so the two agree within the
+accuracy of the article. This is a generous bound: if the errors of both breathers were alike, the difference would be
+known better. (The article's second number, a last variation of $1.7\cdot10^{-11}$, says nothing about the accuracy of
+its integration.)
 
 | energy | here |
 |---|---|

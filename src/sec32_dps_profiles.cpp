@@ -281,7 +281,7 @@ void report_scaling(Report& report) {
 Two precisions reveal rounding, but no error of the method. So three more checks stop the run if they fail. The ten
 strains of the first listing agree with the library's fifteen to twelve digits, over thirty decades; as the two chains
 differ in length, the free ends hardly matter. Eq. (14) holds when the $u_n$ are inserted, relative to $\mu u_n$ at each
-site, so that the tail is tested as sharply as the centre. And multiplied by $u_n$ and summed by parts it gives
+site, so that the tail is tested as sharply as the centre. Multiplied by $u_n$ and summed by parts it also gives
 $\sum|u_{n+1}-u_n|^{5/2} = \mu N$, which Newton's method does not use. The last two hold to ten roundings in double and
 to twenty in quadruple precision.
 

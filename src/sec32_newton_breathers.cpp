@@ -551,7 +551,7 @@ families of anharmonic wells.
 4. *Harder.* What is the law of exercise 1 for contacts of another exponent?
    `build/bin/sec32_newton_breathers breather --contact power --alpha 2 --omega 1.1` gives `amplitude` = 0.0998154.
    Hint: the shift of the frequency goes like the contact force over the displacement, amplitude$^{\alpha-1}$.
-5. *Open.* Are there breathers around two neighbouring sites that swing in phase?
+5. *Open.* Are there breathers around two neighbouring sites that oscillate in phase?
 
 The command `breather` computes a breather with your own parameters (commands/one_breather.hpp). */
 void reproduce(Report& report) {

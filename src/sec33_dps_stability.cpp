@@ -341,8 +341,9 @@ constexpr Accuracy coarse{1e-8, 1}, fine{1e-10, 2};
 The article shows one run as a map of $|v_n(t)|^2$. We show one of the sixteen seeds, whose breather moves early, with
 its control and with a bond-centred breather under the same noise.
 
-![The perturbed site-centred breather leaves; under the same noise without the translational mode it stays for long.
-Drawn by fig10_instability.py: `density` over `n` and `t` from `map_site`, `map_control` and `map_bond`.](fig:10) */
+![The perturbed site-centred breather leaves; under the same noise without the translational mode it stays for a long
+time. Drawn by fig10_instability.py: `density` over `n` and `t` from `map_site`, `map_control` and `map_bond`.](fig:10)
+*/
 constexpr std::size_t map_seed = 10;
 
 void report_map(Report& report, const Group& group) {
@@ -491,7 +492,7 @@ what the push at the threshold adds to them.
 | depinning push, pendulum | [0.00641907 ± 2e-13](num:sec33_dps_stability.freeing_push_of_pendulum) |
 | depinning push, DpS equation | [0.006542 ± 3e-6](num:sec33_dps_stability.freeing_push) |
 | bond-centred breathers with a larger push | [5](num:sec33_dps_stability.pushed_over) of [16](num:sec33_dps_stability.seeds_complex_bond) |
-| fates that the push tells | [16](num:sec33_dps_stability.told_by_push) of [16](num:sec33_dps_stability.seeds_complex_bond) | */
+| fates predicted by the push | [16](num:sec33_dps_stability.told_by_push) of [16](num:sec33_dps_stability.seeds_complex_bond) | */
 void report_pendulum(Report& report, const std::vector<Group>& groups, const PinnedBreather& bond) {
   const Estimate push = depinning_push(bond, report.quick ? 3 : 9);
   const Estimate rate = rate_of_matrix(bond);
@@ -523,8 +524,8 @@ does not contradict the article: a stable breather that a push carries to the ne
 
 Sixteen seeds are few. In a longer test of the narrow reading, run once with 48 seeds (a number in
 `groups_under_noise`), all site-centred breathers left by $t = 500$, and one bond-centred one in ten times that time. A
-second program with a generator of its own (not part of this repository) counted 48 and none, and with 1000 seeds 25
-that left a bond by $t = 500$. */
+second program with another generator (not part of this repository) counted 48 and none, and with 1000 seeds 25 that
+left a bond by $t = 500$. */
 void reproduce(Report& report) {
   report.output.note("seed", "GSL mt19937, 1 to 16 or 1 to 6; map: " + std::to_string(map_seed));
   report_spectra(report);

@@ -18,8 +18,8 @@ and `excess`, and those of the partner, against `s`, from `bond_against_s`.](fig
 
 At $\omega_b = 1.1$ and in the linear well all of this holds except the two values of $s_0$: we find both at
 $s = 0.1525$. These numbers are hard to compute. Two multipliers are exactly $+1$ for every breather, and share one
-eigenvector, so that an error $\eta$ of the matrix splits them by $\sqrt\eta$: an error of $10^{-8}$ becomes $10^{-4}$,
-as large as the instability itself.
+eigenvector, so an error $\eta$ of the matrix splits them by $\sqrt\eta$: an error of $10^{-8}$ becomes $10^{-4}$, as
+large as the instability itself.
 
 ## Model
 
@@ -318,12 +318,11 @@ void report_strength(Report& report) {
 ## Four multipliers near $+1$, the others on the circle
 
 The article always finds this structure, for values of $\omega_b$ in $(1,2]$ and of $s$ in $[-1,1]$ that it does not
-list. We look at $\omega_b = 1.1$ in all wells, and at the frequencies from 1.01 to 2 in the linear well. On these two
-lines it holds: the fourth multiplier is far nearer to $+1$ than the fifth, the others are on the circle, and ten more
-sites add twenty multipliers at $e^{\pm2\pi i/\omega_b}$ (to $10^{-4}$ in $\kappa$, because the tail still reaches the
-first new bead; tried in three wells and at every thirteenth frequency). Elsewhere it need not: in the hard well $s = 1$
-the pinning pair of the bond-centred breather leaves $+1$ towards $\omega_b = 2$. `sec33_between` looks at the whole
-plane.
+list. We test $\omega_b = 1.1$ in all wells, and the frequencies from 1.01 to 2 in the linear well. On these two lines
+it holds: the fourth multiplier is far nearer to $+1$ than the fifth, the others are on the circle, and ten more sites
+add twenty multipliers at $e^{\pm2\pi i/\omega_b}$ (to $10^{-4}$ in $\kappa$, because the tail still reaches the first
+new bead; tried in three wells and at every thirteenth frequency). Elsewhere it may fail: in the hard well $s = 1$ the
+pinning pair of the bond-centred breather leaves $+1$ towards $\omega_b = 2$. `sec33_between` covers the whole plane.
 
 | distance from $+1$ | on the two lines | at $\omega_b = 2$, $s = 1$, around a bond |
 |---|---|---|
@@ -388,7 +387,7 @@ void report_mode(Report& report) {
     Vector<double> g = gradient(orbit.start.y);
     g /= g.norm();
 
-    // The angle, in two precisions; an eigenvector has no sign of its own and gets that of the gradient
+    // The angle, in two precisions; the sign of an eigenvector is arbitrary and is chosen as that of the gradient
     Vector<double> mode = stability<Wide>(problem, orbit).mode;
     const double coarse = alignment(stability<double>(problem, orbit).mode, g);
     report.facts.add("cosine_" + name_of(centre), compare(coarse, alignment(mode, g)));
@@ -478,7 +477,7 @@ mass is set where `problem_at` makes the chain (exchange.hpp).
 1. *Easy.* At a slightly higher frequency the exchange lies elsewhere:
    `build/bin/sec33_floquet exchange --centre bond --omega 1.15` gives `s0` = 0.018781. Hint: the curves of exchange
    (`sec33_between`) are slanted, and cross $s = 0$ at six frequencies. To which of them does this curve lead?
-2. *Harder.* One can tell without multipliers which breather is stable.
+2. *Harder.* Which breather is stable can be decided without multipliers.
    `build/bin/sec32_barrier barrier --omega 1.1 --s 0.05` gives `equal_area` = -1.58248e-13, and
    `build/bin/sec32_barrier barrier --omega 1.1 --s 0.26` gives `equal_area` = 1.66492e-13. Hint: at equal action the
    breather of higher energy is the stable one here, because the effective mass is negative (`sec33_mobility`). Does

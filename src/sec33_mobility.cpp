@@ -24,9 +24,9 @@ that for $10^5$ units of time.
 The chain has harmonic wells, Eqs. (6) to (9), and free ends,
 $$\ddot y_n + y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}.$$
 At $t = 0$ all beads of a breather are at rest, and the kick adds velocities $c\,g_n$ along the discrete gradient,
-$g_n\propto y_{n+1}-y_{n-1}$, nearly the mode that shifts the breather (`sec33_floquet`). We take $\sum g_n^2 = 1$: only
-then does the kick add the energy $c^2/2$, as the article says. Around a bond the central contact may be compressed at
-$t = 0$ or, half a period later, stretched. The article does not say which, so we try both; around a site the two are
+$g_n\propto y_{n+1}-y_{n-1}$, close to the mode that shifts the breather (`sec33_floquet`). We take $\sum g_n^2 = 1$:
+only then does the kick add the energy $c^2/2$, as the article says. Around a bond the central contact may be compressed
+at $t = 0$ or, half a period later, stretched. The article does not say which, so we try both; around a site the two are
 mirror images, as are the two signs of $c$. */
 #include <algorithm>
 #include <array>
@@ -71,7 +71,7 @@ State<double> kick(const RestingBreather& at, double c) {
   return state;
 }
 
-/// The means of X after a kick; `look` sees each of them and may end the run.
+/// The means of X after a kick; `look` receives each of them and may end the run.
 KickedPath follow(const RestingBreather& at, double c, const Method& method, double time,
                   const KickLook& look = {}) {
   State<double> state = kick(at, c);
@@ -199,7 +199,7 @@ std::array<double, 3> report_strong(Report& report) {
     per_kick[k] = mean.value / strong;
   }
   report.facts.add("unsteadiness", unsteady, "relative");
-  // Both breathers meet all phases, so what the samples miss is about their difference
+  // Both breathers pass all phases, so the sampling error is about their difference
   const auto left = [](const KickedPath& path) { return 1 - path.share; };
   Estimate lost = larger(paths[0].of(left), paths[1].of(left));
   lost.error += std::abs(left(paths[0].fine) - left(paths[1].fine));
@@ -244,9 +244,9 @@ Estimate report_norm(Report& report, const RestingBreather& at) {
 /**
 ## A weak kick (figure 15)
 
-After $c = 3\cdot10^{-6}$ the bond-centred breather swings about its bond: in either phase it turns back at a quarter of
-a site. The site-centred one starts at its unstable position. It passes the same position at every further site, slowly,
-and is faster over the bonds.
+After $c = 3\cdot10^{-6}$ the bond-centred breather oscillates about its bond: in either phase it turns back at a
+quarter of a site. The site-centred one starts at its unstable position. It passes the same position at every further
+site, slowly, and is faster over the bonds.
 
 ![Energy centre after a weak kick. Drawn by fig15_energy_centre.gp: the columns `X_` of `paths` against `t`.](fig:15) */
 TwoRuns<KickedPath> report_weak(Report& report, const Breathers& at) {
@@ -507,7 +507,8 @@ for free and pinned goes into `frees`.
    beyond the threshold the velocity is the momentum of the kick divided by a negative mass.
 2. *Easy.* And weaker kicks? `build/bin/sec33_mobility kick --centre site --c 2e-5 --time 20000` gives `velocity` =
    -5.52e-5. Hint: around a site the breather starts where the potential slows it most.
-3. *Harder.* Predict the threshold of the bond-centred breather at $\omega_b = 1.001$. `build/bin/sec32_barrier barrier --omega 1.001` gives `equal_area` = -2.3723e-22. Hint: with
+3. *Harder.* Predict the threshold of the bond-centred breather at $\omega_b = 1.001$.
+   `build/bin/sec32_barrier barrier --omega 1.001` gives `equal_area` = -2.3723e-22. Hint: with
    $\varphi = -(\omega_b-1)/3$, $|\varphi|\,c_c^2/2$ is the modulus of this barrier. How far is $c_c^2/2$ then from
    three fifths of `equal_frequency`?
 4. *Open.* How accurately is the potential a sine? How long does a moving breather last, and what does it lose?

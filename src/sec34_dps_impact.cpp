@@ -3,9 +3,9 @@
 
 Does the discrete p-Schrödinger (DpS) equation of section 3.1, which follows only the slowly varying amplitudes,
 describe a weak impact on the first bead of a chain at rest? We solve it and the chain after the same impact and compare
-their packets. According to section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013)
+their packets. According to section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013),
 
-- in the DpS equation the energy splits into a *packet* that runs away, the travelling breather, and a *residue*, an
+- in the DpS equation the energy splits into a *packet* that moves away, the travelling breather, and a *residue*, an
   extended wave train emitted from the boundary (figure 16);
 - so it does in the chain, where the packet is mainly on seven sites and a little slower (figures 17 and 18);
 - its amplitude is $9\cdot10^{-4}$ in the chain and $13\cdot10^{-4}$ by the DpS equation.

@@ -63,7 +63,7 @@ an error if the last bead has moved, so that nothing can have come back from the
 constexpr double fit_to = 60;       // the packet is measured between sites 20 and 60
 constexpr double tolerance = 1e-4;  // within which the end states of two runs must agree
 
-/// The first bead of a chain at rest is struck; `look` sees every sample and may end the run.
+/// The first bead of a chain at rest is struck; `look` receives every sample and may end the run.
 Run impact(const EventCorrected& method, const Chain& chain, double v0, State<double>& state,
            double time, Every every, const Look& look = {}) {
   state = State<double>(chain.sites);  // y_n = 0
@@ -136,7 +136,7 @@ struct SweepPoint {
 };
 
 /**
-A bead that passes the maximum of a soft well, at $|y| = (-s)^{-1/2}$, runs away to infinity. So we choose for each soft
+A bead that passes the maximum of a soft well, at $|y| = (-s)^{-1/2}$, escapes to infinity. So we choose for each soft
 well a largest velocity of the sweep and a range in which we look for the blow-up. A curve ends below the first velocity
 at which a bead escapes (`ends`, from the scan in the section on the blow-up). */
 struct SweptWell {

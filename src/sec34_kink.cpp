@@ -144,8 +144,8 @@ A count that has settled may still change: at $v_0 = 4.28$ the breather throws t
 far end. So *no bead moves on* means until the counts have settled.
 
 Why so far above 2? The first bead pushes on the second all the way up, and loses energy to it. In a kink *every* bead
-passes its maximum; each needs the energy 2 on the way up and regains it on the way down, so that a kink, once formed,
-can go on. We have no theory for the value 4.7. */
+passes its maximum; each needs the energy 2 on the way up and regains it on the way down, so a kink, once formed, can go
+on. We have no theory for the value 4.7. */
 void report_examples(Report& report) {
   // One impact below the transition and one above
   Table& examples =
@@ -290,7 +290,7 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** The well is `Pendulum{}` in `outcome`, the counts are `count_wells`, the wait is `patience`. Another
-well needs a period of its own in `count_wells`. The figure reads columns by name.
+well needs its own period in `count_wells`. The figure reads columns by name.
 
 1. *Easy.* Does the kink need the whole chain? `build/bin/sec34_kink run --velocity 5 --sites 30` gives `moved` = 30.
    Hint: it forms within a few beads.

@@ -9,7 +9,8 @@ $$\tau_h = \Bigl(\frac{m^2}{\gamma^2V}\Bigr)^{1/5},\qquad \tau_c = \Bigl(\frac m
 Their ratio is the only parameter of an impact, Eqs. (29) and (30),
 $$\lambda = (\tau_c/\tau_h)^2,\qquad \dot y_1(0) = \lambda^{5/2} = (\tau_c/\tau_h)^5,$$
 if lengths are measured in units of $\xi = (k/\gamma)^2$, at which well and contact are equally strong, and times in
-units of $\tau_c$. A travelling breather needs a small $\lambda$: contacts must last for a good part of an oscillation.
+units of $\tau_c$. A travelling breather needs a small $\lambda$: contacts must last for a considerable part of an
+oscillation.
 
 ![Newton's cradle and an array of clamped cantilevers decorated by beads. Drawn by fig01_two_chains.py: the sizes of the
 table `schematic`.](fig:01)
@@ -143,7 +144,7 @@ grows by less than a factor of $e$ in that time; the limit is $(1+\epsilon)^{10/
 | $\epsilon$ with the period 0.15 ms | 0.015 | [0.0151131](num:outlook.dominated) |
 | $\epsilon$ with the period $2\pi\tau_c$ | | [0.0159718](num:sec35_scales.epsilon_e_fold) |
 
-Figure 1 is drawn to scale. The two beads of each cantilever touch those of its neighbours, so that the pitch is one
+Figure 1 is drawn to scale. The two beads of each cantilever touch those of its neighbours, so the pitch is one
 thickness and four radii. The cradle's string has the length of this section; the size of its beads is not given, and we
 choose it. */
 void report_array(Report& report, const CantileverArray& array) {

@@ -53,8 +53,8 @@ using namespace lattice;
 ## The experiment
 
 We strike the first beam, follow the packet to the defect (`blow.impact` takes the radius, the end of the run in
-milliseconds and the time between samples), let it meet a defect of any size, and measure 75 ms after the impact, the
-end of figure 24, how the energy is divided among the beams before the defect, the nine around it, and those behind.
+milliseconds and the time between samples), let it meet a defect of any size, and measure how the energy is divided 75
+ms after the impact, the end of figure 24, among the beams before the defect, the nine around it, and those behind.
 Until the packet arrives the defect is exactly at rest, so all runs share this first part. Steps are event-corrected
 (event_corrected.hpp); a run whose far end moves is rejected. */
 constexpr double defect_passed = 75;  // ms
@@ -148,7 +148,7 @@ Fractions fractions(const ScatteringSetup& at, double ratio) {
 ## The packet at the defect (figure 24)
 
 The article draws $f_n = -\gamma_n(x_n-x_{n+1})_+^{3/2}$ in newtons over space and time. A contact is open for about
-half of each internal period, so that a snapshot says little; we keep the strongest force within intervals of about two
+half of each internal period, so a snapshot says little; we keep the strongest force within intervals of about two
 linear periods (array_impact.hpp). At 1.6 radii the packet comes back, and hardly anything appears beyond the defect; at
 1.1 a part passes. */
 void report_forces(Report& report, const StruckArray& blow) {
@@ -549,8 +549,8 @@ void reproduce(Report& report) {
 4. *Harder.* Which radius traps most? `build/bin/sec36_cantilever_defect run --ratio 0.925` gives `net_near` = 0.10858;
    on the map [0.94](num:sec36_cantilever_defect.most_trapped_at) keeps most; try 0.935. Hint: a defect of 0.925 radii
    alone has the frequency 1.044, between that of its neighbours and the packet's 1.1.
-5. *Open.* Which radius reflects best if two neighbouring beams are changed? Is the swing of the trapped mode from side
-   to side one of its Floquet multipliers?
+5. *Open.* Which radius reflects best if two neighbouring beams are changed? Does a Floquet multiplier describe the
+   oscillation of the trapped mode from side to side?
 
 ## With your own parameters
 

@@ -121,18 +121,18 @@ StruckChain struck_chain(double s, double compression, double time, const std::v
 }
 
 /**
-`evolve` and `follow` divide each interval between two looks into equal steps, of at most the length given. Every run is
-made twice, with a step and with half of it, and an error is the difference of the two. The program stops if the energy
-is not conserved, or if the far end of a compressed chain moves. The article names no step, no wavenumber for the other
-two wells, and no threshold for *breather*, *sech-like* and *splits*; we state our choices where we use them.
+`evolve` and `follow` divide each interval between two samples into equal steps, of at most the length given. Every run
+is made twice, with a step and with half of it, and an error is the difference of the two. The program stops if the
+energy is not conserved, or if the far end of a compressed chain moves. The article names no step, no wavenumber for the
+other two wells, and no threshold for *breather*, *sech-like* and *splits*; we state our choices where we use them.
 
 ## Where phonons are unstable (figure 25)
 
 For $s \le 0$ we find $\beta < 0$, and the band of instability lies to the left of the inflection $q_c$ of $\omega(q)$,
 where $\cos q_c = v_1(1-\cos q_c)^2$. For $s = 1$ it lies to the right of $q_c$ and ends before $\pi$, where $\beta$
-changes sign as well (`band --s 1`). For $s = 0$ the largest $\Phi$ is a twentieth of those of the other wells, so that
-the instability is slow, as the article says. It prints $v_1 = 1.06$, $v_2 = -0.53$ and $v_3 = -0.17$ for $d = \frac12$;
-the last, $-0.1768$, is truncated.
+changes sign as well (`band --s 1`). For $s = 0$ the largest $\Phi$ is a twentieth of those of the other wells, so the
+instability is slow, as the article says. It prints $v_1 = 1.06$, $v_2 = -0.53$ and $v_3 = -0.17$ for $d = \frac12$; the
+last, $-0.1768$, is truncated.
 
 | quantity | article | here |
 |---|---|---|
@@ -339,12 +339,12 @@ dispersing waves, no breather and no surface mode.
 ![Wave trains for s = 0 and s = -1/6, and the packet's share of the energy. Drawn by fig28_wave_trains.py: `v` over `n`,
 from `impact_profiles`, and `share` over `t`, from `packet_history`.](fig:28)
 
-How do we tell a breather from a wave train? A breather keeps its share of the energy. A linear train loses it: the
-energy of its whole front falls like $t^{-1/3}$, that of a fixed window narrower than the front like $t^{-2/3}$, and the
-exponents found here lie between the two. A surface mode keeps its energy on the first five sites; a packet that returns
-moves backwards for some time (packets.hpp). As controls without compression, the same measures must recognize the
-returning packet and the surface mode of section 3.4. A good fit of a sech alone says little, because over 21 sites a
-broad enough one fits any smooth crest. */
+How does one distinguish a breather from a wave train? A breather keeps its share of the energy. A linear train loses
+it: the energy of its whole front falls like $t^{-1/3}$, that of a fixed window narrower than the front like $t^{-2/3}$,
+and the exponents found here lie between the two. A surface mode keeps its energy on the first five sites; a packet that
+returns moves backwards for some time (packets.hpp). As controls without compression, the same measures must recognize
+the returning packet and the surface mode of section 3.4. A good fit of a sech alone says little, because over 21 sites
+a broad enough one fits any smooth crest. */
 struct Experiment {
   std::string name;
   double s, compression, time;
@@ -441,7 +441,7 @@ void report_impacts(Report& report) {
   const Experiment& hard = all[0];
   facts.add("last_open_s_1", {hard.runs.fine.last_open, 1});
 
-  // The breather's envelope at three times, and the tail on which it stands in the end
+  // The breather's envelope at three times, and the tail around it at the end
   Estimate reach{}, residual{};
   for (std::size_t k = 0; k < hard.shown.size(); ++k) {
     const Snapshot &rough = hard.runs.coarse.shown[k], &good = hard.runs.fine.shown[k];
@@ -633,7 +633,7 @@ The article claims an error $O(\epsilon^{3/2})$ of the ansatz on times of length
 naming a norm. We start the chain of figure 26 from the soliton of Eq. (38),
 $$y_n = 2\epsilon M\,\mathrm{sech}\,\epsilon(n-ct)\,\cos\bigl(qn-(\omega-\tfrac12\epsilon^2\omega'')t\bigr),\qquad
 M^2 = -\omega''/h,$$
-and look for the largest distance of the run from this formula until $t = \epsilon^{-2}$. The omitted terms, above all
+and compute the largest deviation of the run from this formula until $t = \epsilon^{-2}$. The omitted terms, above all
 the second harmonic, are of size $\epsilon^2$ on $O(1/\epsilon)$ sites. So the error should be of the order $\epsilon^2$
 on any bead and $(\epsilon^{-1}\epsilon^4)^{1/2} = \epsilon^{3/2}$ in $\ell^2$, the norm of the energy. We find this: in
 $\ell^2$ the order comes down to 1.5 as $\epsilon$ falls from 0.2 to 0.025, and the largest error of a bead has the

@@ -92,7 +92,7 @@ and the same step that integrator ends within [8e-14](num:secA_integrators.round
 independent, since both correct contacts in the same way. So GSL's integrator, which controls its own error without
 detecting events, must reach the same end states to $10^{-9}$, or the program stops.
 
-All integrators run with the same steps, each only a factor $\sqrt2$ shorter than the one before, so that a jump between
+All integrators run with the same steps, each only a factor $\sqrt2$ shorter than the one before, so a jump between
 neighbours is not mistaken for a trend. [](finding:integrators.order) The orders four and six are lost. That of the
 event-corrected integrator is below the expected 5, and we do not know why (exercise 4). As a control the same impacts
 strike a chain compressed by $d = 5$, Eq. (33). Opening one of its contacts needs the energy $\frac35d^{5/2} = 33.5$,
