@@ -324,7 +324,7 @@ How wide is the interval in which both are stable, or both unstable? Let the pot
 a site, have two harmonics, $V = a\cos2\pi X+b\cos4\pi X$. Then $V' = -2\pi\sin2\pi X\,(a+4b\cos2\pi X)$, and besides
 site and bond there is a third extremum where $\cos2\pi X = -a/4b$, if $|a|<4|b|$. The curvature is proportional to
 $-(a+4b)$ at the site and to $a-4b$ at the bond: both are stable in this interval if $b<0$, and both unstable if $b>0$.
-It is narrow because $b$ is tiny beside the $a$ of other wells. Half way, at $a = 0$, all three curvatures are
+It is narrow because $b$ is tiny compared with the $a$ of other wells. Half way, at $a = 0$, all three curvatures are
 $16\pi^2|b|$ in size. So $\kappa$, proportional to minus the curvature, is as large there for the third breather as for
 the site-centred one, for which it has grown over half the interval, from the exchange on. At $\omega_b = 1.1$ half of
 [3.22e-7](num:sec33_between.exchange_gap) times the slope [7.55e-8](num:sec33_floquet.exchange_slope) is within four per

@@ -34,11 +34,11 @@ using namespace lattice;
 
 A map needs one criterion for all its points, although the impacts differ by orders of magnitude. A packet has *turned*
 when its energy centre, averaged over about one internal period, has come back by five sites; a packet that is trapped
-between two sites swings by less. It has *escaped* when it passes site 40, and it *stays* if it never gets beyond site
-8. We wait ten times as long as the slow packet of a weak impact needs to reach site 40, and less after strong impacts,
-   where everything is faster (fate.hpp). So a packet that turns farther out than site 40 counts as escaped; this is a
-   limit of the map, not a statement about the chain: with $s=1$ and $v_0=1.5$ the map says *escaped*, and the packet
-   does turn, at site [183](num:sec34_boomeron.apex_site_150).
+between two sites swings by less. It has *escaped* when it passes site 40, and it *stays* if it never gets beyond
+site 8. We wait ten times as long as the slow packet of a weak impact needs to reach site 40, and less after strong
+impacts, where everything is faster (fate.hpp). So a packet that turns farther out than site 40 counts as escaped; this
+is a limit of the map, not a statement about the chain: with $s=1$ and $v_0=1.5$ the map says *escaped*, and the packet
+does turn, at site [183](num:sec34_boomeron.apex_site_150).
 
 ## The scaled hardness
 

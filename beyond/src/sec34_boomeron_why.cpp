@@ -96,10 +96,10 @@ is true of most but not of all packets of such impacts: of eighty neighbours wit
 return by $10^4$ in another program, from beyond site 58. Isolated at $t = 120$ on a chain at rest, the packet still
 returns, but long afterwards; with its waves it turns much earlier.
 
-With either step the same packets return: those with all waves, with the absorbing end, and cut out at $t = 120$ and
-200. Those with the waves absorbed behind them and those cut out at $t = 60$ and 300 do not, by the end of their runs.
-     We see no order in the four cuts: the fate of a packet that drifts slowly seems a matter of chance. Had the two
-     steps disagreed on a packet, we could only say that its motion is chaotic by then. */
+With either step the same packets return: those with all waves, with the absorbing end, and isolated at $t = 120$
+and 200. Those with the waves absorbed behind them and those isolated at $t = 60$ and 300 do not, by the end of their
+runs. We see no order in the four cuts: the fate of a packet that drifts slowly seems a matter of chance. Had the two
+steps disagreed on a packet, we could only say that its motion is chaotic by then. */
 void report_experiments(Report& report) {
   std::vector<WakeExperiment> list = wake_experiments(report.quick);
   parallel_for("experiments", 2 * list.size(), [&](std::size_t i) {
@@ -204,7 +204,7 @@ acceleration of the centre. With its waves the packet is pushed forward, *away* 
 sites are absorbed; the wells take up the momentum. So the packet that is pushed forward more slows down more, like a
 body of negative effective mass.
 
-With its waves it also does not lose the energy that it sheds without them: with them its energy changes by
+With its waves it also does not lose the energy that it radiates without them: with them its energy changes by
 [0.00821](num:sec34_boomeron_why.gain_waves), and with those beyond six sites absorbed by
 [-0.0556](num:sec34_boomeron_why.gain_behind). In the linear well it is [-0.0664](num:sec34_boomeron_why.gain_linear)
 with the waves and [-0.0662](num:sec34_boomeron_why.gain_linear_behind) without: there they matter little. */
@@ -254,10 +254,10 @@ are chaotic and no single one is conclusive, so we show both steps and count.
 Of the five packets [4](num:sec34_boomeron_why.of_five_return_waves_15) return if the waves up to fifteen sites behind
 them are left, [3](num:sec34_boomeron_why.of_five_return_waves_10) with ten sites,
 [0](num:sec34_boomeron_why.of_five_return_waves_8) with eight and [1](num:sec34_boomeron_why.of_five_return_waves_6)
-with six; the others go on or are trapped. If they are cut out at $t = 60$,
+with six; the others go on or are trapped. If they are isolated at $t = 60$,
 [1](num:sec34_boomeron_why.of_five_return_cut_30) of five returns with thirty sites of the fresh wake, and
 [0](num:sec34_boomeron_why.of_five_return_cut_6) with six. An error of one means that the steps disagree on one packet.
-In these trials the distance decides above all how far a packet that was not cut out gets by the end of its run: with
+In these trials the distance mainly decides how far a packet that was not isolated gets by the end of its run: with
 fifteen sites none of the five passes site 40, with six all pass site 50. */
 struct Packet {
   WavesRemoved impact;
@@ -470,8 +470,8 @@ early go on or are trapped; of six within a millionth of this impact, tried once
 *Not shown*: why waves pull. The packet is pushed forward and slows down; that neighbours in it oscillate in opposite
 phase (figure 23), as at the upper edge of a band, while the waves behind are long and in phase, fits a negative mass
 but does not prove it. Nor do we know why the breather of the linear well hardly responds to waves beside it, nor what
-slows the packet down without waves: it sheds energy, but in the linear well it sheds as much. Damping so close to the
-packet may affect the packet itself. "Returns" and "goes on" refer to the times that we followed. */
+slows the packet down without waves: it radiates energy, but in the linear well it radiates as much. Damping so close to
+the packet may affect the packet itself. "Returns" and "goes on" refer to the times that we followed. */
 void reproduce(Report& report) {
   report_experiments(report);
   report_distance(report);
