@@ -8,7 +8,7 @@ could refute it.
      waves     |~~~~~~~~~~~~~~~ (packet)              does it turn?
      behind    |xxxxxxxx<- d -> (packet)              with waves up to d sites behind it only?
      end       |x~~~~~~~~~~~~~~ (packet)              with waves that hardly return from the end?
-          cut                        (packet)              alone on a chain at rest?
+     cut                        (packet)              alone on a chain at rest?
      beside              (breather) ~~~~~~            at rest, waves beside it: does it move?
 
 One thing is puzzling. Beads only push, so anything that comes from behind pushes the packet forward. If this turns the

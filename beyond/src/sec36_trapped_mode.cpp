@@ -220,7 +220,7 @@ void reproduce(Report& report) {
 2. *Harder.* At 0.8 radii the defect's own frequency is that of the packet, and yet less stays:
    `build/bin/sec36_cantilever_defect run --ratio 0.8` gives `net_near` = 0.01422. Hint: above which frequency do the
    breathers of this defect lie?
-3. *Open.* Is the swing from side to side one of the breather's Floquet multipliers? */
+3. *Open.* Is the motion from side to side one of the breather's Floquet multipliers? */
 int main(int argc, char** argv) {
   return run({"sec36_trapped_mode", "3.6", "What a light defect traps (section 3.6)", reproduce},
              argc, argv);

@@ -5,7 +5,7 @@ Strike the first bead of a chain at rest. A packet of energy, about seven sites 
 travelling breather of section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013). Every bead that it has passed
 keeps oscillating weakly. So the packet loses energy, slows down and changes:
 
-            passed beads oscillate                    the packet          at rest
+      passed beads oscillate                    the packet          at rest
        . . .  z(n-1)   z(n)  . . .     o  o  O  O  O  o  o     .   .   .   .
                  \_____/                    ---> X(t)
         phase turns by theta, amplitude |z(n)|
