@@ -406,7 +406,7 @@ class Book:
         """The words of start.md, what comes out, and the contents."""
         counts = Counter(self.verdicts[id]["verdict"] for id in self.claims)
         found = [f"- {in_plain(row['sentence'], self.numbers)} ({self.figure_link(row['figure'])})"
-                 for row in self.findings.values() if row["figure"] in self.figures]
+                 for row in self.findings.values() if row["front"] and row["figure"] in self.figures]
         tally = ", ".join(f"{counts[v]} {md.verdict(v)}" for v in meanings() if counts[v])
         out = [ecsv.text_of(self.root / "book/start.md"), f"\nOf {len(self.claims)} statements: {tally}."]
         out += ["\nFound besides:\n"] * bool(found) + found

@@ -67,8 +67,8 @@ def discrepancy_rows(claims, numbers, verdicts):
 
 
 def found_rows(findings, numbers):
-    """The findings that have a figure, as the first page tells them."""
-    return [f"- {in_plain(row['sentence'], numbers)} ({command_of(row['figure'])})" for row in findings.values() if row["figure"]]
+    """The findings of the first page."""
+    return [f"- {in_plain(row['sentence'], numbers)} ({command_of(row['figure'])})" for row in findings.values() if row["front"]]
 
 
 def tally_rows(claims, verdicts):
