@@ -81,7 +81,7 @@ facts := $(foreach p,$(chapters),$(D)/data/$(p)/facts.ecsv)
 # Folders have the names of some of them.
 .PHONY: all figures test beyond test-beyond ready all-figures all-data programs configure summary verdicts book weave install-book \
   test-book test-lineage tests examples python run-tests run-tests-beyond test-faults test-fuzz test-python bench paper typeset install-paper \
-  lock hashes refresh show gallery second mutants test-platforms test-slurm fresh container dist style tidy \
+  lock hashes refresh show second mutants test-platforms test-slurm fresh container dist style tidy \
   install-deps burn help
 took = . tools/shared.sh; echo "$$(now) $$(cat $(D)/report/start)" | awk '{ printf "$(1)", ($$1 > $$2 ? $$1 - $$2 : 0) }'
 
@@ -298,10 +298,6 @@ refresh: verdicts
 show: verdicts
 	@$(lineage) show "$(ID)" --data $(B)/data
 
-## gallery: the small pictures of the README: those that are missing, and those of figures that were drawn since
-gallery: $(foreach r,$(rows),$(if $(wildcard $(home)figures/gallery/$(notdir $(basename $(call field,$(r),3))).png),,$(call command,$(call field,$(r),1))))
-	@$(lineage) --root ./$(home) gallery --figures $(D)/figures
-
 ## second: headline numbers again by other methods in plain Python, into paper/second.ecsv of each volume (minutes)
 second: install-deps
 	@PYTHONPATH=tests:$(PYTHONPATH) $(call with,numpy; import mpmath) -m second --write
@@ -327,10 +323,9 @@ fresh:
 container:
 	@sh tools/fresh.sh --container $(SUITE)
 
-## dist: sources, tables, figures, and what is there of book, paper and theorem, in one archive, build/dist
+## dist: sources, tables, figures, and what there is of book, paper and theorem, in one archive, build/dist
 dist:
-	@$(lineage) inventory --data $(B)/data --programs $(B)/bin --out $(B)/report
-	@PYTHON="$(PYTHON)" sh tools/dist.sh $(B)
+	@sh tools/dist.sh $(B)
 
 ## style: clang-format, shellcheck and reuse (from its version 4 on), where they are installed
 style:

@@ -97,8 +97,6 @@ class Scratch(unittest.TestCase):
         self.write("paper/costs.ecsv", table(["program", "seconds"], [["sec1_demo", 3.0]]))
         self.write("codemeta.json", ecsv.text_of(ROOT / "codemeta.json"))
         self.write("README.md", "<!-- discrepant -->\n<!-- /discrepant -->\n")
-        self.write("CONTRIBUTING.md", "")
-        self.write("DATA.md", "It is <!--num:a.one--><!--/-->.\n")
         self.facts(*FACTS_OF_DEMO)
 
     def write(self, name, text):

@@ -66,8 +66,8 @@ class Repository(Scratch):
         self.write("book/contents.txt", "= One\nsec1_demo\n")
         self.write("book/start.md", "# Start\n\nTake [](num:a.one).\n")
         self.write("book/commands.txt", "a.one build/bin/sec1_demo one --exactly # one\n")
-        self.write("apt-packages.txt", "dpkg\n[book]\nno-such-package\n")
-        self.write("DATA.md", "# Use the data\n\nIt is <!--num:a.one-->1.000<!--/-->.\n")
+        self.write("CONTRIBUTING.md", "")
+        self.write("tools/apt-packages.txt", "dpkg\n[book]\nno-such-package\n")
         cells = [{"cell_type": "markdown", "source": ["# In Python\n", "\n", "By Eq. (9), $x^2$; [](num:a.one)."]},
                  {"cell_type": "code", "source": ["x = 1  # one"], "outputs": [{"output_type": "stream", "text": ["a < b\n"]}]}]
         self.write("python/a_b.ipynb", json.dumps({"cells": cells}))

@@ -45,7 +45,7 @@ def read_claims(root):
 
 def read_findings(root):
     """What we found in this volume, by id."""
-    return read_list(root, "findings", ("id", "sentence", "kind", "range", "tried", "criterion", "second", "figure"))
+    return read_list(root, "findings", ("id", "sentence", "kind", "range", "tried", "criterion", "second", "figure", "front"))
 
 
 def read_literature(root):
