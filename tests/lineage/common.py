@@ -86,7 +86,7 @@ class Scratch(unittest.TestCase):
         os.chdir(self.root)
         self.write("src/sec1_demo.cpp", "/**\n# 1 A demonstration\n\nIt is [](num:a.one). */\n")
         self.write("paper/claims.ecsv", table(CLAIMS, [
-            ["a.one", "1", "Fig. demo", "one", "1.02", "", "converged", "rel 1e-2", "sec1_demo.one", "", "", "", "they erred", "an error",
+            ["a.one", "1", "Fig. demo", "one", "1.02", "", "converged", "rel 1e-2", "sec1_demo.one", "", "", "", "they erred", "their ruler",
              "discrepant"],
             ["a.two", "1", "text", "two", "yes", "", "claim", "", "", "sec1_demo.fact > 1", "of {a.one}, Section wells", "", "", "",
              "holds"]]))

@@ -41,7 +41,7 @@ class Paper(Scratch):
         self.write("paper/paper.tex", GOOD + "\n% \\num{x}\n\\newcommand\\q[1]{\\num{#1}} 5\\% of \\num{a.one}\n")
         self.assertEqual(self.lineage("macros")[0], 0)
         numbers = self.read("build/paper/numbers.tex")
-        for line in [r"\define{num}{a.one}{\ensuremath{1.000}}", r"\define{fig}{01}{fig01}", r"\define{cause}{a.one}{an error}",
+        for line in [r"\define{num}{a.one}{\ensuremath{1.000}}", r"\define{fig}{01}{fig01}", r"\define{cause}{a.one}{their ruler}",
                      r"\define{both}{a.one}{\ensuremath{1.000(1)}}", r"\define{pub}{a.one}{1.02}", r"\define{tally}{discrepant}{1}",
                      r"\define{caption}{01}{A line. (a--c) At $t = \frac12$.}", r"\define{claimed}{a.one}{one}",
                      r"\define{source}{01}{\nolinkurl{src/sec1_demo.cpp}}"]:
