@@ -81,7 +81,7 @@ facts := $(foreach p,$(chapters),$(D)/data/$(p)/facts.ecsv)
 # Folders have the names of some of them.
 .PHONY: all figures test beyond test-beyond ready all-figures all-data programs configure summary verdicts book weave install-book \
   test-book test-lineage tests examples python run-tests run-tests-beyond test-faults test-fuzz test-python bench paper typeset install-paper \
-  lock hashes refresh show gallery second mutants test-platforms test-slurm fresh container dist style tidy \
+  lock hashes refresh show second mutants test-platforms test-slurm fresh container dist style tidy \
   install-deps burn help
 took = . tools/shared.sh; echo "$$(now) $$(cat $(D)/report/start)" | awk '{ printf "$(1)", ($$1 > $$2 ? $$1 - $$2 : 0) }'
 
@@ -260,7 +260,7 @@ bench: ready
 	@"$(PYTHON)" figures/x04_work_precision.py $(B)/bench $(B)/bench/work_precision.svg
 	@$(MAKE) $(B)/bench/work_precision.pdf $(B)/bench/work_precision.png
 
-## paper: typeset build/paper.pdf, supplement.pdf and theorem.pdf from the locked values and all figures
+## paper: typeset build/paper.pdf, and theorem.pdf of volume two, from the reference values and the figures
 paper: install-paper
 	@$(MAKE) all-figures
 	@$(MAKE) typeset
@@ -268,12 +268,12 @@ paper: install-paper
 ## typeset: the same from the figures that are there, in seconds
 typeset: verdicts
 	@$(lineage) macros --out $(D)/paper
-	@for it in $(basename $(notdir $(wildcard $(foreach d,paper supplement theorem,paper/$(d).tex beyond/paper/$(d).tex)))); do \
-	  echo "  typeset  $(D)/$$it.pdf"; \
+	@for it in paper/paper $(basename $(wildcard beyond/paper/theorem.tex)); do \
+	  name=$${it##*/}; echo "  typeset  $(D)/$$name.pdf"; \
 	  TEXINPUTS="$(D)/paper:paper:beyond/paper:$(D)/figures:" BIBINPUTS="paper:" FORCE_SOURCE_DATE=1 \
-	    latexmk -norc -g -pdf -interaction=nonstopmode -halt-on-error -outdir=$(D)/paper $$(ls paper/$$it.tex beyond/paper/$$it.tex 2>/dev/null) \
-	    > $(D)/paper/$$it.out.log 2>&1 || { tail -n 40 $(D)/paper/$$it.out.log; exit 1; }; \
-	  mv $(D)/paper/$$it.pdf $(D)/$$it.pdf.part && mv $(D)/$$it.pdf.part $(D)/$$it.pdf || exit; done
+	    latexmk -norc -g -pdf -interaction=nonstopmode -halt-on-error -outdir=$(D)/paper $$it.tex \
+	    > $(D)/paper/$$name.out.log 2>&1 || { tail -n 40 $(D)/paper/$$name.out.log; exit 1; }; \
+	  mv $(D)/paper/$$name.pdf $(D)/$$name.pdf.part && mv $(D)/$$name.pdf.part $(D)/$$name.pdf || exit; done
 
 install-paper: install-deps
 	@DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt paper
@@ -297,10 +297,6 @@ refresh: verdicts
 ## show: print one number, as in  make show ID=pn.omega11
 show: verdicts
 	@$(lineage) show "$(ID)" --data $(B)/data
-
-## gallery: the small pictures of the README: those that are missing, and those of figures that were drawn since
-gallery: $(foreach r,$(rows),$(if $(wildcard $(home)figures/gallery/$(notdir $(basename $(call field,$(r),3))).png),,$(call command,$(call field,$(r),1))))
-	@$(lineage) --root ./$(home) gallery --figures $(D)/figures
 
 ## second: recompute the headline numbers by other methods in plain Python, into paper/second.ecsv of each volume (minutes)
 second: install-deps
@@ -327,10 +323,9 @@ fresh:
 container:
 	@sh tools/fresh.sh --container $(SUITE)
 
-## dist: pack sources, tables, figures, and those of book, paper, supplement and theorem that exist, into one archive, build/dist
+## dist: pack sources, tables, figures, and those of book, paper and theorem that exist, into one archive, build/dist
 dist:
-	@$(lineage) inventory --data $(B)/data --programs $(B)/bin --out $(B)/report
-	@PYTHON="$(PYTHON)" sh tools/dist.sh $(B)
+	@sh tools/dist.sh $(B)
 
 ## style: run clang-format, shellcheck and reuse (version 4 or newer), where installed
 style:
@@ -355,7 +350,7 @@ help:
 	@sed -n 's/^## /  make /p' Makefile
 	@awk '!/^#/ { at = index($$0, ","); id = substr($$0, 1, at - 1); if (id == "id") next; \
 	  text = $$0; for (k = 0; k < 7; ++k) text = substr(text, index(text, ",") + 1); \
-	  gsub(/"/, "", text); printf "  make %s: %s\n", (id ~ /^x/ ? id : "fig" id), text }' $(wildcard figures/figures.ecsv beyond/figures/figures.ecsv)
+	  split(text, quoted, "\""); printf "  make %s: %s\n", (id ~ /^x/ ? id : "fig" id), quoted[2] }' $(wildcard figures/figures.ecsv beyond/figures/figures.ecsv)
 	@echo "Variables: DEPS=skip (install nothing), PYTHON=..., JOBS=..., LAUNCH=... (put before each simulation),"
 	@echo "  THREADS=... (of each program), QUICK=1 (coarse, into $(B)/quick)"
 

@@ -29,7 +29,7 @@ from sphinx.transforms import SphinxTransform
 from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective
 
-from lineage import ecsv, inventory, markdown as md, tex
+from lineage import ecsv, inventory, markdown as md
 from lineage.chapters import article_tests, explained_by, read_commands, read_costs, run_of, shown_cost
 from lineage.claims import (KINDS, OBTAINED, agrees, by_name, in_plain, meanings, program_of, programs_of, read_claims, read_facts,
                             read_findings, read_literature, read_second, read_verdicts, said as filled, with_kind,
@@ -43,7 +43,7 @@ from live import live
 
 HERE = Path(__file__).resolve().parent
 KATEX = [Path("/usr/share/javascript/katex"), Path("/usr/share/nodejs/katex/dist")]
-LISTS = ("published", "findings", "figures", "equations", "commands", "data", "packages", "library")
+LISTS = ("published", "findings", "figures", "equations", "commands", "packages", "library")
 ORPHAN = "---\norphan: true\n---\n"
 HEAD = re.compile(r"(?:(?:#\w+.*|using namespace.*|namespace \w+ \{|[ \t]*)\n){4,}")
 EQUATIONS = re.compile(r"\bEqs?\.\s*\(\d+\)(?:(?:,|\s+and|\s+to|,\s+and)\s+\(\d+\))*")
@@ -118,7 +118,7 @@ class Book:
         self.lines = {name: made_at(f, near.get(f.program, ())) for name, f in self.numbers.items()}
 
     def read_figures(self):
-        self.figures, self.captions = joined(read_figures, self.volumes), joined(tex.captions, self.volumes)
+        self.figures = joined(read_figures, self.volumes)
         equations = ecsv.read(self.root / "book/equations.ecsv", ("number", "label", "name", "tex")).rows
         self.equations = {int(row["number"]): row for row in equations}
         self.labels = {row["label"]: f"Eq. ({row['number']})" for row in equations}
@@ -309,8 +309,7 @@ class Book:
         row = self.figures[id]
         script = next(path for v in self.volumes if (path := v / "figures" / row["script"]).exists())
         own = "A figure of this book" if id[0] == "x" else f"A figure of the article, section {row['section']}"
-        out = [f"{ORPHAN}# {spoken(id)}\n\n```{{fig}} {id}\n:whole:\n\n{row['caption']} "
-               + tex.in_markdown(self.captions.get(id, "")) + f"\n```\n\n{own}; shown in "
+        out = [f"{ORPHAN}# {spoken(id)}\n\n```{{fig}} {id}\n:whole:\n\n{row['caption']} {row['details']}\n```\n\n{own}; shown in "
                f"{self.speaks('fig} ' + id) or self.page_link(row['program'])}.\n\n## Tables\n"]
         for path in (path for name in row["data"].split() if (path := self.data / row["program"] / f"{name}.ecsv").exists()):
             count = len(ecsv.rows_of(ecsv.text_of(path))) - 1
@@ -363,19 +362,22 @@ class Book:
         return "\n".join(out)
 
     def data_page(self):
-        """DATA.md, and the tables of each program."""
-        text = re.sub(r"<!--num:([^>]+)-->(.*?)<!--/-->", r"[\2](num:\1)", ecsv.text_of(self.root / "DATA.md"))
+        """The words of data.md, and the tables of each program."""
         lists = [f"- {md.link(f'numbers-{s.stem}.html', s.stem)}: " + ", ".join(md.plain(path.stem) for path in paths)
                  for s in self.chapters if (paths := sorted((self.data / s.stem).glob("[!.]*.ecsv")))]
-        return "\n".join([re.sub(r"\[(`[^`]*`)\]\((?!http)[^)]*\)", r"\1", text), "\n## All numbers and tables\n", *lists, ""])
+        return "\n".join([ecsv.text_of(HERE / "data.md"), "## All numbers and tables\n", *lists, ""])
+
+    def machines_page(self):
+        """The words of machines.md, whose files a reader of the book finds in the repository."""
+        return re.sub(r"\[(`[^`]*`)\]\(\.\./[^)]*\)", r"\1", ecsv.text_of(HERE / "machines.md"))
 
     def packages_page(self):
         rows = [[md.name(p["package"]), p["version"] or "not installed", p["section"]] for p in inventory.packages(self.root)]
         return md.table(["package", "version", "needed for"], rows)
 
     def library_page(self):
-        """The modules in the order of the README's table, with their files."""
-        ideas = dict(re.findall(r"^\| \[`(\w+)`\]\(src/[^)]*\) \| (.*) \|$", ecsv.text_of(self.root / "README.md"), re.M))
+        """The modules in the order of the table in CONTRIBUTING.md, with their files."""
+        ideas = dict(re.findall(r"^\| \[`(\w+)`\]\(src/[^)]*\) \| (.*) \|$", ecsv.text_of(self.root / "CONTRIBUTING.md"), re.M))
         out = []
         for module in [m for m in ideas if m in self.rest] + [m for m in self.rest if m not in ideas]:
             files = [md.link(s.page + ".html", s.name) + f" {s.title}" * (s.is_header and s.titled) for s in self.rest[module]]
@@ -403,7 +405,7 @@ class Book:
         """The words of start.md, what comes out, and the contents."""
         counts = Counter(self.verdicts[id]["verdict"] for id in self.claims)
         found = [f"- {in_plain(row['sentence'], self.numbers)} ({self.figure_link(row['figure'])})"
-                 for row in self.findings.values() if row["figure"] in self.figures]
+                 for row in self.findings.values() if row["front"] and row["figure"] in self.figures]
         tally = ", ".join(f"{counts[v]} {md.verdict(v)}" for v in meanings() if counts[v])
         out = [ecsv.text_of(self.root / "book/start.md"), f"\nOf {len(self.claims)} statements: {tally}."]
         out += ["\nFound besides:\n"] * bool(found) + found
@@ -421,8 +423,9 @@ class Book:
             old.unlink()
         pages = {s.page: self.source_page(s) for s in self.sources} | {f"fig-{id}": self.figure_page(id) for id in self.figures}
         pages |= {f"numbers-{s.stem}": self.numbers_page(s.stem) for s in self.chapters}
-        heads = dict(zip((name for name in LISTS if name != "data"), re.split(r"\n(?=# )", ecsv.text_of(HERE / "lists.md"))))
+        heads = dict(zip(LISTS, re.split(r"\n(?=# )", ecsv.text_of(HERE / "lists.md"))))
         lists = {name: heads.get(name, "") + getattr(self, f"{name}_page")() for name in LISTS}
+        lists |= {"data": self.data_page(), "machines": self.machines_page()}
         lists |= {name: ecsv.text_of(folder / f"{name}.md") + live.SCRIPT for folder, name in self.lives}
         notebooks = sorted((self.root / "python").glob("*.ipynb"))
         lists |= {f"notebook-{path.stem.replace('_', '-')}": self.notebook_page(path) for path in notebooks}

@@ -1,18 +1,17 @@
 /**
-# 1 The chain, and what this book asks of it
+# 1 The chain: an impact, a breather and its stability
 
-A Newton's cradle is a row of balls that touch. Lift the first one, let it fall, and a pulse runs through the row. Now
-hold every ball in a well of its own, so stiff that the ball oscillates while the pulse passes: short strings, or
-elastic beams instead of strings. What travels then is not a pulse but a packet of oscillations, and what stands still
-may be one, too: a *breather*.
+How does energy move in a Newton's cradle whose balls are held so stiffly, by short strings or by elastic beams, that
+each oscillates while a pulse passes? James, Kevrekidis and Cuevas (Physica D 251, 2013) find packets of oscillations
+that travel, packets that turn round, and packets that stay in place, the *breathers*. This chapter computes one of each
+from the equation of motion, and the stability of the breather, in a hundred and fifty lines of code.
 
 ![A packet that travels, one that turns round, a breather, and its Floquet multipliers.](fig:x36)
 
-This chapter is the article by James, Kevrekidis and Cuevas (Physica D 251, 2013) in a hundred and fifty lines of
-code. It needs mechanics, the C++ standard library and Eigen. Of our own it uses only what writes its tables:
-`Report`, `Estimate` and `compare(coarse, fine)`, which is the finer value with its difference from the coarser one as
-error, and `Failure`, an exception. Readers who reach the end can strike their own chain. Then it says how many of its
-digits are right, which questions it cannot answer, and where the book answers them. */
+The code needs the C++ standard library and Eigen. Of our own library it uses only what writes its tables: `Report`,
+`Estimate` and `compare(coarse, fine)`, which is the finer value with its difference from the coarser one as error, and
+`Failure`, an exception. The chapter ends with the accuracy of its numbers, with the questions that this simple method
+cannot answer, and with the chapters that answer them. */
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -32,15 +31,14 @@ using namespace lattice;
 ## The equation of motion
 
 Two elastic spheres that overlap by $x$ repel with the force $\gamma\,x^{3/2}$, which is Hertz's law; spheres that do
-not overlap do not act on each other, and none ever pulls. So a contact has no linear part: the gentler the motion,
-the softer it is. The chain has such contacts between neighbours and a well $W$ for every bead, Eqs. (9) and (10) of
-the article:
+not overlap exert no force, and none ever attracts. So a contact has no linear part: the smaller the motion, the softer
+the contact. The chain has such contacts between neighbours and an on-site potential, or well, $W$ for every bead,
+Eqs. (9) and (10) of the article:
 $$\ddot y_n = -W'(y_n) + (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},\qquad
   W(y) = \tfrac12y^2 + \tfrac s4\,y^4,$$
-where $(x)_+$ is $x$ if positive and zero otherwise. Lengths and times are measured such that the mass of a bead, the
-stiffness of its well and that of a contact are one; a bead alone oscillates with the frequency one. The number $s$
-makes the well harmonic ($s = 0$), hard ($s > 0$) or soft ($s < 0$). These units are used throughout, except where an
-experiment is meant (cantilever.hpp converts). */
+where $(x)_+$ is $x$ if positive and zero otherwise. In our units the mass of a bead, the stiffness of its well and that
+of a contact are one; a bead alone oscillates at frequency one. The number $s$ makes the well harmonic ($s = 0$), hard
+($s > 0$) or soft ($s < 0$). These units are used throughout, except for experiments (cantilever.hpp converts). */
 struct Chain {
   Index sites;
   double s = 0;  // anharmonicity of the wells
@@ -49,7 +47,7 @@ struct Chain {
   double pull(double y) const { return -y - s * y * y * y; }                 // -W'
 };
 
-// Hertz's law: how hard two beads push that overlap by x
+// Hertz's law: the force between two beads that overlap by x
 double push(double x) {
   return x > 0 ? x * std::sqrt(x) : 0;
 }
@@ -68,8 +66,8 @@ VectorXd acceleration(const Chain& chain, const VectorXd& y) {
 /**
 ## A step in time
 
-Verlet's method changes the velocities by half a kick, moves the beads, and kicks them again. It conserves the
-symplectic structure and can be run backwards, as the equation can. Its error falls like $h^2$. */
+Verlet's method gives the beads half a kick, moves them, and gives them the other half. Like the equation, it is
+symplectic and reversible. Its error falls like $h^2$. */
 struct State {
   VectorXd y, v;
 };
@@ -86,8 +84,8 @@ State after(const Chain& chain, State now, double time, int steps) {
 }
 
 /**
-Each bead has its kinetic energy, that of its well and that of the contact to its right, Eq. (23). The densities $e_n$
-add up to the energy $\mathcal H$ of the chain, Eq. (6), which the motion conserves. */
+The energy of a bead is its kinetic energy, that of its well and that of the contact to its right, Eq. (23). The
+densities $e_n$ add up to the energy $\mathcal H$ of the chain, Eq. (6), which the motion conserves. */
 VectorXd energy_density(const Chain& chain, const State& now) {
   VectorXd e(chain.sites);
   for (Index n = 0; n < chain.sites; ++n) {
@@ -102,10 +100,9 @@ VectorXd energy_density(const Chain& chain, const State& now) {
 /**
 ## An impact, and its packet
 
-Strike the first bead of a chain at rest with the velocity $v_0$, Eq. (26), and look at the energy every 0.2 units of
-time, some thirty times in an oscillation. Ahead of the packet displacements fall off so fast that a few beads on they
-are too small for a number and exactly zero. So the length of the chain is of no consequence as long as its last bead
-has not moved. */
+We strike the first bead of a chain at rest with the velocity $v_0$, Eq. (26), and sample the energy every 0.2 units of
+time, about thirty times in an oscillation. Ahead of the packet the displacements fall off so fast that after a few
+beads they underflow to zero. So the length of the chain does not matter as long as its last bead has not moved. */
 constexpr double every = 0.2;
 
 template <class Look>
@@ -120,11 +117,11 @@ void strike(const Chain& chain, double v0, double h, Look look) {
 }
 
 /**
-The packet is where the energy is. Several may set out from the struck end. The foremost is at the first site,
-searching from the far end, whose energy is the largest of the eleven around it, provided that these hold at least a
+We locate the packet by its energy. Several packets may leave the struck end. The foremost one is at the first site,
+counted from the far end, whose energy is the largest of the eleven around it, provided that these hold at least a
 hundredth of the total. Its centre is $X = \sum n\,e_n/\sum e_n$ over these sites, Eq. (24). Here bead `n` has the
-number $n+1$, so that the first is number one; as long as the packet has not left the first five, the first stands for
-it. */
+number $n+1$, so that the first is number one; while the packet is within the first five, its position is taken as the
+first site. */
 Index foremost(const VectorXd& e) {
   for (Index n = e.size() - 6; n >= 5; --n) {
     const VectorXd window = e.segment(n - 5, 11);
@@ -142,7 +139,7 @@ double centre(const VectorXd& e, Index peak) {
   return moment / weight;
 }
 
-// The speed is the slope of the line of least squares through X(t) between sites 20 and 60
+// The speed is the slope of a least-squares line through X(t) between sites 20 and 60
 double packet_speed(double v0, double h) {
   const Chain chain{100};
   std::vector<double> t, x;
@@ -160,9 +157,9 @@ double packet_speed(double v0, double h) {
 /**
 ## A packet that turns round
 
-In hard wells a packet slows down, turns and comes back. Now the strongest packet is followed, because on its way back
-it need not be the foremost one. Its centre swings, because the beads of the packet oscillate; the mean over 15 units
-of time, about four of their periods, takes that away. The turning point is the furthest of these means. */
+In hard wells a packet slows down, turns and comes back. We now follow the strongest packet, which on its way back need
+not be the foremost one. Its centre swings, because its beads oscillate; averaging over 15 units of time, about four of
+their periods, removes that. The turning point is the furthest of these means. */
 struct Turn {
   double site = 0, time = 0;
 };
@@ -188,19 +185,19 @@ Turn turning_point(double v0, double s, double h) {
 /**
 ## A breather
 
-A breather is a motion that repeats itself, with a frequency $\omega_b$ and the period $T_b = 2\pi/\omega_b$, and is
-confined to a few beads. A bead alone oscillates with the frequency one. A contact pushes a bead back the way it came,
-as the well does, and so raises the frequency: the breathers have $\omega_b > 1$, and those near one are small. (At
-small amplitudes this holds in hard and soft wells too: the push grows with the power $3/2$, the anharmonic force with
-the power 3.) They do not radiate, since contacts without a linear part carry no small waves from bead to bead. In the
-tail each amplitude is about the power $3/2$ of the one before, a decay faster than any exponential. There are two
-kinds, symmetric about a bead (*site-centred*) or about a contact (*bond-centred*).
+A breather is a time-periodic motion, with frequency $\omega_b$ and period $T_b = 2\pi/\omega_b$, that is confined to a
+few beads. A bead alone oscillates at frequency one. Like the well, a contact pushes a bead back, and so raises the
+frequency: breathers have $\omega_b > 1$, and those near one are small. (At small amplitudes this holds in hard and soft
+wells too: the push grows with the power $3/2$, the anharmonic force with the power 3.) They do not radiate, since
+contacts without a linear part carry no linear waves. In the tail each amplitude is about the power $3/2$ of the one
+before, so the decay is faster than any exponential. There are two kinds, symmetric about a bead (*site-centred*) or
+about a contact (*bond-centred*).
 
-How does one find it? Let it start from rest, so that it is even in time. Half a period later it is its own mirror
-image with the sign changed, $y_n(t+T_b/2) = -y_{-n}(t)$. Both together say what must hold after a *quarter* of the
-period,
+How does one find a site-centred one? Let it start from rest, so that it is even in time. Half a period later it is its
+own mirror image with the sign changed, $y_n(t+T_b/2) = -y_{-n}(t)$. Both symmetries together give conditions after a
+*quarter* of the period,
 $$y_n + y_{-n} = 0,\qquad \dot y_n - \dot y_{-n} = 0 \qquad\text{at } t = T_b/4,$$
-as many equations as there are beads, for as many unknown positions $y_n(0)$. */
+one equation per bead for the unknown positions $y_n(0)$. */
 constexpr double omega_b = 1.1, period = 2 * std::numbers::pi / omega_b;
 const Chain chain_of_breather{11};
 
@@ -215,8 +212,8 @@ VectorXd residual(const Chain& chain, const VectorXd& y, int steps) {
 /**
 Small breathers obey the discrete $p$-Schrödinger (DpS) equation of section 3.1. From it the article derives a profile
 of known size, Eqs. (18) to (20): $y_n(0) = 2\epsilon\,(-1)^n\,[g(n+\frac12)+g(n-\frac12)]$ with
-$g(x) = (\frac3{10})^3\cos^6(x/3)$ and $\epsilon = (2\tau_0(\omega_b-1))^2$. It misses the breather by twelve per cent,
-which is close enough for Newton's method to converge. */
+$g(x) = (\frac3{10})^3\cos^6(x/3)$ and $\epsilon = (2\tau_0(\omega_b-1))^2$. It differs from the breather by twelve per
+cent, close enough for Newton's method to converge. */
 VectorXd guess(const Chain& chain) {
   const double tau_0 = 5 * std::pow(std::tgamma(0.25), 2) / (24 * std::sqrt(std::numbers::pi));
   const double eps = std::pow(2 * tau_0 * (omega_b - 1), 2);
@@ -255,11 +252,11 @@ VectorXd breather(const Chain& chain, int steps) {
 /**
 ## Is it stable?
 
-Disturb the breather a little and wait for one period: the disturbance is multiplied by a matrix, the *monodromy*,
-whose eigenvalues are the Floquet multipliers $\lambda$. One outside the unit circle means that some disturbance
-grows. The columns of the matrix are again differences. The equation is Hamiltonian, so whenever $\lambda$ is a
-multiplier, $1/\lambda$ is one too. Two multipliers are exactly $+1$, because the breather may be shifted in time, and
-two are very close to it, because it may nearly be shifted along the chain: the *pinning pair*. */
+In one period a small disturbance of the breather is multiplied by the *monodromy* matrix, whose eigenvalues are the
+Floquet multipliers $\lambda$. If one lies outside the unit circle, some disturbance grows. The columns of the matrix
+are again differences. The equation is Hamiltonian, so multipliers come in pairs $\lambda$, $1/\lambda$. One pair is
+exactly $+1$, because the breather may be shifted in time. Another, the *pinning pair*, is very close to it, because the
+breather may almost be shifted along the chain. */
 std::vector<std::complex<double>> multipliers(const Chain& chain, const VectorXd& y, int steps) {
   const Index n = chain.sites;
   const double small = 1e-6 * y.cwiseAbs().maxCoeff();
@@ -280,10 +277,10 @@ std::vector<std::complex<double>> multipliers(const Chain& chain, const VectorXd
 }
 
 /**
-## How many digits are right
+## Accuracy
 
-Every number is computed with a step and with half of it. What this changes is the error of the step; the turning
-point also depends on how the path is smoothed. The last column has the same number by the methods of this book.
+Every number is computed with a step and with half of it; the difference is its error. The turning point also depends on
+how the path is smoothed. The last column has the same number by the methods of the later chapters.
 
 | number | here | the book's |
 |---|---|---|
@@ -295,8 +292,8 @@ point also depends on how the path is smoothed. The last column has the same num
 | distance of the fifth multiplier from $+1$ | [0.229543 ± 3e-6](num:sec1_the_chain.fifth_distance) | [0.229543 ± 2e-12](num:sec33_floquet.fifth_distance) |
 | the largest distance of the four nearest to it | [0.003 ± 0.002](num:sec1_the_chain.fourth_distance) | [0.000214282 ± 1e-9](num:sec33_floquet.fourth_distance) |
 
-So speed, amplitude and energy are right to four digits at least, the fifth multiplier to six, and the turning point
-to three in space and two in time. Of the four multipliers next to $+1$ not one digit is known. */
+So speed, amplitude and energy are correct to at least four digits, the fifth multiplier to six, and the turning point
+to three in space and two in time. No digit of the four multipliers next to $+1$ is known. */
 void report_impacts(Report& report) {
   const double h = report.quick ? 0.1 : 0.02;
   report.facts.add("speed", compare(packet_speed(1, h), packet_speed(1, h / 2)),
@@ -361,9 +358,9 @@ void report_breather(Report& report) {
 }
 
 /**
-## What is out of reach
+## Questions that need better methods
 
-Four questions of the article cannot be answered in this way, and each has chapters of its own.
+Four questions of the article cannot be answered in this way. Each has its own chapters.
 
 | question | why not here | what we do | where |
 |---|---|---|---|
@@ -372,13 +369,12 @@ Four questions of the article cannot be answered in this way, and each has chapt
 | the smallest kick that sets a breather in motion | it adds $c^2/2 \approx 10^{-11}$ to the energy; within each period Verlet's method changes it by more | impulses of contacts are exact, drift is compared with kick | `sec33_mobility`, `secA_integrators` |
 | where is a packet long after it has turned? | the motion is chaotic: late fates depend on the last digit of the start | two runs that agree, or a count over many runs | `sec34_boomeron`, `sec34_boomeron_why` |
 
-Behind all four stands one fact: the force has no second derivative where a contact opens or closes, so that
-integrators of high order lose their order, and the linearised flow suffers even more (event_corrected.hpp,
-tangent.hpp).
+The common cause is that the force has no second derivative where a contact opens or closes, so that integrators of high
+order lose their order, and the linearised flow suffers even more (event_corrected.hpp, tangent.hpp).
 
-## Letters
+## Symbols
 
-One meaning each where no chapter says otherwise.
+Each has one meaning unless a chapter says otherwise.
 
 | letter | meaning |
 |---|---|
@@ -401,7 +397,7 @@ One meaning each where no chapter says otherwise.
 2. *Easy.* The same for the breather: `build/bin/sec32_newton_breathers breather --omega 1.1` gives `amplitude` =
    0.0107480. Hint: how close does this chapter come with half the step?
 3. *Harder.* Without wells: `build/bin/sec34_impact run --well none --velocity 1.87` gives `speed` = 0.952600. Which
-   lines of this chapter have to change for that? Hint: two, and the argument of `packet_speed`.
+   lines of this chapter must change for that? Hint: two, and the argument of `packet_speed`.
 4. *Open.* If several beads are struck at once, do they send out one packet or several? */
 void reproduce(Report& report) {
   report_impacts(report);

@@ -1,18 +1,21 @@
 /**
-# 2 No breathers without wells
+# 2 No breathers without an on-site potential
 
-Section 2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) proves that beads which only repel each other have no
-breathers: no motion of theirs is both periodic in time and localized in space. The proof is one integral. Bead $n$
-obeys $m_n\ddot x_n = F_{n-1} - F_n$ with the push $F_n \ge 0$ of contact $n$, and over a period $T$
+Does a chain of beads need wells to have breathers? Section 2 of James, Kevrekidis and Cuevas (Physica D 251, 2013)
+proves that it does: beads that only repel each other have no motion that is both periodic in time and localized in
+space. We check the identity behind the proof, search for breathers at random, and watch a localized state disperse.
+
+The proof is one integral. Bead $n$ obeys $m_n\ddot x_n = F_{n-1} - F_n$ with the force $F_n \ge 0$ of contact $n$, and
+over a period $T$
 $$0 = m_n\bigl[\dot x_n(T)-\dot x_n(0)\bigr] = \int_0^T F_{n-1}\,dt - \int_0^T F_n\,dt :$$
-the mean push $\bar F_n$ is the same at every contact (`thm.mean_force`). Far away from a localized motion the pushes
-tend to zero, so this mean is zero. A push that is never negative and zero in the mean is zero always: the beads are
-free, and a periodic motion of free beads is rest.
+the mean force $\bar F_n$ is the same at every contact (`thm.mean_force`). Far away from a localized motion the forces
+tend to zero, so this mean is zero. A force that is never negative and has zero mean vanishes: the beads are free, and
+the only periodic motion of free beads is rest.
 
-No computation proves a theorem, but ours could have refuted it: by a search that ends in a breather, or by a localized
-state that stays together. (Means are equal on every periodic motion by Newton's law; there we test our motions and
-averages.) Each instrument is also tried where it must find something: in the wells of section 3, whose mean force
-balances unequal pushes on the two sides of a bead, so that there are breathers.
+No computation proves a theorem, but ours could have refuted it, by a search that ends in a breather or a localized
+state that stays together. (By Newton's law the means are equal on every periodic motion; that check tests our motions
+and averages.) Each test is also run as a control in the wells of section 3, whose mean force balances unequal contact
+forces on the two sides of a bead, so breathers exist.
 
 ![Mean contact forces are the same at every contact of free chains (a) and not in wells (b); how searches from small
 and large starts end (c); energy and mean force of a localized state (d, e). Drawn by x16_mean_force.py from the tables
@@ -47,10 +50,10 @@ $$\frac{m_n}{T}\bigl[\dot x_n\bigr]_0^T = \bar F_{n-1}-\bar F_n-\overline{W'(x_n
 
 ## The experiment
 
-Find a periodic motion and average the push of every contact over its period $2\pi$. Beads start from rest, each
-displaced against its neighbours. Newton's method corrects the start until all velocities vanish after half a period:
-from there the motion runs backwards, and closes. The guess is the amplitude $A$ on a uniform ring if only the first
-harmonics of the two pushes on a bead count, $0.457\,(2A)^{3/2}$ each. From there masses, stiffnesses and exponents
+We find a periodic motion and average the force of every contact over its period $2\pi$. Beads start from rest,
+neighbours displaced in opposite directions. Newton's method corrects the start until all velocities vanish after half a
+period; the motion then retraces its path and closes. The guess is the amplitude $A$ on a uniform ring with only the
+first harmonic of each of the two forces on a bead, $0.457\,(2A)^{3/2}$. From there masses, stiffnesses and exponents
 become uneven in stages: `part` of 15 per cent, or of the way to $\alpha$. */
 constexpr double period = 2 * std::numbers::pi;
 
@@ -105,7 +108,7 @@ Means mean_forces(const AnyChain& chain, const State<double>& start, double time
   return {end.segment(2 * N, N + 1) / time, end.tail(N) / time, end.head(N), end.segment(N, N)};
 }
 
-// What the theorem asks for: equal mean pushes; and by how much the balance of a bead is missed
+// The theorem requires equal mean forces; and the residual of the balance of a bead
 struct Balance {
   double largest, spread, imbalance;  // the last two relative to the largest
 
@@ -119,12 +122,13 @@ struct Balance {
 };
 
 /**
-## What is checked
+## Checks and errors
 
-Every number comes from two tolerances of GSL, $10^{-11}$ and $10^{-13}$; their difference is its error. Three things
-stop the program. Newton's method may not converge. Pushes and wells may not add up to the change of momentum of a bead,
-which they must on any motion: then our averages are wrong. And GSL, which shares nothing but the force law with the
-integrator by which a motion was found, may not bring it back to its start: then it is not periodic. */
+Every number comes from two tolerances of GSL, $10^{-11}$ and $10^{-13}$; their difference is its error. The program
+stops in three cases: if Newton's method does not converge; if contacts and wells do not add up to the change of
+momentum of a bead, as they must on any motion, since then our averages are wrong; and if GSL, which shares nothing but
+the force law with the integrator that found a motion, does not bring it back to its start, since then it is not
+periodic. */
 struct Motion {
   std::string name;
   Means coarse, fine;
@@ -158,10 +162,10 @@ Motion averaged(const std::string& name, const AnyChain& chain, const State<doub
 
 Localized motions of the free chain do not exist, so we check the identity on motions that fill a ring or a box. A ring
 of eight equal beads carries a wave that moves on by one site in the time $q$; there symmetry alone makes the means
-equal, so this case checks the instrument. On two others masses and stiffnesses differ by up to 15 per cent, with
-$\alpha = 3/2$ on a ring and $\alpha = 2$ between walls. In the last chain every contact has an exponent of its own, from
-1.4 to 1.8. The library knows no such chain, so we write its push here; even its motion is found by GSL's integrator,
-with a derivative by central differences. */
+equal, so this case checks the method. On two others masses and stiffnesses differ by up to 15 per cent, with
+$\alpha = 3/2$ on a ring and $\alpha = 2$ between walls. In the last chain every contact has its own exponent, from 1.4
+to 1.8. The library has no such chain, so its force is written here; its motion is found by GSL's integrator, too, with
+derivatives by central differences. */
 struct MixedChain {
   std::size_t sites;
   std::vector<double> mass, gamma, alpha;
@@ -212,8 +216,8 @@ Orbit<double> wave_on_ring(double q) {
 }
 
 /**
-The means of all four agree to the accuracy of the motions. From a start that is wrong by a thousandth at one bead the
-uneven ring does not return, and its means differ visibly.
+The means of all four agree to the accuracy of the motions. If one bead starts a thousandth off, the uneven ring does
+not return, and its means differ visibly.
 
 | spread of the mean push, relative to the largest | here |
 |---|---|
@@ -256,11 +260,11 @@ std::vector<Motion> of_free_chains(Report& report) {
 /**
 ## Unequal means in wells (figure x16 b)
 
-The contrast comes from breathers: periodic motions of a few beads in wells $W = \frac12y^2$, in which neighbours swing
-against each other and the other beads are nearly at rest. There are two kinds, one symmetric about a bead (*site*) and
-one about a contact (*bond*); section 3.2 computes them by the same method (sec32_newton_breathers.cpp). We take both at
-the frequency $\omega_b = 2\pi/T = 1.5$, on free chains long enough for their tails. Here the spread is of order one,
-and each bead is balanced by its well.
+For contrast we take breathers: periodic motions of a few beads in wells $W = \frac12y^2$, in which neighbours oscillate
+out of phase and the other beads are nearly at rest. There are two kinds, one symmetric about a bead (*site*) and one
+about a contact (*bond*); section 3.2 computes them by the same method (sec32_newton_breathers.cpp). We take both at the
+frequency $\omega_b = 2\pi/T = 1.5$, on free chains long enough for their tails. Here the spread is of order one, and
+its well balances each bead.
 
 | in wells, relative to the largest mean push | here |
 |---|---|
@@ -305,13 +309,13 @@ void report_means(Report& report, const std::vector<Motion>& all) {
 /**
 ## Random searches find nothing (figure x16 c)
 
-Next we look for breathers of the free open chain by brute force. Three beads in the middle get random positions, and in
+Next we search for breathers of the free open chain at random. Three beads in the middle get random positions, and in
 half of the searches random velocities too; damped Newton's method then looks for a motion with the period of a
-breather, $\omega_b = 1.2$. To be cheap, a search takes leapfrog steps, 128 and again 256 of them in a period, and what
-it finds must survive the exact flow (sec2/searches.hpp). Finding nothing means something only if the same search finds
-what does exist. So small starts, of the size of a breather, are also tried in wells of unit stiffness. Large starts
-have the size of motions of this frequency without wells; such motions of a few beads exist between walls, where the
-same search looks for them with three beads. */
+breather, $\omega_b = 1.2$. A search takes cheap leapfrog steps, 128 and again 256 of them in a period, and whatever it
+finds must also be periodic under the exact flow (sec2/searches.hpp). A null result means something only if the same
+search finds breathers that exist. So small starts, of the size of a breather, are also tried in wells of unit
+stiffness. Large starts have the size of motions of this frequency without wells; such motions of a few beads exist
+between walls, where the same search looks for them with three beads. */
 const std::array<searches::Series, 4> series{
     {// name, beads, ends, wells?, least and largest size of the starts
      {"free", 15, Ends::free, false, 0.02, 0.08},
@@ -320,9 +324,9 @@ const std::array<searches::Series, 4> series{
      {"walls", 3, Ends::fixed, false, 0.3, 2}}};
 
 /**
-A search ends at rest, in a localized motion, in an extended one, in doubt, or fails to converge. On the free chain the
-theorem allows only the first and the last of these, and nothing else occurs. In wells a fifth of the same starts ends
-in a breather that the exact flow confirms, and between walls more than a quarter finds a motion. The error is the
+A search ends at rest, in a localized motion, in an extended one, or undecided, or fails to converge. On the free chain
+the theorem allows only the first and the last of these, and nothing else occurs. In wells a fifth of the same starts
+ends in a breather that the exact flow confirms, and between walls more than a quarter finds a motion. The error is the
 difference of the two steps plus the statistical one.
 
 | of [100](num:sec2_nonexistence.searches) searches each | here |
@@ -369,12 +373,11 @@ void report_searches(Report& report) {
 /**
 ## A localized state disperses (figure x16 d, e)
 
-We put the breather at $\omega_b = 1.5$ into the middle of a long chain, once with its wells and once without, and let
-it go. Every unit of time we look at the energy on the nine sites around its centre, and at the push of the contact
-beside its central bead, averaged from the start up to $t$ (by the trapezoidal rule over all steps). Steps are
-event-corrected (event_corrected.hpp), of length 0.05 and half of it, and the difference of the two runs is the error.
-The program stops if the motion reaches an end of the chain or the energy drifts: such a loss could pass for
-dispersal. */
+We start the breather of $\omega_b = 1.5$ in the middle of a long chain, once with its wells and once without. Every
+unit of time we record the energy on the nine sites around its centre, and the force of the contact beside its central
+bead, averaged from the start up to $t$ (by the trapezoidal rule over all steps). Steps are event-corrected
+(event_corrected.hpp), of length 0.05 and half of it, and the difference of the two runs is the error. The program stops
+if the motion reaches an end of the chain or the energy drifts: such a loss could pass for dispersal. */
 struct Dispersal {
   std::vector<double> t, core, mean;
   std::int64_t woken = 0;  // beads that are not exactly at rest in the end
@@ -406,8 +409,8 @@ Dispersal let_go(const State<double>& breather, const Well& well, double time, i
 }
 
 /**
-A contact that transmits a finite impulse in all has a mean push that goes to zero like $1/t$: over the second half of
-the time it falls to one half. Without wells it does, nearly; in wells it stays.
+If a contact transmits a finite total impulse, its mean force goes to zero like $1/t$ and halves over the second half of
+the time. Without wells it nearly does; in wells it stays constant.
 
 | up to $t = 200$ | without wells | in wells |
 |---|---|---|
@@ -438,7 +441,7 @@ void report_dispersal(Report& report) {
                   Estimate{fine.mean[i], std::abs(fine.mean[i] - coarse.mean[i])}, "",
                   "difference of two resolutions, against the largest mean"}});
 
-    // What is left in the end, and how the mean push changes over the second half
+    // The energy left at the end, and the change of the mean force over the second half
     const Estimate late = both.of([&](const Dispersal& run) {
       return run.mean.back() / run.mean[run.mean.size() / 2] - (c == 0 ? 0.5 : 1);
     });
@@ -452,11 +455,11 @@ void report_dispersal(Report& report) {
 /**
 ## Differences and limits
 
-The article proves and does not compute, so every parameter here is ours. The frequency of the searches,
-$\omega_b = 1.2$, was chosen so that those in wells succeed. Some of these end in doubt, more of them at the longer
+The article gives a proof and no computation, so every parameter here is ours. The frequency of the searches,
+$\omega_b = 1.2$, was chosen so that those in wells succeed. Some of these remain undecided, more of them at the longer
 step: perhaps because the leapfrog chain has breathers centred between site and bond, near which the exact flow has
 none. Between walls the search is tried with three beads only; it may be weak for motions of many, but a breather has
-few. Without wells contacts in the core still close now and then, ever more faintly, so we look at the fall of the mean.
+few. Without wells contacts in the core still close now and then, ever more weakly, so we watch the decay of the mean.
 Where each contact has its own exponent GSL both finds the motion and checks it; there only the identity is tested. */
 void reproduce(Report& report) {
   std::vector<Motion> means = of_free_chains(report);

@@ -1,14 +1,15 @@
 /**
-# 3.1 The limit of small amplitude: the DpS equation and its error
+# 3.1 The discrete p-Schrödinger (DpS) equation and its error
 
-A gently moved chain swings almost at the frequency of its wells. The contacts change amplitudes and phases slowly, so
-a fast oscillation of period $2\pi$ carries an envelope that varies in a slow time.
+How accurate is the envelope equation of the chain at small amplitude? We integrate the chain and this discrete
+p-Schrödinger (DpS) equation side by side, compute its one constant in two ways, and measure the error over four decades
+of amplitude.
 
-Section 3.1 of James, Kevrekidis and Cuevas (Physica D 251, 2013) recalls the equation of this envelope, the discrete
-p-Schrödinger (DpS) equation, and quotes from a theorem how good it is: at amplitude $\epsilon$ it is
-$O(\epsilon^{3/2})$-close to the chain, at least up to times $O(\epsilon^{-1/2})$. Wells of other shapes leave the
-equation unchanged, and some of its travelling waves are as close to exact ones. We integrate both equations, compute
-the one constant in two ways, and measure the error over four decades of amplitude.
+At small amplitude the beads oscillate almost at the frequency of their wells, and the contacts change amplitudes and
+phases slowly. Section 3.1 of James, Kevrekidis and Cuevas (Physica D 251, 2013) recalls the equation of this slow
+envelope and quotes a theorem: at amplitude $\epsilon$ it is $O(\epsilon^{3/2})$-close to the chain, at least up to
+times $O(\epsilon^{-1/2})$. Wells of other shapes leave the equation unchanged, and some of its travelling waves are as
+close to exact ones.
 
 ![Error of the approximation against its size, and the local order. Drawn by x02_dps_error.gp: `error` and `line` of
 the table `dps_error` against `eps`, and `order` of `dps_order`.](fig:x02) */
@@ -92,7 +93,7 @@ std::vector<double> deviations(const std::vector<Complex>& A, const Well& well, 
                 tolerance);
   Reference gsl([&](double, const double* x, double* dx) { chain_equation(chain, x, dx); },
                 2 * sites, {tolerance * eps, tolerance, gsl_odeiv2_step_rk8pd});
-  // The observation: both are carried to the instant at which we look at the chain
+  // The observation: both are integrated to the time of each sample of the chain
   double tau = 0, t = 0, apart = 0;
   const auto look = [&](const State<double>& now) {
     if (now.t == 0) return;
@@ -106,7 +107,7 @@ std::vector<double> deviations(const std::vector<Complex>& A, const Well& well, 
           largest[k] = std::max(largest[k], std::abs(y_app - now.y[n]));
       if (halvings == 0) apart = std::max(apart, std::abs(y[n] - now.y[n]));
     }
-    // An overlap up to 1e-60 exerts no force (contact.hpp), so that distant beads are exactly at rest
+    // An overlap up to 1e-60 exerts no force (contact.hpp), so distant beads are exactly at rest
     if (now.y.back() != 0) throw Failure("the motion has reached the far end");
   };
   // The run
@@ -117,9 +118,9 @@ std::vector<double> deviations(const std::vector<Complex>& A, const Well& well, 
 }
 
 /**
-Three errors could be mistaken for that of the approximation: those of the two integrations, and of a maximum over
-samples. So every deviation is computed twice, the second time with half the step, twice the samples and a hundredth of
-the tolerance. The difference is the error in the tables. */
+Three other errors could be mistaken for that of the approximation: those of the two integrations, and that of a maximum
+over samples. So every deviation is computed twice, the second time with half the step, twice the samples and a
+hundredth of the tolerance. The difference is the error in the tables. */
 constexpr double tolerances[] = {1e-9, 1e-11};
 
 std::vector<Estimate> deviations_with_errors(const std::vector<Complex>& A, const Well& well,
@@ -135,9 +136,9 @@ std::vector<Estimate> deviations_with_errors(const std::vector<Complex>& A, cons
 ## The time constant
 
 Where does $\tau_0$ come from? Two neighbours with the amplitude difference $B = |B|e^{i\theta}$ have the relative
-displacement $2|B|\cos(t+\theta)$ in units of $\epsilon$. Their contact pushes during one half of the period only, with
-the power 3/2 of this number. Of that push only the part at the frequency of the well has a lasting effect. Its
-coefficient is $|B|^{1/2}B/\tau_0$ with
+displacement $2|B|\cos(t+\theta)$ in units of $\epsilon$. Their contact is closed during one half of the period only,
+and its force is the power 3/2 of this number. Only the Fourier component of that force at the frequency of the well has
+a lasting effect. Its coefficient is $|B|^{1/2}B/\tau_0$ with
 $$\frac1{\tau_0} = \frac1{2\pi}\int_{-\pi/2}^{\pi/2} (2\cos t)^{3/2}\cos t\,dt.$$
 The article prints the closed form $\tau_0 = 5\,\Gamma(\frac14)^2/(24\sqrt\pi)$. We evaluate that form, and the integral
 itself with GSL's adaptive quadrature, which copes with the fractional powers at the two ends. The difference is the
@@ -162,9 +163,10 @@ double tau_0_by_quadrature() {
 /**
 ## The error and its order (figure x02)
 
-The article names neither a start nor a horizon, so these are ours. Both starts are localized: an `impact` on the first
-bead, $A_1 = -i$, and a `pair` of neighbours in the middle that are pushed together and released, $A_{16} = 1$ and
-$A_{17} = -1$. The horizons are $\tau = 1$, 4 and 10. On 32 sites nothing reaches the far end within these times. */
+The article names no initial condition and no horizon (final time), so these are ours. Both starts are localized: an
+`impact` on the first bead, $A_1 = -i$, and a `pair` of neighbours in the middle that are pushed together and released,
+$A_{16} = 1$ and $A_{17} = -1$. The horizons are $\tau = 1$, 4 and 10. On 32 sites nothing reaches the far end within
+these times. */
 constexpr const char* starts[] = {"impact", "pair"};
 const std::vector<double> horizons{1, 4, 10};
 
@@ -196,7 +198,7 @@ Points measure_errors(std::size_t decades) {
 
 /**
 The local order is the slope between two neighbouring sizes in the doubly logarithmic plot. The next term of the
-expansion is smaller by a factor $\epsilon^{1/2}$ only, so the local order approaches 3/2 slowly, and a fit over all
+expansion is smaller only by a factor $\epsilon^{1/2}$, so the local order approaches 3/2 slowly, and a fit over all
 sizes would mix the asymptotic law with its corrections. We quote the order between the two smallest sizes, its mean
 over both starts and the three horizons; the error is the largest departure of any of the six, with its own error added.
 At sizes that a simulation would use, the order is lower. The table `dps_error` has the constants, too, the error over
@@ -266,9 +268,9 @@ void report_errors(Report& report, const Points& points) {
 /**
 ## Wells of other shapes
 
-To first order a force $y^2$ has no part at the frequency of the well; it shifts the beads and adds a second harmonic,
-both $O(\epsilon^2)$. To second order it turns the phase, as $y^3$ does to first: by $O(\epsilon^{3/2})$ within times
-$O(\epsilon^{-1/2})$, which changes the displacements by $O(\epsilon^{5/2})$. All this is small against
+To first order a force $y^2$ has no component at the frequency of the well; it shifts the beads and adds a second
+harmonic, both $O(\epsilon^2)$. To second order it shifts the phase, as $y^3$ does to first: by $O(\epsilon^{3/2})$
+within times $O(\epsilon^{-1/2})$, which changes the displacements by $O(\epsilon^{5/2})$. All this is small against
 $\epsilon^{3/2}$. So the order should stay in hard wells, $s = 1$ in Eq. (10), and with a quadratic force, which that
 equation does not have. The table has the orders up to $\tau = 4$, for both starts:
 
@@ -316,13 +318,13 @@ void report_wells(Report& report) {
 ## Periodic travelling waves
 
 The DpS equation has the plane waves $A_n = e^{i(qn-\Omega\tau)}$ with $-2\tau_0\Omega = (2\sin\frac q2)^{5/2}$. By
-Eq. (13) they stand for $y_n = 2\epsilon\cos(qn+\omega t)$ with $\omega = 1-\epsilon^{1/2}\Omega$. We compare with the
+Eq. (13) they represent $y_n = 2\epsilon\cos(qn+\omega t)$ with $\omega = 1-\epsilon^{1/2}\Omega$. We compare with the
 exact wave of the same wavelength and the *same frequency*; at equal amplitude the frequencies would differ, and the two
 would drift apart. It is $y_n(t) = \epsilon u(qn+\omega t)$, where $u$ has the period $2\pi$ and
 $$\omega^2u'' + u = \epsilon^{1/2}\bigl[(u(\varphi-q)-u(\varphi))_+^{3/2} - (u(\varphi)-u(\varphi+q))_+^{3/2}\bigr].$$
-The equation remains true if $\varphi$ and $u$ change their signs, so we look for odd waves, $u = \sum_k b_k\sin
-k\varphi$. The right-hand side, with the harmonics $\epsilon^{1/2}G_k$, is small. For $k\ge2$ it gives
-$b_k = \epsilon^{1/2}G_k/(1-k^2\omega^2)$ by iteration. At $k = 1$ the left-hand side is small too and fixes the
+The equation is invariant under a change of sign of both $\varphi$ and $u$, so we look for odd waves,
+$u = \sum_k b_k\sin k\varphi$. The right-hand side, with the harmonics $\epsilon^{1/2}G_k$, is small. For $k\ge2$ it
+gives $b_k = \epsilon^{1/2}G_k/(1-k^2\omega^2)$ by iteration. At $k = 1$ the left-hand side is small too and fixes the
 amplitude, since $G_1$ grows like $b_1^{3/2}$. */
 struct Wave {
   double omega;                    // frequency
@@ -363,8 +365,8 @@ Wave exact_wave(std::size_t beads, double eps, std::size_t points, std::size_t h
 
 /**
 Is this a solution? On a ring of twelve beads the chain's event-driven integrator brings waves of $\epsilon = 10^{-3}$
-back after a period to [6e-7](num:sec31_dps_limit.wave_returns) of their size. Without their higher harmonics they must
-miss by far more, or the run stops. */
+back after a period to [6e-7](num:sec31_dps_limit.wave_returns) of their size. Without their higher harmonics the
+deviation must be far larger, or the run stops. */
 double missed_after_period(const Wave& wave, std::size_t beads, double eps) {
   Chain ring{12};
   ring.ends = Ends::periodic;
@@ -401,7 +403,7 @@ void report_waves(Report& report) {
   double returns = 0;
   for (const std::size_t beads : {2U, 3U, 4U}) {
     orders.push_back(order_between(1e-6, distance(beads, 1e-6), 1e-7, distance(beads, 1e-7)));
-    // Does the largest wave come back, and does a sine not?
+    // The largest wave returns, a sine does not
     Wave wave = exact_wave(beads, 1e-3, 3072, 48);
     const double missed = missed_after_period(wave, beads, 1e-3);
     returns = std::max(returns, missed);
@@ -414,15 +416,15 @@ void report_waves(Report& report) {
 }
 
 /**
-## How well is it known?
+## Accuracy and checks
 
-No deviation changes by more than a share of [0.005](num:sec31_dps_limit.largest_resolution_error) between the two
-resolutions. In every run with the larger step GSL and the library agree on the chain to a thousandth of the deviation,
-or the run stops; so it does if the last bead has moved. The order could have failed: with $\tau_0$ off by three per
-cent, or wells whose stiffness is off by two thousandths, it is lost (tests/lattice/model/dps.cpp). In a run made once, on 80 sites up
-to $\tau = 40$, the orders lay between 1.495 and 1.500 in all wells. Maxima over beads and sampled times, at sizes from
-$10^{-6}$ to $10^{-2}$, do not prove the theorem. It says nothing about times much longer than $\epsilon^{-1/2}$: the
-impact chapter compares both equations at $\tau = 250$. */
+No deviation changes by more than a fraction of [0.005](num:sec31_dps_limit.largest_resolution_error) between the two
+resolutions. The run stops if GSL and the library disagree on the chain, at the larger step, by more than a thousandth
+of the deviation, or if the last bead has moved. The order is a sharp test: with $\tau_0$ off by three per cent, or
+wells whose stiffness is off by two thousandths, it is lost (tests/lattice/model/dps.cpp). In a run made once, on 80
+sites up to $\tau = 40$, the orders lay between 1.495 and 1.500 in all wells. Maxima over beads and sampled times, at
+sizes from $10^{-6}$ to $10^{-2}$, do not prove the theorem. It says nothing about times much longer than
+$\epsilon^{-1/2}$; `sec34_dps_impact` compares both equations at $\tau = 250$. */
 void reproduce(Report& report) {
   report.output.note("tolerance",
                      "GSL " + short_text(tolerances[0]) + " and " + short_text(tolerances[1]));
@@ -437,7 +439,7 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** Another start is a vector of complex amplitudes in `start_of`, another well a struct like `Lopsided`.
-Another contact law stands in two lines, both called `to_right`, and in the library's chain (model/contact.hpp).
+For another contact law change two lines, both called `to_right`, and in the library's chain (model/contact.hpp).
 
 1. *Easy.* Does a packet of the chain move as the DpS equation says?
    `build/bin/sec34_impact run --velocity 0.01 --time 1000` gives `speed` = 0.02531. Hint: an impact of velocity $v_0$

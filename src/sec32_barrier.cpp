@@ -1,21 +1,24 @@
 /**
-# 3.2 The Peierls-Nabarro barrier between two breathers
+# 3.2 The Peierls-Nabarro barrier
 
-A breather that sits on a site can move to the next one only by way of a bond. As a function of the place of its centre,
-its energy is the *Peierls-Nabarro potential*. The breathers around a site and around a bond are extrema of it, and
-their difference is the *barrier* $E_{PN} = E_{\rm site}-E_{\rm bond}$. Section 3.2 of James, Kevrekidis and Cuevas
-(Physica D 251, 2013) finds it astonishingly small: $1.77\cdot10^{-11}$ at the frequency $\omega_b = 1.1$ in the linear
-well (the number is printed in section 3.3). It says that the barrier increases with the amplitude of the breather but
-remains very small; that at $\omega_b = 1.3$ the linear well's is three to four orders smaller than those of the
-anharmonic wells; and that it is the smallest in units of the energy, too.
+How much energy does a breather need to move from one site to the next? We compute the difference
+$E_{PN} = E_{\rm site}-E_{\rm bond}$ of the energies of the two breathers, the *Peierls-Nabarro barrier*, along both
+families in three wells, with an error for each value.
+
+As a function of the position of its centre the energy of a breather is the *Peierls-Nabarro potential*; the breathers
+around a site and around a bond are its extrema. Section 3.2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) finds
+the barrier very small: $1.77\cdot10^{-11}$ at the frequency $\omega_b = 1.1$ in the linear well (the number is printed
+in section 3.3). It says that the barrier increases with the amplitude of the breather but remains very small; that at
+$\omega_b = 1.3$ the barrier of the linear well is three to four orders smaller than those of the anharmonic wells; and
+that it is also the smallest relative to the energy.
 
 ![Energy barrier between both families, for three wells. Drawn by fig07_pn_barrier.gp: `energy_bond`, `size_frequency`,
 `size_area` and `relative` of the table `barriers` against `omega`, and the zeros in `sign_changes`.](fig:07)
 
 The article compares the two breathers at equal frequency. A breather that drifts slowly along the chain keeps its
-action, not its frequency, so a moving breather meets the barrier at equal action; the article leaves it for its
-numerical difficulties. We compute both, with their signs. (The barrier of $1.92\cdot10^{-11}$ that the article reads
-from the kick that frees a breather is the subject of `sec33_mobility`.)
+action, not its frequency, so the barrier for its motion is the one at equal action, which the article does not compute
+because of its numerical difficulty. We compute both, with their signs. (The barrier of $1.92\cdot10^{-11}$ that the
+article infers from the depinning kick is the subject of `sec33_mobility`.)
 
 ## Model
 
@@ -46,9 +49,9 @@ using namespace lattice;
 Newton's method finds both breathers of one frequency, around a site on 31 beads and around a bond on 32, as in
 sec32_newton_breathers.cpp, with steps of variable length and order that end at every contact event; energy and area are
 those of the orbit that it integrates. The two energies differ by the barrier at equal frequency. Then the frequency of
-the breather around a site is changed until its area is that of the other. Its derivatives along the family, `x_omega`
-and `energy_omega`, come from the same linear equations as Newton's steps. What is left of the difference in area
-becomes energy by $d\mathcal H = d\mathcal A/T_b$. */
+the breather around a site is changed until its area equals that of the other. Its derivatives along the family,
+`x_omega` and `energy_omega`, come from the same linear equations as Newton's steps. The remaining difference in area is
+converted to energy by $d\mathcal H = d\mathcal A/T_b$. */
 /// At one tolerance of the flow: 128 roundings of the type T, or 16 times that if `coarser`.
 template <class T>
 Measured<T> compare_breathers(const BreatherPair& pair, int coarser) {
@@ -102,9 +105,9 @@ void measure_barriers(BreatherPair& pair) {
 /**
 ## The barrier against frequency (figure 7)
 
-Both families are followed by arclength from $\omega_b = 1.005$ to 2 in steps of a sixtieth, in the soft well to 1.9,
-just before its folds, and in shorter steps from 1.8 on. Both barriers change their signs, and each of the dips of the
-figure is a zero; the table keeps the signs. [](finding:barrier.signs)
+Both families are continued by arclength from $\omega_b = 1.005$ to 2 in steps of a sixtieth, in the soft well to 1.9,
+just before its folds, and in shorter steps from 1.8 on. Both barriers change sign, and each dip in the figure is a
+zero; the table keeps the signs. [](finding:barrier.signs)
 
 Why does the barrier vanish at all? Along a family, $\mathcal L = \mathcal H-\omega_b\mathcal A/2\pi$ has the derivative
 $-\mathcal A/2\pi$, so that $\mathcal H = \mathcal L-\omega_b\,d\mathcal L/d\omega_b$. Between the two breathers of one
@@ -113,8 +116,8 @@ difference of the areas. Hence
 $$E_{PN} \simeq -\omega_b^2\,\frac{d}{d\omega_b}\,\frac{\tilde E_{PN}}{\omega_b} .$$
 So $E_{PN}$ vanishes, to this order, where $\tilde E_{PN}/\omega_b$ has an extremum: at least once between any two zeros
 of $\tilde E_{PN}$, and once before the first, because $\tilde E_{PN}\to0$ for $\omega_b\to1$. In the table
-`sign_changes` the zeros of the two do alternate, in all three wells. Why $\tilde E_{PN}$ changes its own sign, that is,
-why the potential turns upside down, so often in the soft well and only once in the hard one, we do not know. */
+`sign_changes` the zeros of the two do alternate, in all three wells. We do not know why $\tilde E_{PN}$ itself changes
+sign, that is, why the potential turns upside down, so often in the soft well and only once in the hard one. */
 constexpr std::array<double, 3> wells{-1.0 / 6, 0, 1};
 const std::array<std::string, 3> names{"soft", "linear", "hard"};
 using Families = std::vector<BreatherPairs>;  // the pairs of breathers in each well
@@ -144,7 +147,7 @@ Families report_barriers(Report& report) {
 /**
 A zero lies between neighbouring pairs of opposite sign. Newton's method in the frequency finds it, and the error of the
 barrier over its slope is the error of the zero (breather_pairs.hpp). Two zeros within one step of the frequency would
-be missed; in a run made once, 1500 frequencies from 1.003 on, in the soft well up to 1.886, showed no other ones.
+be missed; one run over 1500 frequencies from 1.003 on, in the soft well up to 1.886, showed no others.
 
 | zeros at equal frequency | soft well | linear well | hard well |
 |---|---|---|---|
@@ -192,12 +195,12 @@ void report_zeros(Report& report, const Families& families) {
 }
 
 /**
-## Does it grow, and does it remain small?
+## Does the barrier grow, and does it remain small?
 
-The modulus of the barrier falls to nothing at each zero, but it increases on the whole: in all three wells each arch
-between two zeros is higher than the one before, and the largest barrier is the last one. It remains very small in the
-soft and in the linear well. In the hard one it does not, if its branch is followed to $\omega_b = 2$; the article does
-not say how far it goes.
+The modulus of the barrier vanishes at each zero, but on the whole it increases: in all three wells each arch between
+two zeros is higher than the one before, and the largest barrier is the last one. It remains very small in the soft and
+in the linear well. In the hard one it does not, if its branch is followed to $\omega_b = 2$; the article does not say
+how far it goes.
 
 | quantity | article | soft well | linear well | hard well |
 |---|---|---|---|---|
@@ -233,12 +236,13 @@ void report_growth(Report& report, const Families& families) {
 }
 
 /**
-## Is the linear well's barrier the smallest in units of the energy?
+## Is the barrier of the linear well the smallest relative to the energy?
 
-The article says so of a figure that shows the whole curves. On the average over the frequencies that all three wells
-share it is (`pn.ratio_smallest`), and at the upper ends of the curves too. Frequency by frequency, which is more than
-the sentence says, it is not: next to each zero of the soft barrier the ratio of the soft well is smaller by any factor,
-and towards $\omega_b = 1$ the three agree. The error of a mean is its difference from that over every second frequency.
+The article says so about a figure that shows the whole curves. It is true of the average over the frequencies common to
+all three wells (`pn.ratio_smallest`), and at the upper ends of the curves. It is not true at every frequency, which is
+more than the article says: next to each zero of the soft barrier the ratio of the soft well is smaller by any factor,
+and towards $\omega_b = 1$ the three agree. The error of a mean is its difference from the mean over every second
+frequency.
 
 | barrier over energy | soft well | linear well | hard well |
 |---|---|---|---|
@@ -267,8 +271,8 @@ void report_ratios(Report& report, const Families& families) {
 /**
 ## The printed numbers
 
-The article speaks of single frequencies, so these pairs are computed in extended precision throughout. At $1.1$ the
-stable breather is that around the bond (section 3.3), although at equal area its energy is the higher one: the
+The article's numbers belong to single frequencies, so these pairs are computed in extended precision throughout. At
+$1.1$ the stable breather is the one around the bond (section 3.3), although at equal area its energy is higher: the
 effective mass is negative (`sec33_mobility`), so breathers rest where the potential is high. Near a zero of the barrier
 at equal frequency the one at equal area is not the smaller one. [](finding:barrier.equal_area)
 
@@ -283,8 +287,8 @@ at equal frequency the one at equal area is not the smaller one. [](finding:barr
 | 1.5, linear | | [6.83194e-9 ± 3e-16](num:sec32_barrier.equal_frequency_linear_150) | [-3.62147e-11 ± 3e-17](num:sec32_barrier.equal_area_linear_150) |
 | 1.5, hard | | [-8.64349e-5 ± 1e-16](num:sec32_barrier.equal_frequency_hard_150) | [1.85196e-6 ± 5e-17](num:sec32_barrier.equal_area_hard_150) |
 
-At $1.5$ the soft well misses the printed value by three orders. The equal area or the unit of the energy bring it no
-nearer. The hard well has it, so it probably belongs to that well. */
+At $1.5$ the barrier of the soft well is three orders below the printed value, and neither equal area nor division by
+the energy brings it closer. The hard well gives the printed value, which therefore probably belongs to that well. */
 const std::pair<double, const char*> key_frequencies[] = {
     {1.001, "1001"}, {1.01, "101"}, {1.1, "110"}, {1.3, "130"}, {1.5, "150"}};
 
@@ -336,11 +340,11 @@ void report_limit(Report& report, const BreatherPair& limit) {
 }
 
 /**
-## Three to four orders at 1.3
+## The ratio at $\omega_b = 1.3$
 
-At $1.3$ the soft and the hard barrier exceed the linear one by as much as printed. But 1.3 is next to a zero of the
-linear barrier, at which the ratio is infinite. A sixtieth below and above, the soft barrier is only ten to twenty times
-larger.
+At $1.3$ the barriers of the soft and the hard well exceed that of the linear well by as much as printed. But 1.3 is
+next to a zero of the linear barrier, where the ratio diverges. A sixtieth below and above, the soft barrier is only ten
+to twenty times larger.
 
 | barrier over that of the linear well | article | here |
 |---|---|---|
@@ -368,13 +372,14 @@ void report_ratio_at_13(Report& report, const Families& families,
 /**
 ## How accurate the printed 1.77e-11 is
 
-The article prints its own accuracy: for one breather Newton's method left a residual of $1.5\cdot10^{-9}$. By how much
-may the energy be wrong then? An exact breather of a slightly different frequency, $\omega_b+\delta\omega$, leaves such
-a residual, too, because its phase is wrong at $T_b$, and its energy is wrong by $\mathcal H'(\omega_b)\,\delta\omega$.
-We compute one, at two values of $\delta\omega$, and scale both to the printed residual. This is slightly more than the
-amount by which the printed barrier exceeds ours, so that the two agree within the accuracy of the article. This reading
-is generous: were the errors of both breathers alike, the difference would be known better. (The article's second
-number, a last variation of $1.7\cdot10^{-11}$, does not tell how accurately it integrates.)
+The article prints the accuracy of one breather: Newton's method left a residual of $1.5\cdot10^{-9}$. How large an
+error of the energy does this allow? An exact breather of a slightly different frequency, $\omega_b+\delta\omega$,
+leaves such a residual because its phase is off at $T_b$, and its energy is off by
+$\mathcal H'(\omega_b)\,\delta\omega$. We compute one, at two values of $\delta\omega$, and scale both to the printed
+residual. This is slightly more than the amount by which the printed barrier exceeds ours, so the two agree within the
+accuracy of the article. This is a generous bound: if the errors of both breathers were alike, the difference would be
+known better. (The article's second number, a last variation of $1.7\cdot10^{-11}$, says nothing about the accuracy of
+its integration.)
 
 | energy | here |
 |---|---|
@@ -392,8 +397,8 @@ double hidden_energy(double residual, double detuning) {
 }
 
 /**
-Ours is known in three ways. The library's own comparison (breather.hpp) has to give the same value or the run stops.
-Double precision, 64-bit and 113-bit mantissas agree. And an independent program (`tests/second`), with another
+Three checks support our value. The library's own comparison (breather.hpp) has to give the same value, or the run
+stops. Double precision, 64-bit and 113-bit mantissas agree. An independent program (`tests/second`), with another
 integrator and the area by quadrature, finds both at 1.1 to five digits. */
 void report_printed(Report& report, const BreatherPair& at_11) {
   BreatherPair library = at_11;
@@ -407,7 +412,7 @@ void report_printed(Report& report, const BreatherPair& at_11) {
 }
 
 /**
-## Where the soft branches end, and what the barrier does not say
+## The ends of the soft branches, and limits
 
 In the soft well the families turn back at a fold, where the stiffening contacts and the softening well balance. Two
 runs with different step lengths locate each. We do not pass it.
@@ -417,8 +422,7 @@ runs with different step lengths locate each. We do not pass it.
 | $\omega_b$ | [1.91163 ± 7e-12](num:sec32_barrier.fold_soft_site) | [1.91172 ± 3e-11](num:sec32_barrier.fold_soft_bond) |
 
 The barrier says nothing about the potential between the two breathers, which may have further extrema: `sec33_between`
-looks for breathers without symmetry there. Where the barrier at equal area vanishes, the two exchange their
-stability. */
+searches for asymmetric breathers there. Where the barrier at equal area vanishes, the two exchange their stability. */
 void report_folds(Report& report, const BreatherPair& last) {
   for (int k : {0, 1})
     report.facts.add(k == 0 ? "fold_soft_site" : "fold_soft_bond",
@@ -441,8 +445,8 @@ void reproduce(Report& report) {
 /**
 ## Try it
 
-**To change it.** Other wells are the array `wells`; what is compared stands in `compare_breathers`: to compare at equal
-energy, say, change the line of `missing`.
+**To change it.** For other wells edit the array `wells`; for another comparison, at equal energy say, change the line
+of `missing` in `compare_breathers`.
 
 1. *Easy.* A pendulum instead of the soft well: `build/bin/sec32_barrier barrier --omega 1.1 --well pendulum` gives
    `equal_frequency` = 3.59543777e-11. Hint: $1-\cos y = \frac12y^2-\frac1{24}y^4+\dots$, and the amplitude of the

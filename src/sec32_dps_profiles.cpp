@@ -1,17 +1,18 @@
 /**
 # 3.2 Static breathers of the DpS equation
 
-In the limit of small amplitude a breather is a pattern that only turns, $v_n = u_n e^{i\mu t}$. Section 3.2 of James,
-Kevrekidis and Cuevas (Physica D 251, 2013) has two, both narrow, with neighbours on opposite sides: one around a site,
-$u_{-n} = u_n$, and one around a bond, $u_{1-n} = -u_n$.
+Which breathers exist in the limit of small amplitude, and how good is the article's approximation of them? Section 3.2
+of James, Kevrekidis and Cuevas (Physica D 251, 2013) has two of the form $v_n = u_n e^{i\mu t}$, both narrow, with
+neighbours of opposite sign: one around a site, $u_{-n} = u_n$, and one around a bond, $u_{1-n} = -u_n$. We compute both
+by Newton's method, to the last digit and far into their tails.
 
 ![Both breathers, their quasi-continuum approximation and their tails. Drawn by x03_dps_profiles.py from `profile_site`
 and `profile_bond`: `u` and `quasi_continuum`, their logarithms, `double_log` and `tail_line` against `n`.](fig:x03)
 
-The article states that their amplitude is proportional to $\mu^2$ at unchanged width, and that an approximation which
-vanishes outside of $|x| \le 3\pi/2$ is in excellent agreement with them. We compute both to the last digit, with their
-tails, and measure how good that approximation is. The two have almost the same norm, which suggests that a small
-breather moves at little cost (section 3.3). The breathers of the chain have a chapter of their own. */
+The article states that their amplitude is proportional to $\mu^2$ at unchanged width, and that a quasi-continuum
+approximation with support $|x| \le 3\pi/2$ is in excellent agreement with them. We also find that the two have almost
+the same norm, which suggests that a small breather moves at little cost (section 3.3). The breathers of the chain
+itself follow in `sec32_newton_breathers`. */
 
 #include <gsl/gsl_integration.h>
 
@@ -41,12 +42,12 @@ force of the strain $d_n = v_{n+1}-v_n$. With $v_n = u_n e^{i\mu t}$ and real $u
 $-\mu u_n = w_n - w_{n-1}$. The ends are free: there the outer contact is missing. A breather of the chain with
 frequency $\omega_b$ is then nearly $y_n = 2\epsilon\,u_n\cos\omega_b t$ with $\mu = 1$, Eq. (20).
 
-The equations at neighbouring sites, subtracted, contain strains alone, and the symmetry leaves those of one half:
+The difference of the equations at neighbouring sites contains strains only, and by symmetry those of one half suffice:
 $$w_{n+1} - 2w_n + w_{n-1} + \mu d_n = 0,\qquad n \ge 0,\qquad
   w_{-1} = -w_0 \text{ (site)},\quad w_{-1} = w_1 \text{ (bond)}.$$
 This removes the only direction in which Newton's method could drift, a shift along the chain. It also keeps the tail
 accurate: there $d_n \approx -w_{n-1}/\mu$, so each strain follows from the one before without cancellation. Newton's
-method starts from the article's approximation, and every step fills one more strain of the tail. With
+method starts from the article's approximation, and every step adds one more strain of the tail. With
 $g(x) = (\frac3{10})^3\cos^6(x/3)$ for $|x| \le 3\pi/2$ and zero elsewhere, the approximation is
 $$u_n = (-1)^n[g(n+\tfrac12)+g(n-\tfrac12)] \text{ (site, Eq. (19))},\qquad
   u_n = (-1)^n[g(n)+g(n-1)] \text{ (bond, Eq. (18))}.$$ */
@@ -107,11 +108,10 @@ Estimate in_two_precisions(Centre centre, Of of) {
 /**
 ## Both breathers and their approximation (figure x03)
 
-The article calls the agreement excellent, a word without a number. Our number is the largest difference over the sites
-relative to the largest displacement (`continuum_difference` of continuum.hpp): six per cent for both breathers. It
-occurs one or two sites beside the largest displacement, where the approximation is too wide. At the size of the
-article's figure the difference is easily overlooked, and as a first guess for Newton's method the approximation serves
-well.
+The article calls the agreement excellent and gives no number. Ours is the largest difference over the sites relative to
+the largest displacement (`continuum_difference` of continuum.hpp): six per cent for both breathers. It occurs one or
+two sites from the largest displacement, where the approximation is too wide. At the size of the article's figure the
+difference is easily overlooked, and the approximation is a good first guess for Newton's method.
 
 | quantity | article | here |
 |---|---|---|
@@ -122,7 +122,7 @@ well.
 The article calls the decay super-exponential. Far from the centre $u_n$ is small against $u_{n-1}$, so
 $-\mu u_n \approx -w_{n-1}$ and $|u_n| \approx |u_{n-1}|^{3/2}/\mu$. At $\mu = 1$ the ratio $\ln|u_{n+1}|/\ln|u_n|$
 therefore tends to 3/2, and $\ln(-\ln|u_n|)$ in the figure to a straight line of slope $\ln\frac32$. It does so very
-fast: at $n = 4$ the profile has just become invisible in a plot, and the ratio is 3/2 to one part in a thousand. */
+fast: at $n = 4$, where the profile has just become invisible in a plot, the ratio is 3/2 to one part in a thousand. */
 void report_profile(Report& report, Centre centre, const std::string& name) {
   // Some moduli are far below the smallest double, so their logarithms are taken in quadruple precision
   const auto u = stationary<double>(centre, 1, sites_of(centre)).u;
@@ -161,10 +161,10 @@ The forces of both breathers alternate in sign with a smooth envelope, $w_n = (-
 three terms of a Taylor series gives Eq. (17), $F'' = -4F + F|F|^{-1/3}$. Its last term has an infinite slope at
 $F = 0$, which lets a solution reach zero and stay there. Multiplied by $F'$ and integrated with $F = F' = 0$ at the
 edge it becomes $F'^2 = \frac65F^{5/3} - 4F^2$. So $F$ is largest at $F^{1/3} = \frac3{10}$, and the half-width of the
-support is the integral of $dF/|F'|$ from zero to there. The printed $g$ is that solution, as one sees by inserting it.
+support is the integral of $dF/|F'|$ from zero to there. The printed $g$ is that solution, as substitution shows.
 
-With $F = z^3$ the integrand behaves like an inverse square root at both ends. GSL has the Gauss rule for exactly that
-weight, named after Chebyshev. We divide the integrand by the weight; 8 and 16 nodes give the error. */
+With $F = z^3$ the integrand behaves like an inverse square root at both ends. GSL has the Gauss-Chebyshev rule for
+exactly that weight. We divide the integrand by the weight; 8 and 16 nodes give the error. */
 double half_width(std::size_t nodes) {
   constexpr double top = 0.3;
   gsl_integration_fixed_workspace* rule =
@@ -186,9 +186,9 @@ double half_width(std::size_t nodes) {
 
 In the limit of small amplitude the energy of the chain's breather is $2\epsilon^2 N$ with the norm $N = \sum u_n^2$, so
 at equal frequency the energies of the two breathers differ by the same fraction as the two norms, about one in a
-million. So it is plausible that tiny breathers move at a slight push. (A breather that moves keeps its area, not its
-frequency; what a step from site to site then costs is the subject of sec32_barrier.cpp.) Why the norms are so nearly
-equal, and why the one around a bond is the smaller, we do not know.
+million. So it is plausible that a slight push sets a small breather in motion. (A moving breather keeps its action, not
+its frequency; sec32_barrier.cpp computes the energy that a step from site to site then costs.) Why the norms are so
+nearly equal, and why the one around a bond is the smaller, we do not know.
 
 | quantity | here |
 |---|---|
@@ -218,12 +218,11 @@ void report_norms(Report& report) {
 /**
 ## Scaling with the frequency
 
-If $u$ solves the equation at $\mu = 1$, $\mu^2u$ solves it at $\mu$. The computation must find this law without being
-told, so we continue the branch from $\mu = 1$ to 64 and to 1/64 in steps of an eighth of an octave, and each time start
-Newton's method from the *unscaled* strains of the neighbour, the four around its centre. The exponent is the slope of
-$\ln\max|u_n|$ against $\ln\mu$; double and extended precision follow it separately, and to their difference the error
-of the fit is added. The width is the participation number $(\sum u_n^2)^2/\sum u_n^4$, the number of sites that share
-the norm.
+If $u$ solves the equation at $\mu = 1$, $\mu^2u$ solves it at $\mu$. To test the computation by this law, we continue
+the branch from $\mu = 1$ to 64 and to 1/64 in steps of an eighth of an octave, and each time start Newton's method from
+the *unscaled* strains of the neighbour, the four around its centre. The exponent is the slope of $\ln\max|u_n|$ against
+$\ln\mu$; double and extended precision follow it separately, and to their difference the error of the fit is added. The
+width is the participation number $(\sum u_n^2)^2/\sum u_n^4$, the number of sites that share the norm.
 
 | quantity | article | here |
 |---|---|---|
@@ -257,7 +256,7 @@ Scaling along_mu(Centre centre, int steps) {
   return {fit_line(x, y), widths.front(), *wide / *narrow - 1};
 }
 
-// Of the two exponents the one farther from 2 counts. A quick run goes two octaves each way instead of six.
+// Report the exponent that is farther from 2. A quick run goes two octaves each way instead of six.
 void report_scaling(Report& report) {
   Estimate farther{2, 0};
   for (const Centre centre : both_centres) {
@@ -277,16 +276,16 @@ void report_scaling(Report& report) {
 }
 
 /**
-## How well is it known?
+## Accuracy and checks
 
-Two precisions see rounding, but not an error of the method. So three more checks stop the run if they fail. The ten
-strains of the beginning agree with the library's fifteen to twelve digits, over thirty decades; as the two chains
+Two precisions reveal rounding, but no error of the method. So three more checks stop the run if they fail. The ten
+strains of the first listing agree with the library's fifteen to twelve digits, over thirty decades; as the two chains
 differ in length, the free ends hardly matter. Eq. (14) holds when the $u_n$ are inserted, relative to $\mu u_n$ at each
-site, so that the tail is tested as sharply as the centre. And multiplied by $u_n$ and summed by parts it gives
+site, so that the tail is tested as sharply as the centre. Multiplied by $u_n$ and summed by parts it also gives
 $\sum|u_{n+1}-u_n|^{5/2} = \mu N$, which Newton's method does not use. The last two hold to ten roundings in double and
 to twenty in quadruple precision.
 
-Tails end where the number format does; beyond, the tables say zero. */
+Tails end where the number format does; beyond that the tables contain zeros. */
 template <class T>
 void assert_solution(const Stationary<T>& state, T bound) {
   using std::abs, std::sqrt;

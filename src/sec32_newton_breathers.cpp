@@ -1,12 +1,15 @@
 /**
 # 3.2 Static breathers of the chain
 
-A breather is a motion of the chain that repeats itself and stays where it is: a few beads carry nearly all the energy,
-and neighbours swing against each other. Around a *site* one bead swings against both of its neighbours; around a *bond*
-two neighbours swing against each other. Section 3.2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) finds both by
-Newton's method. It says that an approximate profile is excellent at small amplitude; that the tails fall off
+Does the chain have static breathers, and how accurately can they be computed? Section 3.2 of James, Kevrekidis and
+Cuevas (Physica D 251, 2013) finds two families by Newton's method. We compute both with an event-driven integrator, to
+rounding, and test each of the article's statements about them.
+
+A breather is a time-periodic motion in which a few beads carry nearly all the energy and neighbours oscillate out of
+phase, either around a *site*, one bead against both of its neighbours, or around a *bond*, two neighbours against each
+other. The article says that an approximate profile is excellent at small amplitude; that the tails fall off
 super-exponentially; that a breather looks the same after a hundred periods; that amplitude, energy and asymmetry grow
-with the frequency; and that both kinds have indistinguishable energies. Is this true, and how well is a breather known?
+with the frequency; and that the energies of both kinds are indistinguishable.
 
 ![Bond-centred breathers, of the DpS equation and of the chain, and their quasi-continuum approximation. Drawn by
 fig02_bond_centred.gp: the columns of `bond_profiles` against `n`.](fig:02)
@@ -16,12 +19,11 @@ fig02_bond_centred.gp: the columns of `bond_profiles` against `n`.](fig:02)
 The beads sit in the wells of Eq. (10), mostly linear ones ($s = 0$), and push on their neighbours, Eqs. (6) and (9):
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},
   \qquad y_n(t+T_b) = y_n(t),\quad T_b = 2\pi/\omega_b,$$
-with free ends, dimensionless. A breather starts from rest, so the positions $y_n(0)$ are the unknowns. What starts at
-rest is at rest again after half a period. A mirror image of the chain must also change the sign of all positions,
-$y_n \to -y_{-n}$: contacts push and never pull, and a mirror image alone would turn every overlap into a gap. Around a
-bond the breather is its own image, so the right half of the chain tells all, and its velocities must vanish after half
-a period. Around a site the image is the breather half a period later. As the breather runs backward from there as it
-runs forward, image and breather meet at a quarter:
+with free ends, dimensionless. A breather starts from rest, so the positions $y_n(0)$ are the unknowns, and it is at
+rest again after half a period. A reflection of the chain must also change the sign of all positions, $y_n \to -y_{-n}$:
+contacts only push, and a reflection alone would turn every overlap into a gap. Around a bond the breather is its own
+image, so the right half of the chain suffices, and its velocities must vanish after half a period. Around a site the
+image is the breather half a period later. By time reversal image and breather meet at a quarter:
 $$\dot y_n(T_b/2) = 0 \quad\text{(bond)},\qquad
   y_n+y_{-n} = 0,\quad \dot y_n-\dot y_{-n} = 0 \quad\text{at } t = T_b/4 \quad\text{(site)}.$$ */
 #include <algorithm>
@@ -46,15 +48,15 @@ using namespace lattice;
 /**
 ## The experiment
 
-These are as many conditions $R(y) = 0$ as unknowns. Here is the breather around a site at $\omega_b = 1.1$, on 31 beads
-like the article's: a guess, a quarter of a period, and Newton's method, $y \leftarrow y - DR(y)^{-1}R(y)$. The
-linearised equations of motion give $DR$: the columns of `change` say what becomes of a small change of one $y_k(0)$.
-`flow` takes steps of variable length and order, to a tolerance of 128 roundings relative to the largest bead, and ends
-one at every *contact event*, the opening or closing of a contact (event_driven.hpp). */
+There are as many conditions $R(y) = 0$ as unknowns. The code computes the breather around a site at $\omega_b = 1.1$,
+on 31 beads as in the article: a guess, a quarter of a period, and Newton's method, $y \leftarrow y - DR(y)^{-1}R(y)$.
+The linearised equations of motion give $DR$: each column of `change` is the evolution of a small change of one
+$y_k(0)$. `flow` takes steps of variable length and order, to a tolerance of 128 roundings relative to the largest bead,
+and ends one at every *contact event*, the opening or closing of a contact (event_driven.hpp). */
 using Index = Eigen::Index;
 constexpr Index N = 31;
 constexpr double omega_b = 1.1, T_b = 2 * std::numbers::pi / omega_b;
-const Chain chain{.sites = N, .contact = Hertz{.floor = 0}};  // even the faintest contact pushes
+const Chain chain{.sites = N, .contact = Hertz{.floor = 0}};  // even the weakest contact pushes
 
 /// The continuum limit of small breathers, Eqs. (18) to (20).
 Vector<double> guess() {
@@ -108,7 +110,7 @@ Breather breather(const EventTolerance<double>& tolerance) {
   for (double last = HUGE_VAL; history.size() < 30;) {
     const auto [R, DR] = conditions(y, tolerance);
     const double residual = sup(R) / sup(y);
-    // Where it is at rounding and does not fall by a factor of four: the better of the last two points
+    // At rounding, once the residual no longer falls by a factor of four: return the better of the last two points
     const bool done = last <= 64 * tolerance.tolerance && residual >= last / 4;
     if (done && residual >= last) return {before, history};
     history.push_back({residual, 0});
@@ -126,21 +128,21 @@ Breather breather(const EventTolerance<double>& tolerance) {
 Everything is computed at two tolerances, 128 and 2048 roundings, or in two precisions, and the difference is the error.
 The library's `newton` does the same operations for any chain, symmetry and precision; the run stops if the two
 breathers differ by more than $10^{-13}$. It finds all other breathers of this chapter (`find_breather`), from the same
-guess up to $\omega_b = 1.1$ and along the frequency beyond, and refuses a motion in which neighbours swing in phase. An
-independent program (`tests/second`), with another integrator, finds the same breathers at 1.1, and so does the Verlet
-method of sec1_the_chain.cpp, to four digits.
+guess up to $\omega_b = 1.1$ and by continuation in the frequency beyond, and rejects a motion in which neighbours
+oscillate in phase. An independent program (`tests/second`), with another integrator, finds the same breathers at 1.1,
+and so does the Verlet method of sec1_the_chain.cpp, to four digits.
 
-## How well Newton's method converges
+## Convergence of Newton's method
 
-The article measures the distance after a whole period, relative to the start, without any symmetry. For our breather,
-which was found on a quarter of one, this is [4e-14](num:newton.residual).
+The article measures the change after a whole period, relative to the start, without using symmetry. For our breather,
+found on a quarter of a period, this is [4e-14](num:newton.residual).
 
-How did the article get its larger numbers? We also solve its equations, the return of all positions and velocities
-after the whole period: twice as many as unknowns, solved by least squares. They are ill-conditioned. Their least
+Why are the article's numbers larger? We also solve its equations, the return of all positions and velocities after the
+whole period: twice as many equations as unknowns, solved by least squares. They are ill-conditioned. Their least
 singular vector is nearly a shift along the chain, the *pinning mode* of section 3.3, along which the method still steps
-to and fro when the residual is at rounding. If we forbid all steps along this mode, it cannot mend a guess that is
-shifted a little, and stops at a larger residual with a small last step. Each of the printed numbers lies between those
-of these two iterations. What the article did with this mode, and how accurately it integrated, it does not say.
+to and fro when the residual is at rounding. If steps along this mode are forbidden, the method cannot correct a
+slightly shifted guess, and stops at a larger residual with a small last step. Each of the printed numbers lies between
+those of these two iterations. The article does not say how it treated this mode, or how accurately it integrated.
 
 | at $\omega_b = 1.1$, relative to the amplitude | residual | last step (in the last row: the next one) | condition of $DR$ |
 |---|---|---|---|
@@ -216,16 +218,16 @@ Breather report_convergence(Report& report) {
 /**
 ## Profiles (figures 2 and 3)
 
-How good is the approximation of Eqs. (18) to (20)? Both figures show the stationary DpS breather, which is the limit of
-small amplitude, and the breathers of the chain at $\omega_b = 1.01$ and $1.1$, each with its approximation.
+How good is the approximation of Eqs. (18) to (20)? Both figures show the stationary DpS breather, the small-amplitude
+limit, and the breathers of the chain at $\omega_b = 1.01$ and $1.1$, each with its approximation.
 
 ![Site-centred breathers and their quasi-continuum approximation. Drawn by fig03_site_centred.gp: the columns of
 `site_profiles` against `n`.](fig:03)
 
-Two errors add up. The continuum differs from the DpS breather even in the limit, and the DpS equation differs from the
-chain. At 1.01 the second takes a little off the first; at 1.1 the sum is twice the first around a site and more than
-half as large again around a bond. So the approximation is good to a twentieth where the article calls it excellent, and
-worse at 1.1, as it says.
+There are two errors. The quasi-continuum profile differs from the DpS breather even in the limit, and the DpS equation
+differs from the chain. At 1.01 the second slightly reduces the first; at 1.1 the sum is twice the first around a site
+and more than one and a half times the first around a bond. So the approximation is accurate to a twentieth where the
+article calls it excellent, and worse at 1.1, as the article says.
 
 | largest difference over the amplitude | around a site | around a bond |
 |---|---|---|
@@ -258,7 +260,7 @@ void report_profiles(Report& report) {
           {n, u[i], quasi_continuum(centre, n), y_101[i], near_101[i], y_110[i], near_110[i]});
     }
 
-    // How far each approximation is off, at two tolerances
+    // The error of each approximation, at two tolerances
     for (const auto& [name, omega] : {std::pair{"continuum_101_", 1.01}, {"continuum_110_", 1.1}}) {
       const auto off = [&](int coarser) {
         const auto orbit =
@@ -302,17 +304,17 @@ void report_persistence(Report& report, const Breather& breather) {
 /**
 ## The tail (figure 5)
 
-A bead far out is pushed by its inner neighbour alone, with the power $3/2$ of the neighbour's displacement, so that
-$\ln|y_{n+1}|/\ln|y_n| \to 3/2$: the decay is double-exponential. Newton's method follows it to the end of the number
-format, $10^{-308}$ in double precision and much farther in extended precision, if every site must converge relative to
-its own size (`scaled_rule`). Where both exist their difference is the error.
+A bead far out feels only its inner neighbour, with a force that is the power $3/2$ of the neighbour's displacement, so
+that $\ln|y_{n+1}|/\ln|y_n| \to 3/2$: the decay is double-exponential. Newton's method follows it to the end of the
+number format, $10^{-308}$ in double precision and much farther in extended precision, if every site must converge
+relative to its own size (`scaled_rule`). Where both exist their difference is the error.
 
 ![The tail of the site-centred breather. Drawn by fig05_tail.gp: `size`, `double_log` and `law` of `tail` against
 `n`.](fig:05)
 
-The law demands a straight line of $\ln(-\ln|y_n|)$. At the last site where it can be formed the exponent is
-[1.50](num:sec32_newton_breathers.tail_exponent), with its change from the site before as its error. An exponential
-tail would have the exponent one. */
+The law demands a straight line of $\ln(-\ln|y_n|)$. At the last site where it can be computed the exponent is
+[1.50](num:sec32_newton_breathers.tail_exponent), with its change from the site before as its error. An exponential tail
+would have the exponent one. */
 /// |y_n(0)| of a breather on so many sites, at index n + 51; zero beyond the end of the chain.
 template <class T>
 std::vector<T> sizes_of_tail(std::size_t sites) {
@@ -361,8 +363,8 @@ void report_tail(Report& report) {
 Both families are followed by arclength from $\omega_b = 1.001$ to $2$ (continuation.hpp). Amplitude and energy grow
 from each frequency of the figure to the next, and so does the asymmetry around a site, where the breather is its own
 mirror image only in the limit of small amplitude. The energies of both kinds differ by a millionth, most at the lowest
-frequency: towards $\omega_b = 1$ this difference must tend to that of the DpS norms, of which it has nine tenths at
-1.001.
+frequency: towards $\omega_b = 1$ this difference must tend to that of the DpS norms, and at 1.001 it is nine tenths of
+it.
 
 ![Amplitude and energy of both families. Drawn by fig06_branches.gp: amplitudes and energies of `branches` against
 `omega`.](fig:06)
@@ -428,11 +430,11 @@ void report_branches(Report& report) {
 /**
 ## The width at small amplitude
 
-A breather of the DpS equation keeps its width when its amplitude goes to zero, and the article's section 1 says that
-those of the chain nearly do. As width we take the number of sites on which the displacements live,
+A breather of the DpS equation keeps its width when its amplitude goes to zero, and section 1 of the article says that
+those of the chain nearly do. As width we take the participation number of the displacements,
 $(\sum y_n^2)^2/\sum y_n^4$ at $t = 0$. From 1.001 to 1.05 the amplitude grows about 2500-fold and the width by a
-twentieth at most; a width like $(\omega_b-1)^{-1/2}$, as in the discrete nonlinear Schrödinger equation, would change by
-a factor of seven.
+twentieth at most; a width like $(\omega_b-1)^{-1/2}$, as in the discrete nonlinear Schrödinger equation, would change
+by a factor of seven.
 
 | width, in sites | around a site | around a bond |
 |---|---|---|
@@ -467,8 +469,8 @@ void report_width(Report& report) {
 ## Other wells
 
 For $s \in [-1, 1]$ the article finds both families, without showing them. We find them in four more wells, $s = \pm1$
-and $\pm\frac12$. In all of them both families begin at rest: the exponent of the amplitude in $\omega_b-1$, between
-1.0005 and 1.001, is two within its change from the next pair of frequencies, by at most
+and $\pm\frac12$. In all of them both families bifurcate from rest: the exponent of the amplitude in $\omega_b-1$,
+between 1.0005 and 1.001, is two within its change from the next pair of frequencies, by at most
 [0.0008](num:sec32_newton_breathers.growth_exponent_off). */
 void report_other_wells(Report& report) {
   const std::vector<double> wells =
@@ -488,10 +490,10 @@ void report_other_wells(Report& report) {
 /**
 ## Are the breathers really symmetric?
 
-We impose both symmetries, so finding them in the result proves nothing. We therefore look for the breathers without
-them: all positions are unknown, the start is shaken at random by a thousandth, and we demand only that the chain comes
-to rest at $T_b/2$. A breather without symmetry would keep the thousandth. Instead the symmetries $y_{1-n} = -y_n$ and
-$y_n(t) = -y_{-n}(t+T_b/2)$ come back. What is left is rounding: it shrinks with the precision.
+We impose both symmetries, so finding them in the result proves nothing. We therefore search for the breathers without
+them: all positions are unknown, the start is perturbed at random by a thousandth, and the only condition is that the
+chain is at rest at $T_b/2$. An asymmetric breather would keep an asymmetry of a thousandth. Instead the symmetries
+$y_{1-n} = -y_n$ and $y_n(t) = -y_{-n}(t+T_b/2)$ are restored, up to rounding, which shrinks with the precision.
 
 | largest violation, relative to the amplitude | here |
 |---|---|
@@ -545,11 +547,11 @@ families of anharmonic wells.
    `--centre site` too, and look at the digits that differ.
 3. *Harder.* What does a lighter bead at the centre change?
    `build/bin/sec32_newton_breathers breather --omega 1.3 --defect-mass 0.8` gives `energy` = 0.00545725. Hint: a
-   lighter bead swings faster by itself, so that less of the frequency has to come from the contacts.
+   lighter bead oscillates faster by itself, so the contacts need to contribute less to the frequency.
 4. *Harder.* What is the law of exercise 1 for contacts of another exponent?
    `build/bin/sec32_newton_breathers breather --contact power --alpha 2 --omega 1.1` gives `amplitude` = 0.0998154.
    Hint: the shift of the frequency goes like the contact force over the displacement, amplitude$^{\alpha-1}$.
-5. *Open.* Are there breathers around two neighbouring sites that swing in phase?
+5. *Open.* Are there breathers around two neighbouring sites that oscillate in phase?
 
 The command `breather` computes a breather with your own parameters (commands/one_breather.hpp). */
 void reproduce(Report& report) {

@@ -1,9 +1,9 @@
 /**
-# 3.3 Are the breathers of the DpS equation stable?
+# 3.3 Stability of the DpS breathers
 
-Two static breathers are left in the limit of small amplitude, one around a site and one around a bond (section 3.2).
-Does a small perturbation of them stay small? Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013)
-linearises the discrete p-Schrödinger (DpS) equation about both, and says that
+Are the two static breathers of the discrete p-Schrödinger (DpS) equation (section 3.2) stable? We compute their
+spectra, with errors small enough to fix the sign of a tiny margin, and integrate the equation from perturbed breathers.
+Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) says that
 
 - the bond-centred breather is spectrally stable at the frequencies $\mu = 1$ and 10 (figure 8);
 - the site-centred one has a real pair of exponents $\pm\lambda$, with $\lambda$ linear in $\mu$ (figure 9);
@@ -14,8 +14,8 @@ linearises the discrete p-Schrödinger (DpS) equation about both, and says that
 `profile_site_mu1` and `_mu10`, `imag` against `real` from the tables `spectrum_site_mu1` and `_mu10`, and `rate` and
 `line` of `growth` against `mu`.](fig:09)
 
-All four hold, but narrowly: the two verdicts of the linear theory hang on the sixth digit of one number, and noise of
-that amplitude may carry the stable breather away, too, depending on what "amplitude" means. */
+All four hold, but narrowly: both results of the linear theory depend on the sixth digit of one number, and noise of
+that amplitude may move the stable breather, too, depending on what "amplitude" means. */
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -42,14 +42,14 @@ The DpS equation, Eq. (11), has the force $w_n = d_n|d_n|^{1/2}$ of the strain $
 $$i\dot v_n = w_n - w_{n-1}.$$
 Everything is dimensionless, the ends are free, and there are 31 sites around a site, 32 around a bond. The breathers
 are $v_n = u_ne^{i\mu t}$ with real $u_n$, Eq. (14), found by Newton's method (`sec32_dps_profiles`). A perturbation is
-added in the frame that turns with them, $v_n = e^{i\mu t}(u_n+x_n+iy_n)$, as in Eq. (22).
+added in the frame that rotates with them, $v_n = e^{i\mu t}(u_n+x_n+iy_n)$, as in Eq. (22).
 
 ## The experiment
 
 **The spectrum.** A contact is stiffer along its strain than across it: a change $\xi+i\eta$ of $d_n$ changes the force
 by $|d_n|^{1/2}(\frac32\xi+i\eta)$. So one symmetric matrix $M$, the second difference with the weights $|d_n|^{1/2}$,
-acts on both parts, $\dot x = (\mu-M)y$ and $\dot y = -(\mu-\frac32M)x$. Each eigenvector of $M$ moves alone, like
-$e^{\lambda t}$ with $\lambda^2 = -(\mu-m)(\mu-\frac32m)$, where $m$ is its eigenvalue. */
+acts on both parts, $\dot x = (\mu-M)y$ and $\dot y = -(\mu-\frac32M)x$. Each eigenvector of $M$ evolves independently,
+like $e^{\lambda t}$ with $\lambda^2 = -(\mu-m)(\mu-\frac32m)$, where $m$ is its eigenvalue. */
 template <class T>
 Vector<T> contact_eigenvalues(const Stationary<T>& breather) {  // the largest first
   const std::vector<T> weight = contact_roots(breather);        // |d_n|^(1/2)
@@ -73,13 +73,12 @@ std::complex<T> exponent(T mu, T m) {
 }
 
 /**
-**The motion.** The start is a breather $u_n$ plus noise. In the frame that turns with it, where the equation reads
-$i\dot v_n = \mu v_n + w_n - w_{n-1}$, the breather stands still and the integrator follows the perturbation alone: the
+**The motion.** The start is a breather $u_n$ plus noise. In the frame that rotates with it, where the equation reads
+$i\dot v_n = \mu v_n + w_n - w_{n-1}$, the breather is at rest and the integrator follows the perturbation alone: the
 adaptive method of Prince and Dormand of order eight (GSL), whose error in a step stays below the tolerance. Each run
-under noise is made twice, with the tolerances $10^{-8}$ and $10^{-10}$ and one and two samples per unit of time (other
-runs say theirs). We record the
-displacement $X$, in sites, of the centre of $|v_n|^4$ (the fourth power keeps out small noise far away), the number of
-sites on which the breather lives, and how well norm and energy are conserved. */
+with noise is made twice, with the tolerances $10^{-8}$ and $10^{-10}$ and one and two samples per unit of time (other
+runs state theirs). We record the displacement $X$, in sites, of the centre of $|v_n|^4$ (the fourth power suppresses
+small noise far away), the participation number of the breather, and the drift of norm and energy. */
 constexpr double mu_of_runs = 10;  // as in figure 10
 
 struct Noise {
@@ -124,9 +123,9 @@ DpsRun follow(Centre centre, Field v, double time, Accuracy accuracy, const DpsL
 /**
 ## Both spectra (figures 8 and 9)
 
-The two spectra look alike: a point at zero and two arcs on the imaginary axis. They differ in a pair a thousand times
-closer to zero than the rest, visible in the insets, which is real around a site and imaginary around a bond. The error
-of each exponent is its change from double to extended precision (a mantissa of 64 bits).
+The two spectra look alike: a point at zero and two arcs on the imaginary axis. They differ in one pair, a thousand
+times closer to zero than the rest and visible in the insets: it is real around a site and imaginary around a bond. The
+error of each exponent is its change from double to extended precision (a mantissa of 64 bits).
 
 ![The bond-centred breather and its spectrum: all exponents are imaginary. Drawn by fig08_bond_spectrum.py in the same
 way.](fig:08) */
@@ -163,24 +162,24 @@ void report_spectra(Report& report) {
 }
 
 /**
-## How close to the edge of stability (figures 8 and 9)
+## Distance from the edge of stability (figures 8 and 9)
 
 Which eigenvalue can make a perturbation grow? $\lambda^2$ is positive if and only if $\frac23\mu < m < \mu$. The
 breather is itself an eigenvector, since $Mu = \mu u$ is Eq. (14). It gives $\lambda = 0$, a change of phase. Neighbours
-oppose each other in $u$, and of all eigenvectors of such a chain the one whose sign changes at every contact has the
+have opposite signs in $u$, and of all eigenvectors of such a chain the one whose sign changes at every contact has the
 largest eigenvalue (Perron–Frobenius, spectrum.hpp). So with $m_2$ the second largest, a breather is spectrally stable
-if and only if $m_2 \le \frac23\mu$. The sign of the *margin* $m_2/\mu-\frac23$ is the whole verdict.
+if and only if $m_2 \le \frac23\mu$. The sign of the *margin* $m_2/\mu-\frac23$ decides.
 
 Both margins are five millionths, opposite in sign and equal to four digits. No other eigenvalue is near the edge. The
 error adds two changes: from double to quadruple precision, and from the chain to one ten sites longer. In quadruple
 precision $m_2$ is found by another method, bisection on the number of eigenvalues above a bound, counted by the signs
-of pivots (`margin_of`, spectrum.hpp). The run stops if it disagrees with Eigen's. What does reverse either verdict is a
-wrong profile: a relative error of $10^{-4}$ in one strain is enough (tests/lattice/standing/spectrum.cpp).
+of pivots (`margin_of`, spectrum.hpp). The run stops if it disagrees with Eigen's. A wrong profile does reverse either
+sign: a relative error of $10^{-4}$ in one strain is enough (tests/lattice/standing/spectrum.cpp).
 
-Why are they equally far from it, on opposite sides? Both breathers are extrema of one potential for the centre, of the
-period of the chain. If it is a sine, its curvatures at maximum and minimum are opposite and equal, and $\lambda^2$ is
-proportional to them. That both are tiny means that the potential is very flat; why it is so flat, and so nearly a sine,
-we cannot derive.
+Why are the margins equal and opposite? Both breathers are extrema of one potential for the centre, with the period of
+the chain. If it is a sine, its curvatures at maximum and minimum are equal and opposite, and $\lambda^2$ is
+proportional to them. Both margins are tiny because the potential is very flat; we cannot derive why it is so flat, and
+so nearly a sine.
 
 | at $\mu = 1$ | article | around a site | around a bond |
 |---|---|---|---|
@@ -195,7 +194,7 @@ void report_margins(Report& report) {
       throw Failure("two methods disagree on the second eigenvalue of the contact matrix");
     report.facts.add(std::string("margin_") + name, found.margin, "mu");
     report.facts.add(std::string("exponent_") + name, found.exponent, "mu");
-    // The verdict has to hold with a hundredfold error
+    // The sign has to hold with a hundredfold error
     if (centre == Centre::bond) {
       report.facts.add("safe_margin_bond", found.safe(), "mu");
       const Margin at_ten = margin_of<Quadruple>(centre, 10, sites_of(centre));
@@ -208,8 +207,8 @@ void report_margins(Report& report) {
 ## The growth rate is linear in $\mu$ (figure 9, bottom)
 
 If $v_n(t)$ solves Eq. (11), so does $\mu^2v_n(\mu t)$. Hence $\lambda/\mu$ is a pure number. Neither Newton's method
-nor the matrix uses this law, so it tests both: over six decades of $\mu$ the real pair is there, and $\lambda/\mu$
-varies by no more than rounding (*linearity* in the next table). */
+nor the matrix uses this law, so it tests both: over six decades of $\mu$ the pair is real, and $\lambda/\mu$ varies by
+no more than rounding (*linearity* in the next table). */
 void report_growth(Report& report) {
   std::vector<double> mus{1e-3, 1e-2, 0.1};
   for (int k = 1; k <= 20; ++k) mus.push_back(0.5 * k);
@@ -244,7 +243,7 @@ $M$ is the *translational mode*: $xV$ shifts the breather along the chain and $i
 direction is $y = \lambda x/(\mu-m_2)$, and the growing part of any perturbation is $\frac12(x+(\mu-m_2)y/\lambda)$. We
 displace the breather along this direction by a millionth of its size, and fit a line to the logarithm of the growing
 part over the time $4/\lambda$. The error is the difference of two tolerances, plus the change that a displacement ten
-times larger makes, which measures what the nonlinear terms do. */
+times larger makes, which measures the effect of the nonlinear terms. */
 double measured_rate(const PinnedBreather& site, double size, const Accuracy& accuracy) {
   Field v = site.u;
   site.pair.add({size, size / site.pair.push}, v);  // pair.push is (mu - m_2) / lambda
@@ -264,8 +263,8 @@ Estimate rate_of_matrix(const PinnedBreather& breather) {
 
 /**
 **The full matrix.** The article computes the exponents from a matrix of $2N$ rows, without splitting it (`remainders`,
-spectrum.hpp). It agrees on the pair near zero to $10^{-13}$. It also shows a trap: the double zero of the phase has
-only one eigenvector, so an error $\delta$ of the matrix moves the two zeros by $\sqrt\delta$, along either axis. A
+spectrum.hpp). It agrees on the pair near zero to $10^{-13}$. It also shows a difficulty: the double zero of the phase
+has only one eigenvector, so an error $\delta$ of the matrix moves the two zeros by $\sqrt\delta$, along either axis. A
 small real pair is evidence of an instability only if it is far larger than that, as it is here.
 
 | quantity | article | here |
@@ -293,12 +292,12 @@ void report_rates(Report& report, const PinnedBreather& site) {
 /**
 ## Noise sets the breather in motion (figure 10)
 
-The article perturbs the site-centred breather of $\mu = 10$ once, "uniformly distributed" and "of amplitude 0.01". So
-we must choose. As $v_n$ is complex, our *main* reading adds $0.01(\xi_n+i\eta_n)$ to every site, with $\xi_n$ and
-$\eta_n$ uniform in $(-1,1)$. In the *narrow* reading they are uniform in $(-\frac12,\frac12)$, so that 0.01 is the
-whole width; numbers between 0 and 1 have the same effect, since the contacts do not feel a constant that is added to
-all $v_n$. Real noise, and noise proportional to $u_n$, are two more, under which a breather waits longer. One run is an
-accident, so each reading gets sixteen seeds or six. */
+The article perturbs the site-centred breather of $\mu = 10$ once, "uniformly distributed" and "of amplitude 0.01",
+which admits several readings. As $v_n$ is complex, our *main* reading adds $0.01(\xi_n+i\eta_n)$ to every site, with
+$\xi_n$ and $\eta_n$ uniform in $(-1,1)$. In the *narrow* reading they are uniform in $(-\frac12,\frac12)$, so that 0.01
+is the whole width; numbers between 0 and 1 have the same effect, since the contacts do not depend on a constant added
+to all $v_n$. Real noise, and noise proportional to $u_n$, are two more, under which a breather stays longer. One run
+proves little, so each reading gets sixteen seeds or six. */
 struct Group {
   const char *reading, *start;  // of the noise; site, bond, or control
   const PinnedBreather& breather;
@@ -324,9 +323,9 @@ std::vector<Group> groups_under_noise(const PinnedBreather& site, const PinnedBr
 }
 
 /**
-Is it really the growing direction that moves the breather? A *control* gets the same noise without its component along
-the translational mode. To first order it cannot move. To second order the rest of the noise feeds that mode, so in time
-it may; it is followed twice as long. */
+Does the growing mode move the breather? A *control* gets the same noise without its component along the translational
+mode. To first order it cannot move. To second order the rest of the noise excites that mode, so it may move later; it
+is followed twice as long. */
 Field perturbed(const Group& group, NoiseTrial& trial) {
   const PinnedBreather& breather = group.breather;
   Field v = group.noise(breather.u, trial.seed);
@@ -339,11 +338,12 @@ Field perturbed(const Group& group, NoiseTrial& trial) {
 constexpr Accuracy coarse{1e-8, 1}, fine{1e-10, 2};
 
 /**
-The article shows one run as a map of $|v_n(t)|^2$. We show one seed of the sixteen, whose breather moves early, beside
-its control and beside a bond-centred breather under noise of the same seed.
+The article shows one run as a map of $|v_n(t)|^2$. We show one of the sixteen seeds, whose breather moves early, with
+its control and with a bond-centred breather under the same noise.
 
-![The perturbed site-centred breather leaves; without the translational mode the same noise holds it for long. Drawn by
-fig10_instability.py: `density` over `n` and `t` from `map_site`, `map_control` and `map_bond`.](fig:10) */
+![The perturbed site-centred breather leaves; under the same noise without the translational mode it stays for a long
+time. Drawn by fig10_instability.py: `density` over `n` and `t` from `map_site`, `map_control` and `map_bond`.](fig:10)
+*/
 constexpr std::size_t map_seed = 10;
 
 void report_map(Report& report, const Group& group) {
@@ -359,12 +359,12 @@ void report_map(Report& report, const Group& group) {
 }
 
 /**
-## How many leave, and under which noise?
+## How many breathers leave, and under which noise?
 
-A breather has *left* when its centre is half a site away, $|X| > \frac12$, its time of departure. It has *moved* when it
-passes the neighbouring site, $|X| > 1$: one that only falls into the minimum beside it swings back before. A breather
-that does not leave departs infinitely late, so a median is not biased by the end of the runs. A count has an error
-unless both tolerances give the same; here they always do. */
+A breather has *left* when its centre is half a site away, $|X| > \frac12$, its time of departure. It has *moved* when
+it passes the neighbouring site, $|X| > 1$; one that only falls into the adjacent minimum swings back before that. A
+breather that does not leave counts as departing at infinity, so the end of the runs does not bias a median. A count has
+an error unless both tolerances give the same count; here they always do. */
 void run_trials(std::vector<Group>& groups, bool quick) {
   std::vector<std::pair<const Group*, NoiseTrial*>> all;
   for (Group& group : groups) {
@@ -387,12 +387,13 @@ const NoiseTrials& trials_of(const std::vector<Group>& groups, const char* name)
 }
 
 /**
-In the main reading every site-centred breather moves. Its control departs later for every seed; the ratio of the
-median times is [3.80](num:sec33_dps_stability.controls_delay). So it is the projection on the growing direction that
-moves the breather, as the article says. But under the same noise five of sixteen *stable* breathers move as well. The
-narrow reading separates the two: all sixteen leave a site and none leaves a bond. So does real noise, although it is
-slow, and some breathers only fall into the minimum beside their site. Noise proportional to $u_n$ drives all from a
-site and most from a bond. (The errors are those of the runs; that of a sample of six or sixteen comes on top.)
+In the main reading every site-centred breather moves. Its control departs later for every seed; the ratio of the median
+times is [3.80](num:sec33_dps_stability.controls_delay). So the component along the growing direction moves the
+breather, as the article says. But under the same noise five of sixteen *stable* breathers move as well. The narrow
+reading separates the two: all sixteen leave a site and none leaves a bond. So does real noise, although it is slow, and
+some breathers only fall into the minimum beside their site. Noise proportional to $u_n$ drives all breathers from a
+site and most from a bond. (The errors are those of the runs and do not include the sampling error of six or sixteen
+seeds.)
 
 | noise, its largest part | runs of each | from a site moved | median departure | from a bond left | counted by $t$ |
 |---|---|---|---|---|---|
@@ -403,8 +404,8 @@ site and most from a bond. (The errors are those of the runs; that of a sample o
 | real, 0.01 | [6](num:sec33_dps_stability.seeds_real_site) | [3](num:sec33_dps_stability.moved_real_site) | [516.19 ± 0.02](num:sec33_dps_stability.departure_real_site) | [0](num:sec33_dps_stability.left_real_bond) | 750 |
 | $0.01\,u_n$ | [6](num:sec33_dps_stability.seeds_relative_bond) | [6](num:sec33_dps_stability.moved_relative_site) | | [5](num:sec33_dps_stability.left_relative_bond) | 750 |
 
-Does the structure last? Around a bond the number of sites on which a breather lives, $(\sum|v_n|^2)^2/\sum|v_n|^4$,
-grows by no more than the factor [1.01](num:sec33_dps_stability.bond_robust_spread), under any of these noises. */
+Does the breather survive? Around a bond its participation number, $(\sum|v_n|^2)^2/\sum|v_n|^4$, grows by no more than
+the factor [1.01](num:sec33_dps_stability.bond_robust_spread), under any of these noises. */
 void report_counts(Report& report, const std::vector<Group>& groups) {
   // One noise for both breathers
   const auto &site = trials_of(groups, "_narrow_site"), &bond = trials_of(groups, "_narrow_bond");
@@ -450,12 +451,12 @@ Near site and bond $\ddot X = \pm\lambda^2X$. The simplest potential with both s
 moves like a pendulum, $\ddot X = \pm\frac{\lambda^2}{2\pi}\sin2\pi X$ (dps_motion.hpp). The real part of the noise
 along $V$, a *shift* $x$, displaces it. The imaginary part, a *push* $y$, sets it in motion with
 $\dot x = (\mu-m_2)\,y$, and since $|\lambda|$ is tiny this carries it two hundred times as far as a shift of the same
-size. So complex noise acts by its push, and real noise is weak. The push that carries the pendulum from a bond over the
-site is smaller than 0.01. Noise of that amplitude often exceeds it, noise of half that amplitude in two draws of a
-hundred.
+size. So complex noise acts mainly by its push, and real noise is weak. The push that carries the pendulum from a bond
+over the site is smaller than 0.01. Noise of that amplitude often exceeds it, noise of half that amplitude in two draws
+of a hundred.
 
-Is the pendulum right? Without noise, we bisect the push that depins the breather of the whole equation, between 0.8 and
-1.2 of the predicted one. Runs of $12/|\lambda|$ are long enough to decide a push $e^{-8}$ from the threshold. */
+To test the pendulum we bisect, without noise, the push that depins the breather of the full equation, between 0.8 and
+1.2 of the predicted one. Runs of $12/|\lambda|$ are long enough to resolve a push $e^{-8}$ from the threshold. */
 Estimate depinning_push(const PinnedBreather& bond, int halvings) {
   const double predicted = bond.freeing_push();
   const auto bisected = [&](const Accuracy& accuracy) {
@@ -482,16 +483,16 @@ Estimate depinning_push(const PinnedBreather& bond, int halvings) {
 }
 
 /**
-The threshold is two per cent above that of the pendulum. Whether the push exceeds it tells the fate of all sixteen
-bond-centred breathers. All this needs norm and energy: a run stops if either drifts by more than $3\cdot10^{-8}$, a
-twentieth of what the push at the threshold adds to them.
+The threshold is two per cent above that of the pendulum. It predicts the fate of all sixteen bond-centred breathers.
+Norm and energy must be conserved well enough: a run stops if either drifts by more than $3\cdot10^{-8}$, a twentieth of
+what the push at the threshold adds to them.
 
 | quantity at $\mu = 10$ | here |
 |---|---|
 | depinning push, pendulum | [0.00641907 ± 2e-13](num:sec33_dps_stability.freeing_push_of_pendulum) |
 | depinning push, DpS equation | [0.006542 ± 3e-6](num:sec33_dps_stability.freeing_push) |
 | bond-centred breathers with a larger push | [5](num:sec33_dps_stability.pushed_over) of [16](num:sec33_dps_stability.seeds_complex_bond) |
-| fates that the push tells | [16](num:sec33_dps_stability.told_by_push) of [16](num:sec33_dps_stability.seeds_complex_bond) | */
+| fates predicted by the push | [16](num:sec33_dps_stability.told_by_push) of [16](num:sec33_dps_stability.seeds_complex_bond) | */
 void report_pendulum(Report& report, const std::vector<Group>& groups, const PinnedBreather& bond) {
   const Estimate push = depinning_push(bond, report.quick ? 3 : 9);
   const Estimate rate = rate_of_matrix(bond);
@@ -517,14 +518,14 @@ void report_pendulum(Report& report, const std::vector<Group>& groups, const Pin
 ## Differences and limits
 
 The first three statements hold as printed. The fourth rests on simulations that the article does not show. We confirm
-it in this sense: under all noise that we tried the bond-centred breather stays whole, and under noise of width 0.01 it
-also keeps its place, whereas the site-centred one loses it. Under noise of twice that width it may lose its place, too.
-This does not contradict the article, and a stable breather that a push carries to the next bond is still stable.
+it in this sense: under all noise that we tried the bond-centred breather stays localized, and under noise of width 0.01
+it also keeps its place, whereas the site-centred one leaves. Under noise of twice that width it may leave, too. This
+does not contradict the article: a stable breather that a push carries to the next bond is still stable.
 
 Sixteen seeds are few. In a longer test of the narrow reading, run once with 48 seeds (a number in
 `groups_under_noise`), all site-centred breathers left by $t = 500$, and one bond-centred one in ten times that time. A
-second program with a generator of its own (not part of this repository) counted 48 and none, and with 1000 seeds 25
-that left a bond by $t = 500$. */
+second program with another generator (not part of this repository) counted 48 and none, and with 1000 seeds 25 that
+left a bond by $t = 500$. */
 void reproduce(Report& report) {
   report.output.note("seed", "GSL mt19937, 1 to 16 or 1 to 6; map: " + std::to_string(map_seed));
   report_spectra(report);
@@ -560,7 +561,7 @@ law changes `contact_eigenvalues` and the factor 1.5 of `exponent`.
    Hint: compare barrier over energy with that of the first exercise, and `spectrum --alpha 2` with `spectrum`.
 3. *Open.* At no exponent from 1.1 to 4 that we tried is the margin zero (`secB_other_numbers`). Do breathers move more
    freely where it is small, `--alpha 1.2`?
-4. *Open.* How does a breather that noise has depinned lose its speed in the end, and to what?
+4. *Open.* How does a breather depinned by noise finally lose its speed, and to what?
 
 `sec33_dps_stability spectrum --centre bond --mu 1 --sites 32` prints all exponents, two for each site
 (one_spectrum.hpp). */

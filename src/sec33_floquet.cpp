@@ -1,10 +1,10 @@
 /**
-# 3.3 Stability of the breathers
+# 3.3 Floquet multipliers of the breathers of the chain
 
-Disturb a breather a little. Does the disturbance stay small, or does it grow? In one period it is multiplied by a
-matrix, whose eigenvalues are the *Floquet multipliers* $\lambda$; if one of them lies outside the unit circle, some
-disturbance grows. Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) finds four multipliers so close
-to $+1$ that the breathers are almost free to move. It says that
+Which of the two breathers of the chain is stable, and in which wells? We compute their *Floquet multipliers* $\lambda$,
+the eigenvalues of the matrix by which one period multiplies a small disturbance: a multiplier outside the unit circle
+makes it grow. Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) finds four multipliers so close to $+1$
+that the breathers are almost free to move. It says that
 
 - in the linear well, at $\omega_b = 1.1$, the site-centred breather is weakly unstable and the bond-centred one stable;
 - in wells of anharmonicity $s$ the bond-centred one loses its stability at $s_0^b \approx 0.26$ and the site-centred
@@ -17,20 +17,20 @@ to $+1$ that the breathers are almost free to move. It says that
 and `excess`, and those of the partner, against `s`, from `bond_against_s`.](fig:11)
 
 At $\omega_b = 1.1$ and in the linear well all of this holds except the two values of $s_0$: we find both at
-$s = 0.1525$. These numbers are hard to get. Two multipliers are exactly $+1$ for every breather, with one eigenvector
-between them, so that an error $\eta$ of the matrix splits them by $\sqrt\eta$: an error of $10^{-8}$ becomes
-$10^{-4}$, as much as the instability itself.
+$s = 0.1525$. These numbers are hard to compute. Two multipliers are exactly $+1$ for every breather, and share one
+eigenvector, so an error $\eta$ of the matrix splits them by $\sqrt\eta$: an error of $10^{-8}$ becomes $10^{-4}$, as
+large as the instability itself.
 
 ## Model
 
 The chain is that of Eqs. (6) and (10), with free ends,
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},$$
 and the breathers are those of section 3.2, with the period $T_b = 2\pi/\omega_b$. They start from rest and are at rest
-again after half a period. Let $F$ be the derivative of the flow over this half: what it makes of small displacements
-and small velocities, with blocks $A, B, C, D$. The second half of the period is the first one run backwards. With
+again after half a period. Let $F$ be the derivative of the flow over this half with respect to displacements and
+velocities, with blocks $A, B, C, D$. The second half of the period is the first one run backwards. With
 $R = \mathrm{diag}(1,-1)$, which reverses velocities, the whole period has the matrix $M = RF^{-1}RF$, and as $F$ is
-symplectic, $M+M^{-1} = 2+4\,\mathrm{diag}(K, K^T)$ with $K = B^TC$. So each pair of multipliers $\lambda, 1/\lambda$ is
-one number
+symplectic, $M+M^{-1} = 2+4\,\mathrm{diag}(K, K^T)$ with $K = B^TC$. So one number describes each pair of multipliers
+$\lambda, 1/\lambda$:
 $$\kappa = \tfrac14\Bigl(\lambda+\frac1\lambda-2\Bigr),\qquad\text{an eigenvalue of } K.$$
 A pair is on the unit circle if $-1\le\kappa\le0$. If $\kappa > 0$ it is real, the breather is unstable, and next to
 $+1$ we have $\ln\lambda \simeq 2\sqrt\kappa$. The pair that is always $+1$ belongs to a shift in time, which changes
@@ -55,15 +55,15 @@ using namespace lattice;
 /**
 ## The experiment
 
-Half a period of the flow and of its derivative, and the eigenvalues of $K$: first for one breather, then for those
-along a line of wells or frequencies. `problem_at` is a chain in wells of anharmonicity `s` with the equations that a
-breather has to fulfil after a quarter (site) or half (bond) of its period; `find_breather` solves them by Newton's
-method from the profile of Eqs. (18) to (20), `follow` from a neighbouring breather. The flow takes steps of variable
-length and order, to a tolerance of 128 roundings of the number type, and ends one at every contact event.
-`pairs_of(K, f)` leaves out the direction of `f` and calls Eigen. */
+We integrate half a period of the flow and of its derivative and compute the eigenvalues of $K$, first for one breather,
+then along a line of wells or frequencies. `problem_at` is a chain in wells of anharmonicity `s` with the conditions on
+a breather after a quarter (site) or half (bond) of its period; `find_breather` solves them by Newton's method from the
+profile of Eqs. (18) to (20), `follow` from a neighbouring breather. The flow takes steps of variable length and order,
+to a tolerance of 128 roundings of the number type, and ends one at every contact event. `pairs_of(K, f)` leaves out the
+direction of `f` and calls Eigen. */
 constexpr double omega_b = 1.1;
 
-/// All pairs of multipliers of a breather but that of a shift in time, the nearest to +1 first.
+/// All pairs of multipliers of a breather except that of a shift in time, the nearest to +1 first.
 template <class T>
 Pairs<T> multiplier_pairs(const Chain& chain, const Orbit<T>& breather,
                           const EventTolerance<T>& tolerance) {
@@ -116,15 +116,15 @@ std::vector<StabilityAt> in_wells(Centre centre, const std::vector<double>& well
 }
 
 /**
-The error of $\kappa$ is the difference of the two computations plus the amount by which $F$ misses being symplectic. A
-pair counts as off the circle if it leaves it by more than its error. The program stops with an error if Newton's method
-does not converge, or if $F$ does not take a shift in time to a shift in time.
+The error of $\kappa$ is the difference of the two computations plus the symplectic defect of $F$. A pair counts as off
+the circle if it leaves it by more than its error. The program stops with an error if Newton's method does not converge,
+or if $F$ does not map a shift in time to a shift in time.
 
 ## Four multipliers near $+1$
 
 On the article's chain of 31 sites, and on ten sites more for the error, four multipliers lie near $+1$; the fifth is a
-thousand times farther away. (All else is computed on 21 and 22 sites; the bead that is missing at their ends would be
-pushed by less than rounding.)
+thousand times farther away. (All else is computed on 21 and 22 sites; the force on the next bead beyond their ends
+would be below rounding.)
 
 | distance from $+1$ at $s = 0$ | article | around a site |
 |---|---|---|
@@ -147,9 +147,9 @@ void report_spectrum(Report& report) {
 /**
 ## The four multipliers against $s$ (figures 11 and 12)
 
-Each breather is found in a well in the middle and followed from there to $s = -1$ and to $s = 1$. A pair on the circle
-has modulus one exactly, a pair on the real axis argument zero. Near an exchange of stability the multipliers leave $+1$
-like square roots, so the wells are denser there.
+Each breather is found at an intermediate $s$ and continued from there to $s = -1$ and to $s = 1$. A pair on the circle
+has modulus exactly one, a pair on the real axis argument zero. Near an exchange of stability the multipliers leave $+1$
+like square roots, so the values of $s$ are denser there.
 
 ![The same around a site. The table is `site_against_s`.](fig:12) */
 std::string name_of(Centre centre) {
@@ -197,18 +197,18 @@ std::array<std::vector<StabilityAt>, 2> report_wells(Report& report) {
 }
 
 /**
-## Where they exchange their stability
+## The exchange of stability
 
 The zero of $\kappa$ in $s$ is found by regula falsi in double precision, with two last steps in extended precision (a
-64-bit mantissa; exchange.hpp). Its error is that of $\kappa$ over the slope of $\kappa$, which is small: to know two
-digits of $s_0$ one must know $\kappa$ to $10^{-9}$. [](finding:exchange.equal)
+64-bit mantissa; exchange.hpp). Its error is that of $\kappa$ over the slope of $\kappa$, which is small: two digits of
+$s_0$ need $\kappa$ to $10^{-9}$. [](finding:exchange.equal)
 
-Why should the two exchange their stability at all? Both are extrema of one potential of the breather's centre, which
-has the period of the chain (`sec32_barrier`). If it is nearly a sine, they are its only extrema in a period, and one is
+Why do the two exchange their stability at all? Both are extrema of one potential of the breather's centre, which has
+the period of the chain (`sec32_barrier`). If it is nearly a sine, they are its only extrema in a period, and one is
 stable, the other unstable. Where its amplitude passes through zero as $s$ changes, the potential turns upside down, and
-both change in almost the same well. Higher harmonics matter only there, and decide what happens in between
-(`sec33_between`). Two exchanges as far apart as the printed ones would need a potential that is far from a sine in all
-the wells between them. */
+both change stability at almost the same $s$. Only there do higher harmonics matter; they decide what happens in between
+(`sec33_between`). Exchanges as far apart as the printed ones would need a potential that is far from a sine at every
+$s$ between them. */
 std::array<Exchange, 2> report_exchange(Report& report) {
   // Around a site and around a bond; both lie between 0.1 and 0.2
   std::array<Exchange, 2> found;
@@ -236,11 +236,11 @@ std::array<Exchange, 2> report_exchange(Report& report) {
 }
 
 /**
-Could one cause move the exchange around a site to 0.05 and that around a bond to 0.26? If a multiplier counts as off
-the circle only beyond some threshold $\theta$, the instability seems to end too early around a site and to begin too
-late around a bond, and a range of $\theta$ gives both printed numbers. The article names no threshold, so this is a
-possible cause and no more. Another one is the flow: variational equations that do not locate contact events pull one
-exchange apart into two, with a gap of the printed size (`sec33_multiplier_errors`).
+Can one cause move the exchange around a site to 0.05 and that around a bond to 0.26? If a multiplier counts as off the
+circle only beyond some threshold $\theta$, the instability seems to end too early around a site and to begin too late
+around a bond, and a range of $\theta$ gives both printed numbers. The article names no threshold, so this is only a
+possible cause. Another is the flow: variational equations that do not locate contact events split one exchange into
+two, with a gap of the printed size (`sec33_multiplier_errors`).
 
 | quantity | article | here |
 |---|---|---|
@@ -266,13 +266,12 @@ void report_threshold(Report& report, const std::array<Exchange, 2>& found) {
 }
 
 /**
-## Verdicts in five wells
+## Stability in five wells
 
 In the linear well the sign of $\kappa$ is taken in extended precision, where its error is eight orders of magnitude
 below $\kappa$. As a check of the step from $F$ to $\kappa$ the symmetry of the breather reduces the matrix to a smaller
-one, in which the pair of the shift in time does not occur; the error of this row is its distance from the other one.
-The independent route is a program with another integrator (`tests/second`): it finds the same $\kappa$ and both $s_0$
-to seven digits and six. */
+one without the time-translation pair; the error of this row is its distance from the other one. An independent program
+with another integrator (`tests/second`) finds the same $\kappa$ to seven digits and both $s_0$ to six. */
 void report_harmonic(Report& report) {
   int off = 0;
   for (Centre centre : both_centres) {
@@ -292,11 +291,11 @@ void report_harmonic(Report& report) {
 }
 
 /**
-The article's conclusion says that the stability depends on the strength and the sign of the anharmonicity. It does: a
-strong one reverses the verdict of the linear well if it is hard, and not if it is soft, down to $s = -1$. At $s = 0$
-the two values are opposite and nearly equal, like the curvatures of a sine at its top and its bottom. No multiplier of
-these breathers exceeds one by more than [0.000584](num:sec33_floquet.largest_excess), less than the $10^{-3}$ of the
-article's conclusion.
+The article's conclusion says that the stability depends on the strength and the sign of the anharmonicity. It does:
+strong anharmonicity reverses the stability found in the linear well if it is hard, but not if it is soft, down to
+$s = -1$. At $s = 0$ the two values are opposite and nearly equal, like the curvatures of a sine at its maximum and
+minimum. No multiplier of these breathers exceeds one by more than [0.000584](num:sec33_floquet.largest_excess), less
+than the $10^{-3}$ of the article's conclusion.
 
 | $\kappa$ of the pinning pair | around a site | around a bond |
 |---|---|---|
@@ -316,15 +315,14 @@ void report_strength(Report& report) {
 }
 
 /**
-## Four near $+1$, the others on the circle: on two lines
+## Four multipliers near $+1$, the others on the circle
 
-The article finds this structure always, for values of $\omega_b$ in $(1,2]$ and of $s$ in $[-1,1]$ that it does not
-list. We look at $\omega_b = 1.1$ in all wells, and at the frequencies from 1.01 to 2 in the linear well. On these two
-lines it holds: the fourth multiplier is far nearer to $+1$ than the fifth, the others are on the circle, and ten more
-sites add twenty multipliers at $e^{\pm2\pi i/\omega_b}$ (to $10^{-4}$ in $\kappa$, because the tail still reaches the
-first new bead; tried in three wells and at every thirteenth frequency). Elsewhere it need not: in the hard well $s = 1$
-the pinning pair of the bond-centred breather leaves $+1$ towards $\omega_b = 2$. `sec33_between` looks at the whole
-plane.
+The article always finds this structure, for values of $\omega_b$ in $(1,2]$ and of $s$ in $[-1,1]$ that it does not
+list. We test $\omega_b = 1.1$ in all wells, and the frequencies from 1.01 to 2 in the linear well. On these two lines
+it holds: the fourth multiplier is far nearer to $+1$ than the fifth, the others are on the circle, and ten more sites
+add twenty multipliers at $e^{\pm2\pi i/\omega_b}$ (to $10^{-4}$ in $\kappa$, because the tail still reaches the first
+new bead; tried in three wells and at every thirteenth frequency). Elsewhere it may fail: in the hard well $s = 1$ the
+pinning pair of the bond-centred breather leaves $+1$ towards $\omega_b = 2$. `sec33_between` covers the whole plane.
 
 | distance from $+1$ | on the two lines | at $\omega_b = 2$, $s = 1$, around a bond |
 |---|---|---|
@@ -374,7 +372,7 @@ void report_lines(Report& report, std::array<std::vector<StabilityAt>, 2> lines)
 
 The breather starts from rest, so the eigenvectors of $\lambda$ and $1/\lambda$ have the same displacements at $t = 0$
 and opposite velocities. We compare these displacements with $y_{n+1}(0)-y_{n-1}(0)$, both of length one. The article
-calls the two very close; the angle between them is some ten degrees.
+calls the two very close; the angle between them is about ten degrees.
 
 ![Pinning mode and discrete gradient. Drawn by fig13_pinning_mode.gp: `mode` and `gradient` against `n`, from
 `mode_bond` and `mode_site`.](fig:13)
@@ -389,7 +387,7 @@ void report_mode(Report& report) {
     Vector<double> g = gradient(orbit.start.y);
     g /= g.norm();
 
-    // The angle, in two precisions; an eigenvector has no sign of its own and gets that of the gradient
+    // The angle, in two precisions; the sign of an eigenvector is arbitrary and is chosen as that of the gradient
     Vector<double> mode = stability<Wide>(problem, orbit).mode;
     const double coarse = alignment(stability<double>(problem, orbit).mode, g);
     report.facts.add("cosine_" + name_of(centre), compare(coarse, alignment(mode, g)));
@@ -412,10 +410,10 @@ void report_mode(Report& report) {
 
 The site-centred breather of the DpS equation, of frequency $\mu$, is unstable at a rate of $0.00156\,\mu$ in slow time
 (`sec33_dps_stability`). By Eq. (20) a breather of the chain of size $\epsilon$ has
-$\omega_b-1 = \epsilon^{1/2}/(2\tau_0)$. So if the same happens in the chain, $\ln\lambda/T_b = 0.00156\,(\omega_b-1)$:
+$\omega_b-1 = \epsilon^{1/2}/(2\tau_0)$. So if the same holds for the chain, $\ln\lambda/T_b = 0.00156\,(\omega_b-1)$:
 weaker by $O(\epsilon^{1/2})$, as the article says. The exponent is taken between $\omega_b-1 = 2\cdot10^{-4}$ and
 $10^{-4}$ in extended precision, with the change from the pair before as its error. The limit is approached slowly: at
-$\omega_b = 1.1$ the rate is only a quarter of it.
+$\omega_b = 1.1$ the rate is only a quarter of its limit.
 
 | quantity | article | here |
 |---|---|---|
@@ -455,7 +453,7 @@ void report_slow(Report& report) {
 /**
 ## Differences and limits
 
-The printed exchanges are discrepant; the verdict of the article at $s = 0$ survives. All this holds at
+We do not reproduce the printed exchanges; the article's result at $s = 0$ is confirmed. All this holds at
 $\omega_b = 1.1$ in quartic wells and is no general rule: in the linear well the two breathers exchange their stability
 six times between $\omega_b = 1.003$ and 2, and next to an exchange a third breather, centred on neither site nor bond,
 may exist (`sec33_between`). Why the potential turns upside down just there is not known. */
@@ -479,11 +477,11 @@ mass is set where `problem_at` makes the chain (exchange.hpp).
 1. *Easy.* At a slightly higher frequency the exchange lies elsewhere:
    `build/bin/sec33_floquet exchange --centre bond --omega 1.15` gives `s0` = 0.018781. Hint: the curves of exchange
    (`sec33_between`) are slanted, and cross $s = 0$ at six frequencies. To which of them does this curve lead?
-2. *Harder.* Which breather is stable can be told without multipliers.
+2. *Harder.* Which breather is stable can be decided without multipliers.
    `build/bin/sec32_barrier barrier --omega 1.1 --s 0.05` gives `equal_area` = -1.58248e-13, and
-   `build/bin/sec32_barrier barrier --omega 1.1 --s 0.26` gives `equal_area` = 1.66492e-13.
-   Hint: at equal action the breather of higher energy is the stable one here, because the effective mass is negative
-   (`sec33_mobility`). Does this agree with $\kappa$, and with the printed exchanges?
+   `build/bin/sec32_barrier barrier --omega 1.1 --s 0.26` gives `equal_area` = 1.66492e-13. Hint: at equal action the
+   breather of higher energy is the stable one here, because the effective mass is negative (`sec33_mobility`). Does
+   this agree with $\kappa$, and with the printed exchanges?
 3. *Open.* Near the ends of soft families other pairs leave the unit circle (`sec33_between`): by which collisions?
 
 `sec33_floquet multipliers` prints all multipliers of one breather (multipliers.hpp), `sec33_floquet exchange` the wells

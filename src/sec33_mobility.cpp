@@ -1,31 +1,32 @@
 /**
 # 3.3 Kicked breathers and the depinning threshold
 
-Push a breather along the chain. Does it move off, or only swing about its place? Section 3.3 of James, Kevrekidis and
-Cuevas (Physica D 251, 2013) ends with kicks of size $c$ for breathers of frequency $\omega_b = 1.1$. It says that
+How hard must one kick a breather to set it in motion? We follow kicked breathers with an event-corrected integrator,
+and predict the threshold from the barrier at equal action. Section 3.3 of James, Kevrekidis and Cuevas (Physica D
+251, 2013) kicks breathers of frequency $\omega_b = 1.1$ with size $c$ and says that
 
 - after $c = 2\cdot10^{-4}$, about a hundredth of the largest bead velocity, both breathers travel almost steadily, at
   $5.446\cdot10^{-4}$ around a site and $5.364\cdot10^{-4}$ around a bond, with negligible dispersion (figure 14);
 - after $c = 3\cdot10^{-6}$ the bond-centred breather stays, and the site-centred one jumps two sites and is pinned
   again (figure 15);
-- the bond-centred one is freed above $c_c = 6.19\cdot10^{-6}$, and $c_c^2/2 = 1.92\cdot10^{-11}$ is quite close to the
-  barrier $E_{PN}$ of section 3.2.
+- the bond-centred one is depinned above $c_c = 6.19\cdot10^{-6}$, and $c_c^2/2 = 1.92\cdot10^{-11}$ is quite close to
+  the barrier $E_{PN}$ of section 3.2.
 
 ![Energy density after a kick of the bond-centred and of the site-centred breather. Drawn by fig14_moving.py: `e` over
 `n` and `t`, from `map_bond` and `map_site`.](fig:14)
 
 We find the same speeds, but no second pinning, and the threshold $4.45\cdot10^{-6}$. The experiment is delicate: the
-weak kick adds $3\cdot10^{-8}$ of the breather's energy, which the integrator must conserve far better than that for
-$10^5$ units of time.
+weak kick adds only $3\cdot10^{-8}$ of the breather's energy, and the integrator must conserve energy far better than
+that for $10^5$ units of time.
 
 ## Model
 
 The chain has harmonic wells, Eqs. (6) to (9), and free ends,
 $$\ddot y_n + y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}.$$
 At $t = 0$ all beads of a breather are at rest, and the kick adds velocities $c\,g_n$ along the discrete gradient,
-$g_n\propto y_{n+1}-y_{n-1}$, nearly the mode that shifts the breather (`sec33_floquet`). We take $\sum g_n^2 = 1$: only
-then does the kick add the energy $c^2/2$, as the article says. Around a bond the central contact may be compressed at
-$t = 0$ or, half a period later, stretched. The article does not say which, so we try both; around a site the two are
+$g_n\propto y_{n+1}-y_{n-1}$, close to the mode that shifts the breather (`sec33_floquet`). We take $\sum g_n^2 = 1$:
+only then does the kick add the energy $c^2/2$, as the article says. Around a bond the central contact may be compressed
+at $t = 0$ or, half a period later, stretched. The article does not say which, so we try both; around a site the two are
 mirror images, as are the two signs of $c$. */
 #include <algorithm>
 #include <array>
@@ -44,10 +45,10 @@ using namespace lattice;
 ## The experiment
 
 `find_breather` is Newton's method, from the profile of Eqs. (18) to (20); `evolve` integrates the equation of motion
-and shows the state after every `sample`. The energy centre $X$, Eq. (24), of the sites within five of the strongest
+and reports the state after every `sample`. The energy centre $X$, Eq. (24), of the sites within five of the strongest
 swings with each oscillation, so we average it over eleven periods: 89 samples, spread evenly over the phases by the
-golden ratio. Distances count from the first mean. A bond-centred breather is *free* once it is 0.6 sites away, beyond
-the site at 0.5, and *pinned* if it turns back before that. Bisection encloses the threshold. */
+golden ratio. Distances are measured from the first mean. A bond-centred breather is *free* (depinned) once it is 0.6
+sites away, beyond the site at 0.5, and *pinned* if it turns back before that. Bisection brackets the threshold. */
 constexpr double omega_b = 1.1, strong = 2e-4, weak = 3e-6, printed_threshold = 6.19e-6;
 
 RestingBreather breather(Centre centre, Phase phase, std::size_t sites) {
@@ -70,7 +71,7 @@ State<double> kick(const RestingBreather& at, double c) {
   return state;
 }
 
-/// The means of X after a kick; `look` sees each of them and may end the run.
+/// The means of X after a kick; `look` receives each of them and may end the run.
 KickedPath follow(const RestingBreather& at, double c, const Method& method, double time,
                   const KickLook& look = {}) {
   State<double> state = kick(at, c);
@@ -123,11 +124,11 @@ std::array<double, 2> bisection(const RestingBreather& at, double low, double hi
 ## Steps and errors
 
 `EventCorrected` takes Runge-Kutta steps of order six, with five forces each or, in long runs, with fourteen, and gives
-every contact that opens or closes the impulse that it really exerts (event_corrected.hpp): splittings lose accuracy
-there, and to end a step at every event is too expensive for $10^5$ periods. Each run is made twice, with two steps or
-two schemes, and the difference is the error. The finer runs of figures 14 and 15 and of the bisection have to pass
-`check_energy`. The program also stops if Newton's method fails, if the chain cuts off the breather's tail, or if more
-than a tenth of the energy leaves the breather after a strong kick. */
+every contact that opens or closes its exact impulse (event_corrected.hpp): splittings lose accuracy there, and ending a
+step at every event is too expensive for $10^5$ periods. Each run is made twice, with two steps or two schemes, and the
+difference is the error. The finer runs of figures 14 and 15 and of the bisection have to pass `check_energy`. The
+program also stops if Newton's method fails, if the chain cuts off the breather's tail, or if more than a tenth of the
+energy leaves the breather after a strong kick. */
 const std::string names[] = {"site", "bond_stretched", "bond_compressed"};
 const std::string speed_unit = "site per unit of time";
 
@@ -151,10 +152,10 @@ Methods methods(bool finer, bool quick) {
 /**
 ## A strong kick (figure 14)
 
-In 32000 units of time, more than 5000 oscillations, the breathers cover some seventeen sites. The speed is the slope of
-$X$ from $t = 2000$ on. If it is constant, both halves of this window and every single site give the same. What is left
-behind is bounded by the largest share of the energy, at some 45000 samples, that is farther than five sites from the
-strongest one; the breather's own tail is part of it. */
+In 32000 units of time, more than 5000 oscillations, the breathers travel about seventeen sites. The speed is the slope
+of $X$ from $t = 2000$ on. If it is constant, both halves of this window and every single site give the same value. The
+radiated energy is bounded by the largest fraction of the energy, at some 45000 samples, that is farther than five sites
+from the strongest one; the breather's own tail is part of it. */
 std::array<double, 3> report_strong(Report& report) {
   // Two runs of each breather; the maps of the figure have every fourth mean of the finer one
   const double time = report.quick ? 6000 : 32000;
@@ -199,7 +200,7 @@ std::array<double, 3> report_strong(Report& report) {
     per_kick[k] = mean.value / strong;
   }
   report.facts.add("unsteadiness", unsteady, "relative");
-  // Both breathers meet all phases, so what the samples miss is about their difference
+  // Both breathers pass all phases, so the sampling error is about their difference
   const auto left = [](const KickedPath& path) { return 1 - path.share; };
   Estimate lost = larger(paths[0].of(left), paths[1].of(left));
   lost.error += std::abs(left(paths[0].fine) - left(paths[1].fine));
@@ -211,8 +212,8 @@ std::array<double, 3> report_strong(Report& report) {
 At which phase did the article kick? Its approximate breather, Eqs. (18) and (20), begins with the central contact
 compressed, but then the bond-centred breather is three per cent too fast. With the contact stretched both printed
 speeds are met to $2\cdot10^{-4}$, so we assume that. A kick to the right drives the breather to the left, because its
-effective mass is negative. As printed, with the sum of squares as denominator and not its root, $g$ is longer by the
-factor 63. Then $c = 3\cdot10^{-6}$ leaves no breather pinned, so this is hardly what was computed.
+effective mass is negative. As printed, with the sum of squares as denominator and not its root, $g$ is longer by a
+factor of 63. Then $c = 3\cdot10^{-6}$ depins every breather, so this is hardly what was computed.
 
 | quantity | article | here |
 |---|---|---|
@@ -244,9 +245,9 @@ Estimate report_norm(Report& report, const RestingBreather& at) {
 /**
 ## A weak kick (figure 15)
 
-After $c = 3\cdot10^{-6}$ the bond-centred breather swings about its bond: in either phase it turns back at a quarter of
-a site. The site-centred one starts where the potential holds it back most. It only has to pass the same place again at
-every site, which it does slowly, and it is faster over the bonds.
+After $c = 3\cdot10^{-6}$ the bond-centred breather oscillates about its bond: in either phase it turns back at a
+quarter of a site. The site-centred one starts at its unstable position. It passes the same position at every further
+site, slowly, and is faster over the bonds.
 
 ![Energy centre after a weak kick. Drawn by fig15_energy_centre.gp: the columns `X_` of `paths` against `t`.](fig:15) */
 TwoRuns<KickedPath> report_weak(Report& report, const Breathers& at) {
@@ -288,16 +289,16 @@ TwoRuns<KickedPath> report_weak(Report& report, const Breathers& at) {
 }
 
 /**
-The article says that the site-centred breather jumps two sites and is pinned, and not how long it was followed. A
-figure that ends at $t = 1.8\cdot10^5$ shows two sites but no pinning: there the breather still has more than half of its
-speed at a bond. By $t = 10^6$ (`sec33_mobility kick --centre site --c 3e-6 --time 1e6 --sites 61`) it has travelled
-eleven sites at the same mean speed. Coarser methods stop it only by chance: in a trial outside this repository, of
-fourteen settings of GSL with which the energy grows, eight went on and three were caught near the second site, and
-another interval between the samples changes which. The cause of the printed pinning is not known.
+The article says that the site-centred breather jumps two sites and is pinned, but not how long it was followed. A
+figure that ends at $t = 1.8\cdot10^5$ would show two sites but no pinning: at that time the breather still has more
+than half of its speed at a bond. By $t = 10^6$ (`sec33_mobility kick --centre site --c 3e-6 --time 1e6 --sites 61`) it
+has travelled eleven sites at the same mean speed. Coarser methods stop it only by chance: in a trial outside this
+repository, of fourteen settings of GSL with which the energy grows, eight went on and three were trapped near the
+second site, and which ones depends on the sampling interval. The cause of the printed pinning is not known.
 
-A breather that has not passed the next site by the end of a run counts as pinned. After the printed $c_c$ it passes at
+A breather that has not passed the next site by the end of a run counts as pinned. At the printed $c_c$ it passes at
 $t = 3.6\cdot10^4$, so runs of that length reproduce the printed threshold. But by then the site-centred breather of
-figure 15 has moved by a third of a site. No single length of the runs explains both.
+figure 15 has moved by a third of a site. No single run length explains both.
 
 | after the weak kick | article | here |
 |---|---|---|
@@ -344,27 +345,28 @@ void report_length_of_run(Report& report, const RestingBreather& bond,
 /**
 ## The threshold, and why most of a kick is wasted
 
-The barrier that a breather has to pass is far lower than $c_c^2/2$. Where does the rest go? A breather that moves
-slowly keeps its action, so the potential of its centre is the energy at *equal action*, with the barrier
-$\tilde E_{PN} = E_{\rm site}-E_{\rm bond}$ between breathers of one action (`sec32_barrier`). The kick does not keep
-it: an oscillator of frequency one has as much action as energy, and nearly all of $c^2/2$ goes into a larger
-oscillation. What is left at equal action, $\varphi\,c^2/2 = dE-\omega_b\,dI$, moves the centre. So
+The barrier that a breather has to pass is far lower than $c_c^2/2$. Where does the rest of the energy go? A slowly
+moving breather keeps its action, so the potential of its centre is the energy at *equal action*, with the barrier
+$\tilde E_{PN} = E_{\rm site}-E_{\rm bond}$ between breathers of one action (`sec32_barrier`). The kick changes it: for
+an oscillator of frequency one action and energy are equal, and nearly all of $c^2/2$ goes into a larger oscillation.
+The remainder at equal action, $\varphi\,c^2/2 = dE-\omega_b\,dI$, moves the centre. So
 $$|\varphi|\,\frac{c_c^2}2 = |\tilde E_{PN}|,\qquad\text{not}\qquad \frac{c_c^2}2 = E_{PN}.$$
-The flow, linearised over one period, tells $\varphi$. It has a slow plane, spanned by a shift of the positions and a
+The flow, linearised over one period, gives $\varphi$. It has a slow plane, spanned by a shift of the positions and a
 push of the velocities; about a stable centre this is an oscillator of frequency $\Omega$, and the part of the kick in
-the plane gives its kinetic energy (kick_threshold.hpp). We find $\varphi < 0$: the moving breather has *less* energy than
-the resting one of the same action, its effective mass is negative, and the stable centre is the one of *higher* energy.
+the plane gives its kinetic energy (kick_threshold.hpp). We find $\varphi < 0$: the moving breather has *less* energy
+than the resting one of the same action, its effective mass is negative, and the stable centre is the one of *higher*
+energy.
 
 Sign and size follow at small amplitudes, with $\mu = \omega_b-1$. Without contacts a kick along a mode $v$ of length
 one changes action and energy by $c^2/2$ each, which leaves $-\mu\,c^2/2$. A velocity changes the complex amplitude of a
-bead across the breather's own, real one, and in this direction a contact of strain $d_n$ has the stiffness
+bead at right angles to the breather's own, real one, and in this direction a contact of strain $d_n$ has the stiffness
 $|d_n|^{1/2}$. So the contacts add $\frac{c^2}2\,v\cdot Mv$, with $M$ the matrix of these stiffnesses (spectrum.hpp).
 The mode that shifts the breather nearly solves $(\mu-\frac32M)\,v = 0$, and $g$ is nearly $v$; hence
 $$\varphi \approx \tfrac23\mu-\mu = -\frac{\omega_b-1}3.$$
 In this limit $\tilde E_{PN}$ is $-(\omega_b-1)/5$ times $E_{PN}$, the barrier at equal frequency (`sec32_barrier`). The
-two small factors leave $c_c^2/2 \approx \frac35E_{PN}$: two quantities, but of one size for a reason. At
-$\omega_b = 1.1$, with the contact stretched, both factors are a good quarter below their limits, and their ratio is
-near $\frac35$ again. */
+ratio of the two small factors gives $c_c^2/2 \approx \frac35E_{PN}$, so the two quantities differ but have the same
+order of magnitude. At $\omega_b = 1.1$, with the contact stretched, both factors are a good quarter below their limits,
+and their ratio is near $\frac35$ again. */
 std::array<Prediction, 2> report_prediction(Report& report, const Breathers& at,
                                             const BreatherPair& pair, double speed_per_kick) {
   std::array<Prediction, 2> found;
@@ -381,12 +383,12 @@ std::array<Prediction, 2> report_prediction(Report& report, const Breathers& at,
 }
 
 /**
-The whole chain has to confirm this. The bisection begins with the article's two kicks, $3\cdot10^{-6}$ and
-$6.19\cdot10^{-6}$, and after six halvings is one per cent wide; further digits cost longer and longer runs. What changes
-smoothly is the speed $V$ with which a freed breather passes the maximum at the next site: $V^2$ is linear in $c^2$ and
+We test this in the full chain. The bisection begins with the article's two kicks, $3\cdot10^{-6}$ and
+$6.19\cdot10^{-6}$, and after six halvings is one per cent wide; further digits need longer and longer runs. More digits
+come from the speed $V$ with which a depinned breather passes the maximum at the next site: $V^2$ is linear in $c^2$ and
 vanishes at the threshold. Kicks 5, 20 and 40 per cent beyond the prediction give three lines, whose disagreement, with
 the difference of two schemes, is the error (kick_threshold.hpp). The program stops if the bisection, which has its own
-code for kick and run, does not enclose this threshold.
+code for kick and run, does not bracket this threshold.
 
 | bond-centred breather | article | here |
 |---|---|---|
@@ -406,9 +408,9 @@ code for kick and run, does not enclose this threshold.
 
 Speeds, bisection and linearised flow agree, and a pendulum with this $\Omega$ and the speed per kick of figure 14 comes
 close. Neither phase, nor the printed norm, nor a kick along the mode itself gives the printed threshold. Fixed steps
-that divide the period can hold a breather for long beyond ours, with an energy that drifts by more than the kick adds.
-That such steps, or short runs, explain the printed value is a conjecture. The law was tested for slow motion and kicks
-along $g$ only. */
+commensurate with the period can keep a breather pinned for long beyond our threshold, but their energy drifts by more
+than the kick adds. That such steps, or short runs, explain the printed value is a conjecture. The law was tested only
+for slow motion and kicks along $g$. */
 void report_threshold(Report& report, const Breathers& at, const std::array<Prediction, 2>& guess,
                       const BreatherPair& pair, const Estimate& norm) {
   // From the speeds at the maximum, with two schemes
@@ -445,9 +447,9 @@ void report_threshold(Report& report, const Breathers& at, const std::array<Pred
 
 If the potential is a sine, the centre is a pendulum, whose initial speed is proportional to the kick. Its mean speed
 over a site is the arithmetic-geometric mean of the speeds at the maximum and at the minimum, whose squares differ by
-$(\Omega/\pi)^2$. In the chain we time one site from the first and from the second mean of $X$, with steps of 0.2 and
-0.3. Their energy drifts by more than a weak kick adds, but the two steps agree. Chain and pendulum agree to one per
-cent, or the program stops.
+$(\Omega/\pi)^2$. In the chain we time the passage over one site from the first and from the second mean of $X$, with
+steps of 0.2 and 0.3. Their energy drifts by more than a weak kick adds, but the two steps agree. Chain and pendulum
+agree to one per cent, or the program stops.
 
 ![Mean speed against kick. Drawn by x15_speed_against_kick.py: `speed` and `pendulum` of `speeds` against
 `c`.](fig:x15) */
@@ -503,14 +505,15 @@ void report_speeds(Report& report, const Breathers& at, const std::array<double,
 ## Try it
 
 **To change it.** Another kick is the loop over `g[n]` in `kick`, another observable a line in `follow`, another rule
-for free and pinned is `frees`.
+for free and pinned goes into `frees`.
 
 1. *Easy.* What does a kick of twice the size do to the speed?
    `build/bin/sec33_mobility kick --phase stretched --c 4e-4 --time 8000` gives `velocity` = -0.00107228. Hint: far
-   beyond the threshold the momentum of the kick is what counts, divided by a negative mass.
-2. *Easy.* And weaker kicks? `build/bin/sec33_mobility kick --centre site --c 2e-5 --time 20000` gives
-   `velocity` = -5.52e-5. Hint: around a site the breather starts where the potential holds it back most.
-3. *Harder.* Predict the threshold of the bond-centred breather at $\omega_b = 1.001$. `build/bin/sec32_barrier barrier --omega 1.001` gives `equal_area` = -2.3723e-22. Hint: with
+   beyond the threshold the velocity is the momentum of the kick divided by a negative mass.
+2. *Easy.* And weaker kicks? `build/bin/sec33_mobility kick --centre site --c 2e-5 --time 20000` gives `velocity` =
+   -5.52e-5. Hint: around a site the breather starts where the potential slows it most.
+3. *Harder.* Predict the threshold of the bond-centred breather at $\omega_b = 1.001$.
+   `build/bin/sec32_barrier barrier --omega 1.001` gives `equal_area` = -2.3723e-22. Hint: with
    $\varphi = -(\omega_b-1)/3$, $|\varphi|\,c_c^2/2$ is the modulus of this barrier. How far is $c_c^2/2$ then from
    three fifths of `equal_frequency`?
 4. *Open.* How accurately is the potential a sine? How long does a moving breather last, and what does it lose?

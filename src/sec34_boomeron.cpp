@@ -1,10 +1,11 @@
 /**
-# 3.4 Packets that turn round in hard wells
+# 3.4 Packets that reverse their direction in hard wells
 
-Strike the first bead of a chain. In linear wells a packet of oscillations, a travelling breather, runs away for good.
-In hard wells, $s > 0$, it slows down, turns round, comes back, and the struck end reflects it; section 3.4 of James,
-Kevrekidis and Cuevas (Physica D 251, 2013) compares it with *boomerons*, solitons that reverse their direction. How far
-does it get, how does it slow down, and for how long can its motion be known? The article says that
+After an impact in hard wells, $s > 0$, the travelling breather slows down, turns round and comes back to the struck
+end, which reflects it. How far does it get, how does it slow down, and for how long is its motion predictable? We
+follow its energy centre with two steps, and compare impacts that differ in late digits. Section 3.4 of James,
+Kevrekidis and Cuevas (Physica D 251, 2013) compares the packet with *boomerons*, solitons that reverse their direction,
+and says that
 
 - with $s=1$ and $v_0=1.9$ the packet turns and returns, and after some reflections its motion is erratic, while with
   $v_0 = 1.5$ it only slows down (figure 22);
@@ -16,17 +17,17 @@ does it get, how does it slow down, and for how long can its motion be known? Th
 fig22_turning_maps.py: `e` over `t` and `n` from the table `density_maps`, `mean`, `low` and `high` from `ensemble`, the
 dashed line from `decorrelation`.](fig:22)
 
-We find this, with two qualifications: the force is constant within a factor of two from way to way, and much weaker in
-between; and at $v_0=1.87$ the packet comes to rest later than figure 23 suggests. Two chapters of volume two ask which
-packets turn, and why (`sec34_boomeron_map`, `sec34_boomeron_why`).
+We find this, with two qualifications: the force is constant within a factor of two between the way out and the way
+back, and much weaker around the turning point; and at $v_0=1.87$ the packet comes to rest later than figure 23
+suggests. Two chapters of volume two ask which packets turn, and why (`sec34_boomeron_map`, `sec34_boomeron_why`).
 
 ## Model
 
 The chain has the wells of Eq. (10), and only its first bead moves at $t=0$, Eqs. (9) and (26):
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},
   \qquad y_n(0) = 0,\quad \dot y_n(0) = v_0\,\delta_{n,1}.$$
-All is dimensionless. The end at $n=1$ is free, and the chain is so long that the other end stays at rest. The packet is
-followed by its energy, Eqs. (23) and (24) with $m=5$,
+All is dimensionless. The end at $n=1$ is free, and the chain is so long that the other end stays at rest. We locate the
+packet by its energy, Eqs. (23) and (24) with $m=5$,
 $$e_n = \tfrac12\dot y_n^2 + W(y_n) + V(y_{n+1}-y_n),\qquad
   X = \sum_{|n-n'|\le m} n\,e_n \Big/ \sum_{|n-n'|\le m} e_n,$$
 where $V$ is the energy of the contact to the right. Here $n'$ is the site of the largest $e_n$ in the whole chain,
@@ -51,14 +52,14 @@ using namespace lattice;
 /**
 ## The experiment
 
-Strike, follow, smooth, and read the turn. `evolve` integrates Eq. (9) by Runge–Kutta–Nyström steps of order six, each
-of which is corrected where a contact opens or closes (event_corrected.hpp), and shows the state every 0.2 units of
-time. `smooth` averages $X(t)$ over 15 units, about four periods, with the weight $1+\cos(2\pi t/15)$. `find_turn` reads
-three moments from the smoothed trajectory: the first at which the *velocity vanishes* (`stop`), beyond site 8; the
-*turning point* (`apex`), the furthest one before the packet has come back by five sites; and the *reflection*
-(`rebound`), the nearest one before it has moved out again by three. A packet can stop, drift on and turn later, so the
-first two may differ. A parabola through three samples places each moment between them; what does not happen is
-`nan`. */
+We strike the chain, follow the packet, smooth its path and find the turn. `evolve` integrates Eq. (9) by
+Runge–Kutta–Nyström steps of order six, corrected where a contact opens or closes (event_corrected.hpp), and reports the
+state every 0.2 units of time. `smooth` averages $X(t)$ over 15 units, about four periods, with the weight
+$1+\cos(2\pi t/15)$. `find_turn` reads three moments from the smoothed trajectory: the first at which the *velocity
+vanishes* (`stop`), beyond site 8; the *turning point* (`apex`), the furthest one before the packet has come back by
+five sites; and the *reflection* (`rebound`), the nearest one before it has moved out again by three. A packet can stop,
+drift on and turn later, so the first two may differ. A parabola through three samples interpolates each moment; if one
+does not occur, it is `nan`. */
 struct Experiment {
   double v0, s, time;
   std::size_t sites = 150;
@@ -100,8 +101,8 @@ TwoRuns<Trajectory> two_runs(const Experiment& impact, double step) {
 }
 
 /**
-A moment of the turn has an error from the step and one from the width of the smoothing. The width is our choice, and no
-step makes this part smaller: it is what half the width changes. */
+A moment of the turn has an error from the step and one from the width of the smoothing. The width is our choice, and a
+shorter step does not reduce this part: it is the change made by half the width. */
 Estimate measured(const TwoRuns<Trajectory>& runs, Moment Turn::*moment, double Moment::*number) {
   Estimate e = runs.of([&](const Trajectory& run) { return run.turn.*moment.*number; });
   e.error += std::abs(runs.fine.other_width.*moment.*number - e.value);
@@ -111,10 +112,9 @@ Estimate measured(const TwoRuns<Trajectory>& runs, Moment Turn::*moment, double 
 /**
 ## The motion (figure 22)
 
-A map of snapshots would show stripes that do not exist, since it would sample the oscillation of the packet at nearly
-its own rate. So figure 22 shows averages over four or five units of time, and over one in the zoom. Its dashed line is
-the time beyond which the motion depends on digits of $v_0$ that nobody knows (see *How long the motion is determined*).
-*/
+A map of snapshots would show spurious stripes, since it would sample the oscillation of the packet at nearly its own
+rate. So figure 22 shows averages over four or five units of time, and over one in the zoom. The dashed line is the time
+beyond which the motion depends on unknown digits of $v_0$ (see *How long the motion is predictable*). */
 void report_maps(Report& report) {
   struct Panel {
     std::int64_t number;
@@ -146,8 +146,8 @@ void report_maps(Report& report) {
 
 At $v_0=1.9$ the packet stops, drifts on by a fifth of a site, turns, and comes back to the struck end. The packet of
 $v_0=1.5$, the article's example of a slow deceleration, turns in the end too, far outside the figure. Near a turning
-point a packet is almost at rest, and small errors decide which way it goes. So the table `step_dependence` holds each
-moment at three steps, 0.1, 0.05 and 0.025; the numbers here come from the last two.
+point a packet is almost at rest, and small errors decide in which direction it moves. So the table `step_dependence`
+holds each moment at three steps, 0.1, 0.05 and 0.025; the numbers here come from the last two.
 
 | $s=1$ | article | here |
 |---|---|---|
@@ -194,22 +194,22 @@ TwoRuns<Trajectory> report_turns(Report& report) {
 }
 
 /**
-## The acceleration
+## The acceleration of the packet
 
-Is the force almost constant, and does it grow with $s$ and $v_0$? What can be seen of a force is the acceleration of
-the centre, $\ddot X$. The velocity is the slope of the smoothed trajectory over ten units of time, and the acceleration
-the slope of a line through such velocities (sec34/acceleration.hpp). We measure it on the way *out*, for
-$100 < t < 220$, on the way *back*, between sites 18 and 6, and *between* the two, around the turning point. Its error
-is that of the fit, plus what twice the step changes, plus what half the smoothing changes.
+Is the force almost constant, and does it grow with $s$ and $v_0$? We measure the acceleration of the centre, $\ddot X$.
+The velocity is the slope of the smoothed trajectory over ten units of time, and the acceleration the slope of a line
+through such velocities (sec34/acceleration.hpp). We measure it on the way *out*, for $100 < t < 220$, on the way
+*back*, between sites 18 and 6, and *between* the two, around the turning point. Its error is that of the fit, plus the
+changes made by twice the step and by half the smoothing width.
 
-A force would need a mass as well. That of slow breathers is negative (`sec33_mobility`), so that a forward push slows
-them down. The waves behind this packet can only push forward, and they do slow it down (`sec34_boomeron_why`).
+To infer a force one also needs a mass. That of slow breathers is negative (`sec33_mobility`), so a forward push slows
+them down. The waves behind this packet can only push it forward, and they do slow it down (`sec34_boomeron_why`).
 
 Along both lists, of $v_0$ at $s=1$ and of $s$ at $v_0=1.9$, the modulus grows: no value is smaller than an earlier one
-beyond the errors of both. The article does not say how constant *almost constant* is. Within a way the acceleration
-changes too (column `bend` of the table `force`), on the way back by more than its mean. So the force is constant within
-a factor of two from way to way, and no better than that. In linear wells a packet slows down as well, though none was
-seen to turn.
+beyond the errors of both. The article does not quantify *almost constant*. The acceleration also changes within each
+way (column `bend` of the table `force`), on the way back by more than its mean. So between the ways out and back the
+force is constant within a factor of two, and no better. In linear wells a packet slows down as well, but we saw none
+turn.
 
 | $\ddot X$, sites per squared unit of time | article | here |
 |---|---|---|
@@ -293,9 +293,9 @@ void report_force(Report& report) {
 ## Profiles close to the turning (figure 23)
 
 The article shows the velocities of all beads at $v_0 = 1.87$ for two times at which, it says, the packet is close to
-turning. At the first of them the centre is two and a half sites short of its turning point. When its velocity vanishes
-first is badly known, because the trajectory is almost flat there: with half the smoothing at $t\approx 315$, still
-later than the article's times. So the packet is close to turning in place, but not in time.
+turning. At the first of them the centre is two and a half sites short of its turning point. The time at which its
+velocity first vanishes is poorly determined, because the trajectory is almost flat there: with half the smoothing it is
+$t\approx 315$, still later than the article's times. So the packet is close to turning in place, but not in time.
 
 ![Velocities close to the turning. Drawn by fig23_turning_profiles.gp: `v` against `n` for two `t`, from the table
 `turning_profiles`.](fig:23) */
@@ -323,9 +323,9 @@ void report_profiles(Report& report, const TwoRuns<Trajectory>& pictured) {
 }
 
 /**
-Can the digits of $v_0$ that are not printed explain this? They leave a range from 1.865 to 1.875. Over it the velocity
-vanishes first at 320 at the earliest (with half the smoothing at 296), well after the article's 240. A velocity
-profile does not tell a packet at rest from one that moves slowly.
+Can the rounding of $v_0$ explain this? It leaves a range from 1.865 to 1.875. Over this range the velocity first
+vanishes at 320 at the earliest (with half the smoothing at 296), well after the article's 240. A velocity profile does
+not distinguish a packet at rest from one that moves slowly.
 
 | $s=1$, $v_0=1.87$ | article | here |
 |---|---|---|
@@ -353,12 +353,12 @@ void report_printed_range(Report& report) {
 }
 
 /**
-## In the softest of hard wells
+## Weakly hard wells, $s = 0.005$
 
-The article sees reversals for $s\ge0.005$ and none for $s=0$, and prints neither an impact nor a time. In so soft a
-well packets turn soon after very strong impacts only, so we take $v_0=132$. After the same impact on linear wells the
-packet has moved outward all the time until $t=450$, and still does. After weaker impacts a packet in the soft well may
-turn much farther out.
+The article sees reversals for $s\ge0.005$ and none for $s=0$, and prints neither an impact nor a time. In such a weakly
+hard well packets turn soon only after very strong impacts, so we take $v_0=132$. After the same impact in linear wells
+the packet moves outward all the time until $t=450$, and is still moving then. After weaker impacts a packet at
+$s = 0.005$ may turn much farther out.
 
 | $v_0=132$ | article | here |
 |---|---|---|
@@ -376,7 +376,7 @@ void report_softest(Report& report) {
   report.facts.add("return_site_softest",
                    hard.of([](const Trajectory& p) { return p.turn.rebound.site; }), "site");
 
-  // In linear wells: place and speed at t = 450, and the farthest that the centre has ever fallen back
+  // In linear wells: position and speed at t = 450, and the farthest that the centre has ever fallen back
   const auto fallen = [](const Trajectory& p) {
     double most = p.smoothed.centre[0], back = 0;
     for (double x : p.smoothed.centre) most = std::max(most, x), back = std::max(back, most - x);
@@ -392,12 +392,13 @@ void report_softest(Report& report) {
 }
 
 /**
-## How long the motion is determined
+## How long the motion is predictable
 
 The motion is chaotic: two runs that differ by as little as a rounding error separate sooner or later. We call them
 *decorrelated* when their states differ by a tenth of the largest displacement or velocity. One impact with two steps
-tells for how long we can compute the motion. Two impacts that differ by a fraction $\delta$ tell for how long anybody
-can who knows $v_0$ to so many digits only; half a unit of the last digit of 1.87 is $\delta\approx3\cdot10^{-3}$. */
+shows for how long we can compute the motion. Two impacts that differ by a fraction $\delta$ show for how long it is
+predictable if $v_0$ is known to that accuracy; half a unit of the last digit of 1.87 is $\delta\approx3\cdot10^{-3}$.
+*/
 double decorrelation_time(double v0, double step, double other_v0, double other_step) {
   const Chain chain{150, Quartic{1}};
   State<double> one(chain.sites), other(chain.sites);
@@ -412,9 +413,9 @@ double decorrelation_time(double v0, double step, double other_v0, double other_
 
 /**
 Two steps agree until well beyond the first reflection. Figure 22 marks the time at which two impacts that differ by
-$10^{-6}$ decorrelate, since nobody would print a velocity with more digits. So turning point and first reflection are
-facts about the chain, and what the map shows much later is one possibility among many. With the three printed digits
-two impacts are decorrelated even before they turn (table `decorrelation`).
+$10^{-6}$ decorrelate, since velocities are hardly ever printed with more digits. So turning point and first reflection
+are well defined, and the much later part of the map is one possibility among many. With the three printed digits two
+impacts decorrelate even before they turn (table `decorrelation`).
 
 | $s=1$, $v_0=1.9$ | article | here |
 |---|---|---|
@@ -434,7 +435,7 @@ void report_decorrelation(Report& report) {
     if (p.delta > 0) p.check = decorrelation_time(1.9, 2 * p.coarse, other, 2 * p.fine);
   });
 
-  // The error: what another step changes, and the two units of time between two comparisons
+  // The error: the change made by another step, and the two units of time between two comparisons
   Table& table = report.table(
       "decorrelation",
       {number("delta",
@@ -452,7 +453,7 @@ void report_decorrelation(Report& report) {
 }
 
 /**
-## What erratic means (figure 22, last panel)
+## Erratic motion (figure 22, last panel)
 
 Beyond that time only statements about ensembles make sense. So we draw 24 impacts at random from an interval of
 relative width $10^{-6}$ around $v_0 = 1.9$ and see how far the centres of their packets spread. Centres that are
@@ -515,15 +516,15 @@ void report_ensemble(Report& report) {
 }
 
 /**
-## How well this is known
+## Accuracy and checks
 
-Every number has two resolutions. Only those of the last two sections depend on chaos. Every run stops with an error if
-its far end moves or if its energy drifts by more than a thousandth. A turning point that depended on our own integrator
-would be no fact about the chain, so there are two more routes, and the program fails where they disagree. GSL's
-adaptive method of order eight, which knows nothing of contacts, has to arrive at the same state at $t=100$ within
-$10^{-7}$. For the whole way, where GSL would be slow, another scheme, with fourteen stages, has to give the time of the
-reflection within 0.2. The tests check `find_turn` on trajectories made by hand. The article does not say how it
-integrates or averages, nor how long its chain is. */
+Every number comes from two resolutions. Only those of the last two sections depend on chaos. Every run stops with an
+error if its far end moves or if its energy drifts by more than a thousandth. Two other integrators check that the
+turning point does not depend on ours, and the program fails where they disagree. GSL's adaptive method of order eight,
+which has no event detection, has to arrive at the same state at $t=100$ within $10^{-7}$. For the whole trajectory,
+where GSL would be slow, another scheme, with fourteen stages, has to give the time of the reflection within 0.2. The
+tests check `find_turn` on constructed trajectories. The article does not say how it integrates or averages, or how long
+its chain is. */
 void check_by_other_routes(bool quick) {
   const Experiment out{1.9, 1, 100, 60};
   State<double> start(out.sites);
@@ -554,14 +555,14 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** Wells and contacts are members of `Chain` in `trajectory`; the impacts of a table are lists of
-`Experiment`, $\{v_0, s, t\}$. What counts as a turn are the sites `back`, `again` and `clear`, and the smoothing is
-`width`. The figures read columns by name.
+`Experiment`, $\{v_0, s, t\}$. The sites `back`, `again` and `clear` define a turn; the smoothing is `width`. The
+figures read columns by name.
 
 1. *Easy.* When does the packet of figure 23 turn? `build/bin/sec34_boomeron run --velocity 1.87` gives
    `apex_site` = 23.175 and `apex_time` = 493. Hint: before it turns it is slow for a long time.
 2. *Easy.* Make the wells harder: `build/bin/sec34_boomeron run --s 1.2 --time 600` gives `apex_site` = 8.8. Hint: at
    $s = 1$ it is site 20; figure x11 shows what matters, $s\,v_0^{3/2}$.
-3. *Harder.* For how long can a harder impact be known? `build/bin/sec34_boomeron run --velocity 2.2` gives
+3. *Harder.* For how long is a harder impact predictable? `build/bin/sec34_boomeron run --velocity 2.2` gives
    `decorrelation_time` = 580. Hint: this packet stays near the struck end and meets its own waves again and again.
 4. *Harder.* Compress the contacts by $d = 0.01$: `build/bin/sec34_boomeron run --precompression 0.01` gives
    `apex_site` = 28.144. Hint: beads that stay in contact carry small waves away from the packet.

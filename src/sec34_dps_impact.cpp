@@ -1,20 +1,20 @@
 /**
-# 3.4 An impact, in the DpS equation and in the chain
+# 3.4 A weak impact, in the chain and in the DpS equation
 
-Strike the first bead of a resting cradle gently. Contact is then a small correction to the swinging of the beads, and
-the discrete p-Schrödinger (DpS) equation of section 3.1, which follows only their slowly changing amplitudes, should
-describe everything. Does it? According to section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013)
+Does the discrete p-Schrödinger (DpS) equation of section 3.1, which follows only the slowly varying amplitudes,
+describe a weak impact on the first bead of a chain at rest? We solve it and the chain after the same impact and compare
+their packets. According to section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013),
 
-- in the DpS equation the energy splits into a *packet* that runs away, the travelling breather, and a *residue*, an
-  extended wave train that the boundary goes on emitting (figure 16);
+- in the DpS equation the energy splits into a *packet* that moves away, the travelling breather, and a *residue*, an
+  extended wave train emitted from the boundary (figure 16);
 - so it does in the chain, where the packet is mainly on seven sites and a little slower (figures 17 and 18);
 - its amplitude is $9\cdot10^{-4}$ in the chain and $13\cdot10^{-4}$ by the DpS equation.
 
 ![A struck DpS chain sends out a travelling breather. Drawn by fig16_dps_impact.py: `density` over `n` and `tau` from
 the table `dps_impact_map`; the inset is `dps_impact_profile`.](fig:16)
 
-The first two hold. What is called the amplitude is not printed. In one snapshot the heights of the packets, from crest
-to trough, have both printed values; their largest displacements differ by a few per cent only.
+The first two hold. The article does not define the amplitude. In one snapshot the heights of the packets, from crest to
+trough, have both printed values; their largest displacements differ only by a few per cent.
 
 ## Model
 
@@ -28,12 +28,12 @@ $$y_n \approx 2\epsilon\,\mathrm{Re}\,[A_n(\tau)\,e^{it}], \quad \tau = \epsilon
   2i\tau_0\dot A_n = (A_{n+1}-A_n)|A_{n+1}-A_n|^{1/2} - (A_n-A_{n-1})|A_n-A_{n-1}|^{1/2},\quad
   A_n(0) = -i\,\delta_{n,1}.$$
 All ends are free and all quantities dimensionless. The article's $\epsilon = 0.9548\cdot10^{-3}$ is the one whose
-static breathers have the frequency $\omega_b = 1+\epsilon^{1/2}/(2\tau_0) = 1.01$, Eq. (20). Where is a packet, and how
-much does it carry? For the chain, Eqs. (23) and (24) say it, where $n'$ is the site with the packet's largest $e_n$:
+static breathers have the frequency $\omega_b = 1+\epsilon^{1/2}/(2\tau_0) = 1.01$, Eq. (20). For the chain, Eqs. (23)
+and (24) give the energy and the position of a packet, where $n'$ is the site with the packet's largest $e_n$:
 $$e_n = \tfrac12\dot y_n^2 + \tfrac12 y_n^2 + \tfrac25 (y_n-y_{n+1})_+^{5/2}, \qquad
   X = \frac{\sum_{n=n'-5}^{n'+5} n\,e_n}{\sum_{n=n'-5}^{n'+5} e_n}.$$
 For the DpS equation $|A_n|^2$ takes the place of $e_n$; its sum, the *norm*, is conserved. The speed is the slope of
-$X(t)$ fitted from site 20 on. The article fits far from the boundary and gives no site. */
+$X(t)$ fitted from site 20 on. The article fits far from the boundary without giving a site. */
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -49,12 +49,12 @@ $X(t)$ fitted from site 20 on. The article fits far from the boundary and gives 
 using namespace lattice;
 
 /**
-## The experiment, twice
+## The experiment, in both models
 
-Both equations after the same impact, up to $\tau = 250$. A run stops with an error if the last site moves.
+We solve both equations after the same impact, up to $\tau = 250$. A run stops with an error if the last site moves.
 `front_packet` looks from the far end for the first site that is the largest of the eleven around it. The DpS equation
-is solved by an adaptive method of order eight (GSL), the chain by a Runge–Kutta–Nyström method of order six that
-corrects itself at contact events (event_corrected.hpp). */
+is solved by an adaptive method of order eight (GSL), the chain by a Runge–Kutta–Nyström method of order six that is
+corrected at contact events (event_corrected.hpp). */
 constexpr double eps = 0.9548e-3, tau_end = 250;
 const double t_end = tau_end / std::sqrt(eps),
              one_site = 1 / 0.0109;  // in this time the packet moves on by a site
@@ -139,19 +139,19 @@ Estimate speed_of(const TwoRuns<DpsRun>& runs) {
 /**
 ## The packet of the DpS equation (figure 16)
 
-Both sides of the DpS equation change in the same way if the amplitudes are multiplied by $c$ and time runs faster by
-$c^{1/2}$. So one run serves for impacts of all sizes; in the time of the chain every speed is proportional to
-$\epsilon^{1/2}$, that is, to the square root of the impact velocity.
+The DpS equation is invariant if the amplitudes are multiplied by $c$ and time runs faster by $c^{1/2}$. So one run
+serves for impacts of all sizes; in the time of the chain every speed is proportional to $\epsilon^{1/2}$, that is, to
+the square root of the impact velocity.
 
-Is this a travelling breather? It must *last*, with one speed and one norm, and what stays behind must be weak. A
+Is this a travelling breather? It must *last*, with constant speed and norm, and what stays behind must be weak. A
 constant speed alone is not enough: the front of a linear wave has one, too, but it spreads as $\tau^{1/3}$ and loses
-more than a tenth of its norm (tests/sec34.cpp). Between the halves of the packet's way both change by a few per
-cent, since a young packet still sheds its tail. What stays behind has more than half of the norm, but spread over
-thirty sites: it is weak in the sense that no window of eleven sites holds half as much as the packet.
+more than a tenth of its norm (tests/sec34.cpp). Between the halves of the packet's way both change by a few per cent,
+since a young packet still sheds its tail. What stays behind has more than half of the norm, but spread over thirty
+sites: it is weak in the sense that no window of eleven sites holds half as much as the packet.
 
-The article says that the residue at the boundary is no surface mode, because it is extended and not periodic. Both
-hold. The participation number $(\sum|A_n|^2)^2/\sum|A_n|^4$, from the boundary to ten sites behind the packet's peak,
-counts the sites that share it. And in a stationary mode $|A_1|$ would be constant: we quote its swing in the last fifth
+The article says that the residue at the boundary is no surface mode, because it is extended and not periodic. We find
+both. The participation number $(\sum|A_n|^2)^2/\sum|A_n|^4$, from the boundary to ten sites behind the packet's peak,
+counts the sites that share it. In a stationary mode $|A_1|$ would be constant: we quote its variation in the last fifth
 of the run.
 
 | in the DpS equation | article | here |
@@ -227,9 +227,9 @@ against `n`, from the table `impact_profiles`.](fig:17)
 ![Energy density of both. Drawn by fig18_density_maps.py: `e_lattice` and `e_dps` over `n` and `t`, from the table
 `impact_density_maps`.](fig:18)
 
-The DpS equation reproduces the wave train reasonably well, says the article. As the amplitude of the train we take the
-root of the energy of all sites up to ten behind the packets. In the second half of the run those of chain and
-approximation differ by a fraction of [0.00368](num:impact.wavetrain) at most. */
+According to the article the DpS equation reproduces the wave train reasonably well. As the amplitude of the train we
+take the root of the energy of all sites up to ten behind the packets. In the second half of the run the amplitudes in
+chain and approximation differ by a fraction of [0.00368](num:impact.wavetrain) at most. */
 double trains_apart(const std::vector<double>& chain, const std::vector<double>& dps) {
   const auto until = std::ptrdiff_t(std::min(*front_packet(chain), *front_packet(dps))) - 10;
   const auto train = [&](const std::vector<double>& e) {
@@ -272,8 +272,8 @@ void report_figures(Report& report, const TwoRuns<DpsRun>& dps, const TwoRuns<Ch
 
 /**
 How fast is the packet, and how many sites carry it? Behind the peak it merges into the wave train, but ahead of it
-nothing has moved yet, and the amplitude falls super-exponentially. With one per cent as the limit, which a drawing
-still shows, three sites on either side and the peak make seven. Counted by energy the packet is narrower.
+nothing has moved yet, and the amplitude falls super-exponentially. With a limit of one per cent, which a drawing still
+shows, the peak and three sites on either side make seven. Measured by energy the packet is narrower.
 
 The largest displacement, while the centre moves over the last site, does not depend on the phase of the oscillation. A
 maximum of $\cos t$ between two samples at the distance $h$ may exceed both by the fraction
@@ -340,10 +340,10 @@ void report_packet(Report& report, const TwoRuns<DpsRun>& dps, const TwoRuns<Cha
 
 One definition gives both: the height of the packet from crest to trough in one snapshot, at $t = 8091.0$; the end of
 the run, $\tau = 250$, is $t = 8090.7$. But the height changes within an oscillation, in the chain nearly by a factor of
-two. So we take it, by the same function for chain and approximation, at 201 instants between
-$t = 8085$ and 8095, a little more than one and a half oscillations. The chain is within five per cent of the printed
-number at [18](num:sec34_dps_impact.instants_lattice_near) of them, and at
-[18](num:sec34_dps_impact.instants_both_near) of these the approximation is within five per cent of its own.
+two. So we take it, by the same function for chain and approximation, at 201 instants between $t = 8085$ and 8095, a
+little more than one and a half oscillations. The chain is within five per cent of the printed number at
+[18](num:sec34_dps_impact.instants_lattice_near) of them, and at [18](num:sec34_dps_impact.instants_both_near) of these
+the approximation is within five per cent of its own.
 
 | | article | chain | DpS equation |
 |---|---|---|---|
@@ -429,9 +429,9 @@ void report_heights(Report& report, const TwoRuns<DpsRun>& dps, const TwoRuns<Ch
 }
 
 /**
-Could the DpS equation give a *largest displacement* of $13\cdot10^{-4}$? Other problems do, with a fixed end or with an
-initial amplitude larger by $\sqrt2$. But the article states the free end, and a speed only slightly above that of the
-chain; both of these packets are much faster.
+Could the DpS equation give a *largest displacement* of $13\cdot10^{-4}$? It does with a fixed end or with an initial
+amplitude larger by $\sqrt2$. But the article states a free end, and a speed only slightly above that of the chain; both
+of these packets are much faster.
 
 | largest displacement and speed | amplitude | sites per unit of $\tau$ |
 |---|---|---|
@@ -458,12 +458,12 @@ void report_other_problems(Report& report, const TwoRuns<DpsRun>& dps, const Res
 }
 
 /**
-## How well it is known
+## Accuracy and checks
 
 Every number has an error from two resolutions, and that of a speed includes the error of its fit. The tolerance only
-says when two runs of the chain agree; they agree better, as the errors of the heights show. An independent route: GSL
-solves the equation of motion of the chain, too, without knowing of contact events. The program stops with an error if
-the two states differ at the end of the run by more than $10^{-5}$ of the largest entry. */
+says when two runs of the chain agree; they agree better, as the errors of the heights show. As an independent check GSL
+also solves the equation of motion of the chain, without event detection. The program stops with an error if the two
+states differ at the end of the run by more than $10^{-5}$ of the largest entry. */
 void report_check(const State<double>& ours) {
   const Chain chain{sites};
   State<double> reference = struck(sites, 2 * eps);
@@ -489,10 +489,10 @@ or power (dps.hpp). The figures read columns by name.
    `build/bin/sec34_impact run --s 0 --velocity 0.2 --time 800` gives `speed` = 0.09512. Hint: $\tau = \epsilon^{1/2}t$
    makes it one half in the limit; $0.36129\,(v_0/2)^{1/2}$ is 0.0361 and 0.114.
 4. *Harder.* Let the beads push with $d_+^2$: `build/bin/sec31_dps_limit impact --alpha 2` gives `speed` = 0.3986 and
-   `residual_boundary` = 0.31916. Hint: packet and boundary both keep more than
-   at $3/2$; what loses is the wave train between them.
+   `residual_boundary` = 0.31916. Hint: packet and boundary both keep more than at $3/2$, and the wave train between
+   them keeps less.
 5. *Open.* The theory (`sec31_dps_limit`) bounds the error up to some $\tau$ of order one. When do chain and
-   approximation part? */
+   approximation separate? */
 void reproduce(Report& report) {
   Resolution at;
   if (report.quick) at = {1e-3, 1e-9, 100, 500};

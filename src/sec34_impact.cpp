@@ -1,8 +1,9 @@
 /**
-# 3.4 Strong impacts and soft wells
+# 3.4 Strong impacts in soft wells: surface mode and blow-up
 
-After a gentle impact most of the energy runs away along the chain, in a *packet* some seven sites wide: the travelling
-breather (chapter before). Now strike the first bead harder, and let the wells be soft. What runs away, and what stays?
+How do strong impacts and soft wells change the travelling breather? After a weak impact a *packet* about seven sites
+wide runs along the chain (chapter before). Here we vary the impact velocity in three wells, measure the speed and
+energy of the packet, and find the energy that stays behind.
 
       v0                                                 X(t)
      ---> (1)   (2)   (3)   (4)   (5)   (6)  ...  (n)    (n+1)   (n+2)
@@ -20,8 +21,8 @@ Section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) says:
 - the missing energy stays near the first bead as a *surface mode* (figures 20 and 21);
 - up to moderate velocities the packet is mainly on seven sites, and a small oscillatory tail follows it.
 
-All of this holds, with two qualifications. The blow-up has no single threshold: impacts that throw a bead out alternate
-with others over a range of velocities. And a moderate impact makes a packet of eleven sites by our measure.
+All of this holds, with two qualifications. The blow-up has no single threshold: impacts after which a bead escapes
+alternate with others over a range of velocities. And by our measure a moderate impact makes a packet of eleven sites.
 
 ## Model
 
@@ -29,7 +30,7 @@ The beads obey Eq. (9) with the wells of Eq. (10), $W(y) = y^2/2 + s\,y^4/4$, wh
 is struck, Eq. (26). All quantities are dimensionless, and both ends are free:
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}, \qquad
   y_n(0) = 0,\quad \dot y_n(0) = v_0\,\delta_{n,1}.$$
-The energy density of Eq. (23) and its centre, Eq. (24), say where the packet is. The sums run over the $m = 5$ sites on
+The energy density of Eq. (23) and its centre, Eq. (24), locate the packet. The sums run over the $m = 5$ sites on
 either side of the packet's largest density $e_{n'}$:
 $$e_n = \tfrac12\dot y_n^2 + W(y_n) + \tfrac25 (y_n-y_{n+1})_+^{5/2}, \qquad
   X = \frac{\sum_{n=n'-m}^{n'+m} n\,e_n}{\sum_{n=n'-m}^{n'+m} e_n}.$$
@@ -54,15 +55,15 @@ using namespace lattice;
 /**
 ## The experiment
 
-Strike the chain and follow the packet until it has passed site 60. Steps are those of a Runge–Kutta–Nyström method of
-order six that corrects itself where contacts open and close (event_corrected.hpp), at most 0.2 long; samples lie at
-most 0.2 apart, about a thirtieth of an internal period. `front_packet` looks from the far end for the first site whose
+We strike the chain and follow the packet until it has passed site 60. The integrator is a Runge–Kutta–Nyström method of
+order six, corrected where contacts open and close (event_corrected.hpp). Steps are at most 0.2 long and samples at most
+0.2 apart, about a thirtieth of an internal period. `front_packet` looks from the far end for the first site whose
 energy is the largest of the eleven around it, since slower packets behind can carry as much energy. The run stops with
-an error if the last bead has moved: then nothing has come back from there. */
+an error if the last bead has moved, so that nothing can have come back from there. */
 constexpr double fit_to = 60;       // the packet is measured between sites 20 and 60
 constexpr double tolerance = 1e-4;  // within which the end states of two runs must agree
 
-/// The first bead of a chain at rest is struck; `look` sees every sample and may end the run.
+/// The first bead of a chain at rest is struck; `look` receives every sample and may end the run.
 Run impact(const EventCorrected& method, const Chain& chain, double v0, State<double>& state,
            double time, Every every, const Look& look = {}) {
   state = State<double>(chain.sites);  // y_n = 0
@@ -73,7 +74,7 @@ Run impact(const EventCorrected& method, const Chain& chain, double v0, State<do
   });
 }
 
-/// What is seen of it: the last state, and from sample to sample the packet and the first five sites.
+/// What is recorded: the last state, and at each sample the packet and the first five sites.
 struct Followed {
   State<double> end{};
   Run run{};                    // energy drift, steps, whether a bead escaped
@@ -110,12 +111,12 @@ from the coarser one their errors. If no step is short enough, if the energy dri
 
 ## Speed and energy against impact velocity (figure 19)
 
-For each velocity of the sweep we ask for three numbers of the packet: the speed, which is the slope of the
+For each velocity of the sweep we compute three numbers of the packet: the speed, which is the slope of the
 least-squares line through $X(t)$ between sites 20 and 60; the largest maximum in time of $e_{n'}$ on the same stretch,
 from parabolas through three samples; and the energy within $m$ sites of the peak when the packet passes site 60. The
-error of the fit is added to that of the speed. How long to wait follows from the chapter before: at small
+error of the fit is added to that of the speed. The length of the run follows from the chapter before: at small
 $\epsilon = v_0/2$ the packet moves with the speed [0.361](num:sec34_dps_impact.dps_speed) times $\epsilon^{1/2}$. */
-// Three times what the slowest packets need to come to the end of the stretch
+// Three times what the slowest packets need to reach the end of the stretch
 double time_for(double velocity) {
   return 3 * fit_to / (0.36 * std::sqrt(velocity / 2));
 }
@@ -135,9 +136,9 @@ struct SweepPoint {
 };
 
 /**
-A bead that passes the maximum of a soft well, at $|y| = (-s)^{-1/2}$, runs away to infinity. So each soft well has a
-largest velocity worth trying, and a range in which its blow-up is looked for, both our choice. A curve ends below the
-first velocity at which a bead escapes (`ends`, from the scan in the section on the blow-up). */
+A bead that passes the maximum of a soft well, at $|y| = (-s)^{-1/2}$, escapes to infinity. So we choose for each soft
+well a largest velocity of the sweep and a range in which we look for the blow-up. A curve ends below the first velocity
+at which a bead escapes (`ends`, from the scan in the section on the blow-up). */
 struct SweptWell {
   double s;
   std::string name;
@@ -176,11 +177,11 @@ std::vector<Curve> report_sweep(Report& report, const std::vector<double>& ends)
 
 /**
 As $v_0 \to 0$ the DpS equation takes over, in which $s$ does not occur. So the curves must *meet* there and not only be
-close to each other: up to $v_0 = 0.05$ they should be far closer than up to 0.5. They are, and there no difference of
-the speeds exceeds its error. For strong impacts, which for us begin at $v_0 = 0.3$, a soft well lowers speed, peak and
-energy at *every* velocity of the sweep: the last rows of the table are the least deficits, errors counted.
-The ripple of the peak density is resolved: a packet passes a site in a time comparable to its internal period, so that
-the largest density should depend on the phase between the two.
+close to each other: up to $v_0 = 0.05$ they should be far closer than up to 0.5. They are, and no difference of the
+speeds there exceeds its error. For strong impacts, which we take to begin at $v_0 = 0.3$, a soft well lowers speed,
+peak and energy at *every* velocity of the sweep: the last rows of the table are the least deficits, errors included.
+The ripple of the peak density is resolved: a packet passes a site in a time comparable to its internal period, so the
+largest density should depend on the phase between the two.
 
 | fraction of the value in linear wells | article | $s = -\frac16$ | $s = -0.7$ |
 |---|---|---|---|
@@ -219,18 +220,17 @@ void report_curves(Report& report, const std::vector<Curve>& curves) {
 /**
 ## The surface mode (figure 20)
 
-The energy that the packet lacks must be somewhere, and figure 20 shows where. It compares the contact forces
-$f_n = -(y_n-y_{n+1})_+^{3/2}$ for a linear and a very soft well after the same impact, $v_0 = 0.94$, just below the
-first escape.
+Figure 20 shows where the missing energy of the packet is. It compares the contact forces $f_n = -(y_n-y_{n+1})_+^{3/2}$
+for a linear and a very soft well after the same impact, $v_0 = 0.94$, just below the first escape.
 
 ![Contact forces for a linear and a very soft well. Drawn by fig20_surface_mode.py: `force` over `n` and `t`, from the
 table `surface_mode_forces`.](fig:20)
 
-Why should a soft well keep energy? Between contacts all beads in linear wells swing at the frequency 1, however far
-they move, and what one bead gives, the next one takes up in step. In a soft well the bead that moves far is slower. If
-the impact is strong enough, this exceeds what the contact adds: the first bead swings at a frequency below 1, while its
-neighbours move less and are, by themselves, faster. So they are driven below their resonance, and the energy stays
-where it is. This is an explanation by frequencies, not a proof. */
+Why does a soft well keep energy? In linear wells all beads oscillate at frequency 1 between contacts, whatever their
+amplitude, so energy passes resonantly from one to the next. In a soft well the frequency falls with the amplitude. If
+the impact is strong enough, this outweighs the increase due to the contact: the first bead oscillates at a frequency
+below 1, while its neighbours move less and are, by themselves, faster. So they are driven below their resonance, and
+the energy stays where it is. This argument by frequencies is no proof. */
 void report_forces(Report& report) {
   Table& forces = report.table("surface_mode_forces",
                                {number("s", "anharmonicity of the well"), number("t", "time"),
@@ -248,8 +248,8 @@ void report_forces(Report& report) {
 }
 
 /**
-Energy is *trapped* if the first five sites hold more than the packet does, long after the impact: when the packet
-passes site 60. Both shares are interpolated between the two samples around that instant. The last row is the impact of
+We call energy *trapped* if the first five sites hold more than the packet long after the impact, when the packet passes
+site 60. Both shares are interpolated between the two samples around that instant. The last row is the impact of
 figure 21.
 
 | $v_0$, $s$ | first five sites | packet | speed of the packet |
@@ -277,7 +277,7 @@ void report_shares(Report& report, const std::string& name, double s, double v0)
 /**
 ## A snapshot of both (figure 21)
 
-The article shows surface mode and travelling breather together, in the velocities of all beads at $t = 587$ after an
+The article shows surface mode and travelling breather together in the velocities of all beads at $t = 587$ after an
 impact of 1.87 at $s = -\frac16$. We call the two *visible* if each rises above all waves between them. Both do: the
 lower of the two is [1.34](num:sec34_impact.snapshot_prominence) times as high as the highest wave there.
 
@@ -308,16 +308,16 @@ void report_snapshot(Report& report) {
 }
 
 /**
-## How narrow, and with what tail
+## The width and the tail of the packet
 
 The width of a packet is read off its undisturbed side, as in the chapter before: if $k$ sites ahead of the peak ever
 exceed one per cent of its amplitude, the width is $2k+1$. The tail is the largest amplitude, relative to the peak's, on
 the ten sites that follow the window of Eq. (24). Both are taken in linear wells while the centre moves from site 40 to
-60. The article gives no measure for *mainly* seven sites and for *moderate* velocities. The hundredth is ours, and
-$v_0 = 1$ counts as moderate, where contacts push as hard as the wells.
+60. The article does not define *mainly* seven sites and *moderate* velocities. The hundredth is ours, and $v_0 = 1$,
+   where contacts push as hard as the wells, counts as moderate.
 
-After such an impact the packet has [11.0](num:sec34_impact.packet_width_moderate) sites: the DpS limit is left, and two
-more sites on either side rise above the hundredth.
+After such an impact the packet has [11.0](num:sec34_impact.packet_width_moderate) sites: this is beyond the DpS limit,
+and two more sites on either side exceed the hundredth.
 
 | amplitude of the tail over that of the peak | article | here |
 |---|---|---|
@@ -349,18 +349,18 @@ void report_tail(Report& report) {
 }
 
 /**
-## Where the curves end: the blow-up
+## The blow-up
 
-Energy alone says which impacts are too weak. Unless the impact can pay for the way to the maximum of the potential no
-bead escapes, whatever the integrator does:
+Conservation of energy gives a lower bound. No bead escapes unless the energy of the impact exceeds the maximum of the
+potential:
 $$v_0^2/2 > W\bigl((-s)^{-1/2}\bigr) = 1/(4|s|).$$
 Above this bound there is no sharp threshold. The outcome depends on details of the collisions, and islands of
 velocities at which no bead escapes lie between velocities at which one does. So we quote a band, from the lowest
-velocity with an escape to the highest without, on a grid of 801 velocities and up to $t = 500$ (table `blowup_scan`).
-Both scans begin with survivors and end with escapes. [](finding:blowup.bands)
+velocity with an escape to the highest without one, on a grid of 801 velocities and up to $t = 500$ (table
+`blowup_scan`). Both scans begin with survivors and end with escapes. [](finding:blowup.bands)
 
-Every velocity is run with two steps on a chain that nothing can cross within the time. Where the *outcomes* differ,
-the velocity is disputed and counts for neither edge. The scans begin above the energy bound, which is 1.73 for
+Every velocity is run with two steps on a chain that nothing can cross within the time. Where the *outcomes* differ, the
+velocity is disputed and counts for neither edge of the band. The scans begin above the energy bound, which is 1.73 for
 $s = -\frac16$ and 0.85 for $s = -0.7$. The sweep of figure 19 tests it: it has a run at every velocity from 0.01 up to
 the band and would end with an error if a bead escaped.
 
@@ -431,8 +431,8 @@ std::vector<double> report_blowup(Report& report) {
 ## An independent route
 
 The struck chain of figure 20 is computed once more by a method of order eight from the GNU Scientific Library. It
-shares nothing with ours but the forces, and must arrive at the same state at $t = 60$: the program stops with an error
-if the two differ by more than $10^{-8}$ of the largest entry. */
+shares only the forces with ours, and must arrive at the same state at $t = 60$: the program stops with an error if the
+two differ by more than $10^{-8}$ of the largest entry. */
 void check_by_gsl() {
   const Chain chain{40, Quartic{-0.7}};
   const auto runs = states_after(1e-9, chain, 0.94, 60);
@@ -453,9 +453,9 @@ The figures read columns by name.
    `build/bin/sec34_impact run --well none --velocity 1` gives `speed` = 0.840509, and
    `build/bin/sec34_impact run --well none --velocity 4` gives `speed` = 1.109058. Hint: scale $\ddot y = y^{3/2}$.
 3. *Harder.* How close to the escape can one go? `build/bin/sec34_impact run --s -1/6 --velocity 2.02 --time 300` gives
-   `boundary_energy_fraction` = 0.68959. Hint: part of the impact's energy leaves the first bead before it comes to the
+   `boundary_energy_fraction` = 0.68959. Hint: part of the impact's energy leaves the first bead before it reaches the
    maximum. Try 2.11, 2.3 and 2.51.
-4. *Open.* Is there a fastest packet at $s = -1/6$? Why are there just these bands of survival?
+4. *Open.* Is there a fastest packet at $s = -1/6$? What determines the bands of survival?
 5. *Open.* Is the surface mode a time-periodic breather of the half-chain? Compute it by Newton's method.
 
 `run` also takes other wells and contacts (commands/one_impact.hpp). */

@@ -1,8 +1,9 @@
 /**
-# 3.4 From breather to kink in pendulum wells
+# 3.4 From travelling breather to kink in pendulum wells
 
-In the wells of a real cradle, $W = 1-\cos y$, a bead that is struck too hard does not fly off: it
-swings over the top and comes down in the next well. What becomes of the travelling breather?
+What becomes of the travelling breather in the wells of a real cradle, $W = 1-\cos y$, where a bead that is struck too
+hard swings over the top and comes down in the next well? We scan the impact velocity and count, after each impact, the
+beads that have changed their wells.
 
      before   (1) (2) (3) (4) (5) (6)            every bead in its own well
               \_/ \_/ \_/ \_/ \_/ \_/ \_/ \_/
@@ -16,7 +17,7 @@ swings over the top and comes down in the next well. What becomes of the travell
 
 Section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) answers in one sentence, without a figure: at large
 impact velocity a *kink*, a step of one well that travels along the chain, replaces the breather, and beads are ejected
-at the far end; nothing blows up. Here we map the transition.
+at the far end; nothing blows up.
 
 ## Model
 
@@ -24,8 +25,8 @@ The chain is that of Eq. (9) with another well,
 $$\ddot y_n + \sin y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}, \qquad
   y_n(0) = 0,\quad \dot y_n(0) = v_0\,\delta_{n,1},$$
 dimensionless, with free ends. The article gives no parameters; we take fifty beads. A bead that passes the maximum of
-the potential at $y = \pi$ falls into the next well instead of running away. Beads do not attract each other, so the
-first one can also be thrown back over $y = -\pi$ and leave the chain. */
+the potential at $y = \pi$ falls into the next well instead of running away. Contacts do not attract, so the first bead
+can also be thrown back over $y = -\pi$ and leave the chain. */
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -42,14 +43,14 @@ using namespace lattice;
 /**
 ## The experiment
 
-Strike the first bead, wait, and count the beads by the wells in which they are.
-`moved` have advanced by at least one well; a kink that crosses the whole chain moves all of them. `ejected_far` are the
-beads of the far half that have advanced by more wells than the bead in the middle: they have separated from it and
-leave at the far end. `ejected_near` have gone backwards over a maximum and leave at the near end.
+We strike the first bead, wait, and count the beads in each well. `moved` have advanced by at least one well; a kink
+that crosses the whole chain moves all of them. `ejected_far` are the beads of the far half that have advanced by more
+wells than the bead in the middle: they have separated from it and leave at the far end. `ejected_near` have gone
+backwards over a maximum and leave at the near end.
 
-When may one count? Just above the transition a kink is slow, may stop, and may come back. So the run goes on until the
-counts have stayed the same while the time doubled; if they have not by the time `patience`, the impact is undecided.
-`evolve` integrates Eq. (9) with steps that are corrected where a contact opens or closes (event_corrected.hpp). */
+Just above the transition a kink is slow, may stop, and may come back. So the run goes on until the counts have stayed
+the same while the time doubled; if they have not settled by the time `patience`, the impact is undecided. `evolve`
+integrates Eq. (9) with steps that are corrected where a contact opens or closes (event_corrected.hpp). */
 struct WellCounts {
   std::int64_t moved = 0, ejected_far = 0, ejected_near = 0;
   friend bool operator==(const WellCounts&, const WellCounts&) = default;
@@ -98,7 +99,7 @@ Outcome outcome(double v0, std::size_t sites, double patience, const Method& met
 /**
 Every impact is followed with two steps, 0.1 and 0.05, and both are halved close to the transition, where the outcome
 depends on details of many collisions. The numbers of beads must agree. Where they do not, or have not settled, the
-impact is *undecided*: it is marked and supports no statement. */
+impact is *undecided*: it is marked and not used. */
 constexpr std::size_t beads = 50;
 constexpr double patience = 3200;
 
@@ -126,11 +127,11 @@ struct ScanPoint {
 ## The transition (figure x01)
 
 We scan the impact velocity from 1 to 8 in steps of 0.02. There are three regimes. A weak impact leaves every bead in
-its well; below $v_0 = 2$ nothing else is possible, since the way over a maximum costs $W(\pi) = 2$. From about 2.5 on
-the recoil throws beads back at the near end at most velocities, while the breather still travels: beads that swing back
-push each other apart, and no contact lies behind the first bead to hold it. At about 4.7 the breather gives way to a
-kink: in the scan no impact below sends a kink through the chain, and every one above does. The error of these
-velocities is the spacing of the scan; the two velocities between them are undecided.
+its well; below $v_0 = 2$ nothing else is possible, since the maximum is $W(\pi) = 2$. From about 2.5 on the recoil
+throws beads back at the near end at most velocities, while the breather still travels: beads that swing back push each
+other apart, and no contact behind the first bead holds it. At about 4.7 a kink replaces the breather: in the scan no
+impact below sends a kink through the chain, and every one above does. The error of these velocities is the spacing of
+the scan; the two velocities between them are undecided.
 
 | impact velocity | article | here |
 |---|---|---|
@@ -142,9 +143,9 @@ velocities is the spacing of the scan; the two velocities between them are undec
 A count that has settled may still change: at $v_0 = 4.28$ the breather throws the last bead off when it arrives at the
 far end. So *no bead moves on* means until the counts have settled.
 
-Why so far above 2? The first bead does not climb alone, but pushes on the second all the way up, and gives away energy.
-In a kink *every* bead passes its maximum; each pays 2 on the way up and gets 2 back on the way down, so that a kink,
-once on its way, can go on. We have no theory that gives 4.7. */
+Why so far above 2? The first bead pushes on the second all the way up, and loses energy to it. In a kink *every* bead
+passes its maximum; each needs the energy 2 on the way up and regains it on the way down, so a kink, once formed, can go
+on. We have no theory for the value 4.7. */
 void report_examples(Report& report) {
   // One impact below the transition and one above
   Table& examples =
@@ -206,16 +207,16 @@ void report_transition(Report& report) {
 /**
 ## No blow-up
 
-In soft quartic wells a strong impact ends in a blow-up; with $W = 1-\cos y$ that cannot be. No term of the energy is
-negative, so that no bead is ever faster than $v_0$ or farther away than $v_0t$, at every impact velocity and for ever.
-We follow impacts of up to $v_0 = 6$ until $t = 2000$, with two steps, and the beads keep to that.
+In soft quartic wells a strong impact ends in a blow-up; with $W = 1-\cos y$ it cannot. No term of the energy is
+negative, so no bead is ever faster than $v_0$ or farther away than $v_0t$, at any impact velocity and at all times. We
+follow impacts of up to $v_0 = 6$ until $t = 2000$, with two steps, and the beads keep to that.
 
 | impacts from 2 to 6 | article | here |
 |---|---|---|
 | largest displacement, over $v_0t$ | no blow-up | [0.868672 ± 5e-8](num:sec34_kink.no_blowup_pendulum_way) |
 | drift of the energy, relative | | [2e-9 ± 3e-8](num:sec34_kink.no_blowup_pendulum_drift) |
 
-The largest displacement belongs to a bead which has been thrown off and goes on over well after well. */
+The largest displacement belongs to a bead that has been ejected and passes well after well. */
 struct Excursion {
   double speed = 0, way = 0, drift = 0, lasted = 0;  // in units of v0, of v0 t; relative; of t
 };
@@ -259,12 +260,12 @@ void report_confinement(Report& report) {
 }
 
 /**
-## How well this is known
+## Accuracy and checks
 
-Whole beads are counted, at two steps; energy that drifts by more than a thousandth stops the program. The independent
-route is GSL's adaptive method of order eight, which knows nothing of contacts: it has to find a breather, after
-$v_0=2$, and a kink, after $v_0=5$, within $10^{-8}$ at the same places at $t=60$, when the kink is about to leave. Much
-later the motion is chaotic; that is why counts and not places are compared in the scan. */
+Whole beads are counted, at two steps; an energy drift of more than a thousandth stops the program. The independent
+check is GSL's adaptive method of order eight, which has no event detection: it has to find a breather, after $v_0=2$,
+and a kink, after $v_0=5$, within $10^{-8}$ at the same positions at $t=60$, when the kink is about to leave. Much later
+the motion is chaotic, so the scan compares counts and not positions. */
 void check_by_gsl() {
   const Chain chain{beads, Pendulum{}};
   for (double v0 : {2.0, 5.0}) {
@@ -275,8 +276,8 @@ void check_by_gsl() {
 }
 
 /**
-What the article says in its one sentence is found. Chain length, run length and scan are our choice, and the velocity
-of the transition depends on them: in a longer chain a slow kink may stop before the end. */
+We confirm the article's sentence. Chain length, run length and scan are our choice, and the velocity of the transition
+depends on them: in a longer chain a slow kink may stop before the end. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "steps 0.1 and 0.05, half of that near the transition");
   report_examples(report);
@@ -289,23 +290,23 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** The well is `Pendulum{}` in `outcome`, the counts are `count_wells`, the wait is `patience`. Another
-well needs a period of its own in `count_wells`. The figure reads columns by name.
+well needs its own period in `count_wells`. The figure reads columns by name.
 
 1. *Easy.* Does the kink need the whole chain? `build/bin/sec34_kink run --velocity 5 --sites 30` gives `moved` = 30.
-   Hint: it is there after a few beads.
+   Hint: it forms within a few beads.
 2. *Easy.* Which quartic well is most like a pendulum?
    `build/bin/sec34_impact run --well pendulum --velocity 1 --time 400` gives `speed` = 0.1817, and
    `build/bin/sec34_impact run --s -1/6 --velocity 1 --time 400` gives `speed` = 0.1814. Hint: expand $\sin y$.
 3. *Harder.* A kink is much faster than a breather: `build/bin/sec34_impact run --well pendulum --velocity 5 --time 60`
    gives `speed` = 0.7697, and `build/bin/sec34_impact run --well pendulum --velocity 3 --time 200` gives `speed` =
-   0.2471. Hint: a bead that falls into the next well gets back what the maximum has cost, and can hand it on.
+   0.2471. Hint: a bead that falls into the next well regains the energy of the maximum and can pass it on.
 4. *Open.* Which kinks stop in a longer chain, and where does their energy go? Why are just one or two beads ejected by
    impacts up to 8?
 
 ## With your own parameters
 
-`run` prints the counts for one velocity. Two runs that have parted may have the same counts by chance, so here the
-steps are halved until no bead differs by more than one in its place, which is less than half of a well. */
+`run` prints the counts for one velocity. Two decorrelated runs may have the same counts by chance, so here the steps
+are halved until the positions of each bead differ by at most one, less than half of a well. */
 struct KinkImpact {
   static constexpr Title title{"run",
                                "one impact in pendulum wells (a kink needs neighbouring wells): "

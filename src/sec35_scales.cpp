@@ -1,21 +1,22 @@
 /**
-# 3.5 Scales: a cradle is not an array
+# 3.5 Physical scales of a cradle and of an array of cantilevers
 
-When is the chain of this book a good picture of real beads? Two times decide. Beads of the mass $m$ that push on each
-other with $\gamma x^{3/2}$ at the overlap $x$ and collide at the speed $V$ touch for a time of order $\tau_h$, and
-in a well of the stiffness $k$ each of them swings with the period $2\pi\tau_c$,
+In which real system can a travelling breather be seen? Following section 3.5 of James, Kevrekidis and Cuevas (Physica D
+251, 2013) we compare two times, and derive every constant in SI units. Beads of mass $m$ that push on each other with
+$\gamma x^{3/2}$ at the overlap $x$ and collide at the speed $V$ touch for a time of order $\tau_h$, and in a well of
+stiffness $k$ each of them oscillates with the period $2\pi\tau_c$,
 $$\tau_h = \Bigl(\frac{m^2}{\gamma^2V}\Bigr)^{1/5},\qquad \tau_c = \Bigl(\frac mk\Bigr)^{1/2}.$$
-Their ratio is the only parameter that an impact leaves, Eqs. (29) and (30),
+Their ratio is the only parameter of an impact, Eqs. (29) and (30),
 $$\lambda = (\tau_c/\tau_h)^2,\qquad \dot y_1(0) = \lambda^{5/2} = (\tau_c/\tau_h)^5,$$
-if lengths are measured by $\xi = (k/\gamma)^2$, at which well and contact are equally strong, and times by $\tau_c$. A
-travelling breather needs a small $\lambda$: contacts must last for a good part of an oscillation.
+if lengths are measured in units of $\xi = (k/\gamma)^2$, at which well and contact are equally strong, and times in
+units of $\tau_c$. A travelling breather needs a small $\lambda$: contacts must last for a considerable part of an
+oscillation.
 
 ![Newton's cradle and an array of clamped cantilevers decorated by beads. Drawn by fig01_two_chains.py: the sizes of the
 table `schematic`.](fig:01)
 
-Section 3.5 of James, Kevrekidis and Cuevas (Physica D 251, 2013) puts numbers in: for a cradle $\lambda^{5/2}$ is
-astronomical, for the stiff cantilevers of section 3.6 it is less than one. Here every constant is derived in SI units.
-*/
+The article finds that $\lambda^{5/2}$ is astronomical for a cradle and less than one for the stiff cantilevers of
+section 3.6. */
 #include <cmath>
 #include <numbers>
 
@@ -30,10 +31,10 @@ using namespace lattice;
 /**
 ## The experiment: two beads collide
 
-All scales rest on the collision of two free beads. Bead 1 runs into bead 2, which is at rest, with $V=1$ in units in
-which $m=\gamma=1$; then times are in units of $\tau_h$ and lengths of $\delta = (mV^2/\gamma)^{2/5}$. The masses are
-equal, so the beads exchange their velocities. After the contact bead 1 is at rest, and the centre of mass, at the speed
-$V/2$, has carried it as far as $t_c/2$: so the contact time $t_c$ can be read off without finding an event. The
+All scales follow from the collision of two free beads. Bead 1 runs into bead 2, which is at rest, with $V=1$ in units
+in which $m=\gamma=1$; then times are in units of $\tau_h$ and lengths in units of $\delta = (mV^2/\gamma)^{2/5}$. The
+masses are equal, so the beads exchange their velocities. After the contact bead 1 is at rest, and the centre of mass,
+at the speed $V/2$, has carried it as far as $t_c/2$: this gives the contact time $t_c$ without event location. The
 compression is largest at $t_c/2$. */
 Collision collide(double step) {
   const Chain beads{2, None{}};  // no wells
@@ -51,16 +52,16 @@ Steps of 0.1 and 0.05 give the error. The independent route is the conservation 
 the relative motion, $\frac14mV^2$, is in the contact, $\frac25\gamma\,x^{5/2}$, when $x = (5/8)^{2/5}\,\delta$. The
 program stops unless both agree to $10^{-7}$.
 
-The contact time is the printed one, if this is cut off after two decimals. The largest compression is not; the article
-quotes both from other works. With the reduced mass $\mu = \frac12m$ it is $(\mu V^2/K)^{2/5}$, $K = \frac45\gamma$. A
-possible cause of the quoted 0.76 is $\gamma$ in the place of $K$, which gives $2^{-2/5}\,\delta$. At given $V$ the
-contact time is proportional to the compression, and with 0.76 it would be far from 2.43.
+The contact time is the printed one, truncated to two decimals. The largest compression differs; the article quotes both
+from other works. With the reduced mass $\mu = \frac12m$ it is $(\mu V^2/K)^{2/5}$, $K = \frac45\gamma$. A possible
+cause of the quoted 0.76 is $\gamma$ in place of $K$, which gives $2^{-2/5}\,\delta$. At given $V$ the contact time is
+proportional to the compression, so 0.76 would give a value far from 2.43.
 
-A cradle whose strings have the length $L$ has $\tau_c^2 = L/g$. A collision of steel balls was measured to take 0.077
-ms, which is the contact time. As $\lambda^{5/2} = (L/g\tau_h^2)^{5/2}$ contains the fifth power of $\tau_h$, an error
-of one per cent in the contact time becomes five, and rounding matters. The article prints $L = 0.5$ m and 2.43, but no
-$g$; with $g = 10$ m/s² its value is found. Either way a collision is over long before a pendulum has moved, and
-breathers do not travel there.
+A cradle with strings of length $L$ has $\tau_c^2 = L/g$. A collision of steel balls was measured to take 0.077 ms,
+which is the contact time. As $\lambda^{5/2} = (L/g\tau_h^2)^{5/2}$ contains the fifth power of $\tau_h$, an error of
+one per cent in the contact time becomes five per cent, and rounding matters. The article prints $L = 0.5$ m and 2.43,
+but no $g$; $g = 10$ m/s² gives its value. Either way a collision is over long before a pendulum has moved, and no
+breather travels there.
 
 | quantity | article | here |
 |---|---|---|
@@ -94,12 +95,12 @@ void report_collision(Report& report) {
 /**
 ## The beam
 
-The article replaces a beam of the length $\ell$ by a spring and a point mass, with factors that it prints with two or
-three digits, so we compute them. We integrate $u'''' = x^4u$ for the deflection $u$, where $x$ is now the wavenumber
-times $\ell$, along half of the beam, from the clamped end, where $u = u' = 0$, to the middle, where $u' = 0$ by
-symmetry (cantilever.hpp), in 200 and in 400 steps. Against a steady push at the middle $x = 0$ and the solution is a
-cubic, which the Runge–Kutta method reproduces exactly. For the frequency an independent route is
-$\cos x\cosh x = 1$. One point mass for beam and beads is an approximation, by a thousandth of the frequency.
+The article replaces a beam of length $\ell$ by a spring and a point mass, with factors printed to two or three digits.
+We compute these factors. We integrate $u'''' = x^4u$ for the deflection $u$, where $x$ is now the wavenumber times
+$\ell$, along half of the beam, from the clamped end, where $u = u' = 0$, to the middle, where $u' = 0$ by symmetry
+(cantilever.hpp), in 200 and in 400 steps. For a static load at the middle $x = 0$ and the solution is a cubic, which
+the Runge–Kutta method reproduces exactly. The condition $\cos x\cosh x = 1$ checks the frequency independently.
+Replacing beam and beads by one point mass changes the frequency by a thousandth.
 
 | of a clamped beam | article | here |
 |---|---|---|
@@ -131,8 +132,9 @@ void report_beam(Report& report, const CantileverArray& array) {
 
 In the article's array the two times are of the same order and the impact of the dimensionless chain, $\lambda^{5/2}$,
 is small: breathers can travel. The beads lose their energy in some 10 ms. The article's conclusion compares this with
-the growth of an instability: a disturbance that is multiplied by $1+\epsilon$ in each period stays hidden if it does
-not grow by a factor of $e$ in that time, $(1+\epsilon)^{10/0.15} = e$ with the printed period of 0.15 ms.
+the growth of an instability: a disturbance that is multiplied by $1+\epsilon$ in each period stays unobserved if it
+grows by less than a factor of $e$ in that time; the limit is $(1+\epsilon)^{10/0.15} = e$ with the printed period of
+0.15 ms.
 
 | impact of 1 m/s | article | here |
 |---|---|---|
@@ -142,9 +144,9 @@ not grow by a factor of $e$ in that time, $(1+\epsilon)^{10/0.15} = e$ with the 
 | $\epsilon$ with the period 0.15 ms | 0.015 | [0.0151131](num:outlook.dominated) |
 | $\epsilon$ with the period $2\pi\tau_c$ | | [0.0159718](num:sec35_scales.epsilon_e_fold) |
 
-Figure 1 is drawn to scale. The two beads of each cantilever touch those of its neighbours, so that the pitch is one
-thickness and four radii. The cradle's string has the length of this section; the size of its beads is not given and is
-ours. */
+Figure 1 is drawn to scale. The two beads of each cantilever touch those of its neighbours, so the pitch is one
+thickness and four radii. The cradle's string has the length of this section; the size of its beads is not given, and we
+choose it. */
 void report_array(Report& report, const CantileverArray& array) {
   const Scales s = array.scales();
   const double velocity = 1;  // m/s
@@ -175,8 +177,8 @@ void report_array(Report& report, const CantileverArray& array) {
 
 Hertz's coefficient needs the Young modulus of the beads, $\gamma = \mathcal E\sqrt{2R}/(3(1-\nu^2))$ with their radius
 $R$ and Poisson's ratio $\nu$; the article prints the symbol of the beam's, which would give a $\lambda$ far from small
-(exercise 3). A beam is described by the deflection of its middle: its higher modes and its twisting are left out, and
-so is all that a contact does beyond Hertz's static law. */
+(exercise 3). A beam is described by the deflection of its middle: its higher modes, its torsion and all effects of a
+contact beyond Hertz's static law are neglected. */
 void reproduce(Report& report) {
   const CantileverArray array;
   report_collision(report);
@@ -196,7 +198,7 @@ is `cradle(g, contact_time)` (sec35/collision.hpp). Another law of contact is th
    `lambda` = 1.0000 and `lambda_5_2` = 1.0001. Hint: this is $\xi/\tau_c$, the unit of velocity of the chain.
 3. *Harder.* Give the beads the Young modulus of the beams' steel: `build/bin/sec35_scales scales` gives
    `lambda_with_beam_modulus` = 14.63. Hint: harder contacts are shorter, and breathers need long ones.
-4. *Open.* What cradle would show a travelling breather: which string, and which beads, how soft?
+4. *Open.* Which cradle would show a travelling breather: with which string, and with which beads, how soft?
 
 `scales` prints all constants for your own impact (commands/all_scales.hpp). */
 int main(int argc, char** argv) {

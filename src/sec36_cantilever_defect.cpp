@@ -1,19 +1,20 @@
 /**
-# 3.6 A breather meets a defect in an array of cantilevers
+# 3.6 Scattering of a breather by a defect in an array of cantilevers
 
-In Newton's cradle a collision is over long before a pendulum has moved, so that no breather can travel
-(`sec35_scales`). Section 3.6 of James, Kevrekidis and Cuevas (Physica D 251, 2013) proposes stiff beams instead,
-clamped at both ends, with a bead on either side of each:
+How does a defect scatter a travelling breather, in a system that one can build? Section 3.6 of James, Kevrekidis and
+Cuevas (Physica D 251, 2013) proposes an array of stiff beams, clamped at both ends, with a bead on either side of each.
+We simulate an impact on it, and compute how much energy a beam with larger or smaller beads reflects, transmits and
+traps.
 
        V      n = 1   2   3          99   100  101
       --->       o|o o|o o|o   ...   o|o  O|O  o|o   ...     two beads on each, which touch their neighbours
                   |   |   |           |    |    |
                ===+===+===+===========+====+====+===         clamped at both ends
 
-An impact on the first beam launches a travelling breather. When it meets a beam with larger beads, says the article,
-it is reflected almost totally at 1.6 radii, passes in part at 1.1, and leaves a small part of its energy loosely
-trapped. We put numbers to these words. Then we ask for what an experiment would see in metres, newtons and
-milliseconds.
+An impact on the first beam launches a travelling breather. According to the article a beam with larger beads reflects
+it almost totally at 1.6 radii, transmits a part at 1.1, and leaves a small part of its energy loosely trapped. We
+quantify these statements, and then what an experiment would see in metres, newtons and milliseconds. (In Newton's
+cradle no breather can travel: `sec35_scales`.)
 
 ![Contact forces after an impact, with larger beads at n = 100. Drawn by fig24_defect.py: `force` over `n` and `t`,
 from `contact_forces`.](fig:24)
@@ -27,8 +28,8 @@ $$\mu_n\,\ddot y_n + y_n = -\eta_n\,(y_n-y_{n+1})_+^{3/2} + \eta_{n-1}\,(y_{n-1}
   \qquad \dot y_n(0) = \lambda^{5/2}\,\delta_{n,1},$$
 with free ends. At the defect, $n = 100$, the beads have $\tilde R$ times the radius of the others. It is heavier,
 $\mu = (m_{\rm beam} + 2\tilde R^3 m_{\rm bead})/(m_{\rm beam} + 2m_{\rm bead})$, and its two contacts are stiffer,
-$\eta = [2\tilde R/(1+\tilde R)]^{1/2}$; elsewhere both are one. The impact $V$ in m/s enters through $\lambda$ alone,
-Eqs. (28) to (30), which is 0.29 at the 1 m/s of the article. In the program $\mu$, $\eta$ and the units are those of
+$\eta = [2\tilde R/(1+\tilde R)]^{1/2}$; elsewhere both are one. The impact $V$ in m/s enters only through $\lambda$,
+Eqs. (28) to (30), which is 0.29 at the article's 1 m/s. In the program $\mu$, $\eta$ and the units are those of
 `CantileverArray` and `Scales` (cantilever.hpp derives them), $\tilde R$ is `ratio`, $V$ is `velocity`. */
 #include <algorithm>
 #include <array>
@@ -51,11 +52,11 @@ using namespace lattice;
 /**
 ## The experiment
 
-Strike the first beam, follow the packet to the defect (`blow.impact` takes the radius, the end of the run in
-milliseconds and the time between samples), let it meet a defect of any size, and look 75 ms after the impact, the end
-of figure 24, how the energy is divided among the beams before the defect, the nine around it, and those behind. Until
-the packet arrives the defect is at rest to the last bit, so all runs share the way there. Steps are event-corrected
-(event_corrected.hpp); a run whose far end moves is refused. */
+We strike the first beam, follow the packet to the defect (`blow.impact` takes the radius, the end of the run in
+milliseconds and the time between samples), let it meet a defect of any size, and measure how the energy is divided 75
+ms after the impact, the end of figure 24, among the beams before the defect, the nine around it, and those behind.
+Until the packet arrives the defect is exactly at rest, so all runs share this first part. Steps are event-corrected
+(event_corrected.hpp); a run whose far end moves is rejected. */
 constexpr double defect_passed = 75;  // ms
 
 /// Strikes the first beam and stops when the fifth beam before the defect begins to move.
@@ -85,7 +86,7 @@ EnergyShares shares(const StruckArray& blow, const std::vector<double>& density)
           std::accumulate(defect + 4, density.end(), 0.0) / all};
 }
 
-/// Goes on from there with a defect: the shares at the end, and ten milliseconds earlier.
+/// Continues from there with a defect: the shares at the end, and ten milliseconds earlier.
 std::tuple<EnergyShares, EnergyShares> scatter(const StruckArray& blow, double ratio, ImpactRun run,
                                                double step) {
   const double end = blow.scales.time(defect_passed);
@@ -97,12 +98,12 @@ std::tuple<EnergyShares, EnergyShares> scatter(const StruckArray& blow, double r
 }
 
 /**
-Over half of the energy has not come to the defect by then: it is in the wave train near the struck end. If $r$, $d$ and
-$t$ are the three shares, and $r_0$ is what lies before site 96 in an array without a defect, only $1-r_0$ arrives. Of
-this the defect reflects, keeps and transmits the *net* shares
+Over half of the energy has not reached the defect by then: it is in the wave train near the struck end. If $r$, $d$ and
+$t$ are the three shares, and $r_0$ is the share before site 96 in an array without a defect, only $1-r_0$ arrives. Of
+this the defect reflects, keeps and transmits the fractions (*net* shares)
 $$\frac{r-r_0}{1-r_0},\qquad \frac{d}{1-r_0},\qquad \frac{t}{1-r_0}.$$
-Everything is computed with two steps, and the difference is the error. The three shares must add up to one; what is
-missing is the error of the *energy budget*. The steps are 0.1 and 0.05 in units of $\tau_c$. */
+Everything is computed with two steps, and the difference is the error. The three shares must add up to one; the
+difference is the error of the *energy budget*. The steps are 0.1 and 0.05 in units of $\tau_c$. */
 struct ScatteringSetup {
   StruckArray blow;
   std::array<double, 2> steps;  // in units of tau_c, the larger one first
@@ -147,8 +148,8 @@ Fractions fractions(const ScatteringSetup& at, double ratio) {
 ## The packet at the defect (figure 24)
 
 The article draws $f_n = -\gamma_n(x_n-x_{n+1})_+^{3/2}$ in newtons over space and time. A contact is open for about
-half of each internal period, so that a snapshot says little; we keep the strongest force within intervals of about two
-linear periods (array_impact.hpp). At 1.6 radii the packet comes back, and hardly anything is seen beyond the defect; at
+half of each internal period, so a snapshot says little; we keep the strongest force within intervals of about two
+linear periods (array_impact.hpp). At 1.6 radii the packet comes back, and hardly anything appears beyond the defect; at
 1.1 a part passes. */
 void report_forces(Report& report, const StruckArray& blow) {
   Table& table =
@@ -169,11 +170,11 @@ void report_forces(Report& report, const StruckArray& blow) {
 }
 
 /**
-## How much is reflected
+## The reflected fraction
 
-Of what arrives, 1.6 radii reflect almost everything, as the article says, and 1.1 radii let a good part pass. It also
-says that almost total reflection occurs for sufficiently large defects. We ask this of every defect from 1.6 to 2.5
-radii (figure x09).
+As the article says, a defect of 1.6 radii reflects almost all energy that arrives, and one of 1.1 radii transmits a
+good part. It also says that almost total reflection occurs for sufficiently large defects. We test every defect from
+1.6 to 2.5 radii (figure x09).
 
 | share | article | here |
 |---|---|---|
@@ -193,14 +194,13 @@ void report_shares(Report& report, const ScatteringSetup& setup) {
 }
 
 /**
-## What stays at the defect
+## Energy trapped at the defect
 
-The article sees a small part of the energy loosely trapped at 1.6 radii. A reflected packet leaves it on the side from
-which it came, so we take the nine sites that end at the defect, 75 ms after the impact, and compare them with the same
-sites in an array without a defect, where the packet has left a wake only. There is some energy indeed, and it is held
-loosely: part of it is gone 25 ms later. Around the defect (sites 96 to 104) a heavy one holds next to nothing, while
-one of 0.925 radii keeps what it has. By 100 ms the packet that passes would reach the end of the article's array, so
-this one has a hundred beams more.
+The article sees a small part of the energy loosely trapped at 1.6 radii. A reflected packet leaves it on the incoming
+side, so we take the nine sites that end at the defect, 75 ms after the impact, and compare them with the same sites in
+an array without a defect, where the packet has left only a wake. We find some energy, loosely trapped: part of it is
+gone 25 ms later. A heavy defect holds almost no energy around it (sites 96 to 104), while one of 0.925 radii keeps its
+energy. By 100 ms the transmitted packet would reach the end of the article's array, so ours has a hundred beams more.
 
 | share of the energy | article | here |
 |---|---|---|
@@ -249,10 +249,10 @@ void report_stay(Report& report, StruckArray blow, const std::array<double, 2>& 
 /**
 ## The packet at $n = 80$
 
-The article prints what the packet does at $n = 80$, far from both ends. We watch the deflection of this beam and the
-force of the contact behind it (pulse.hpp), twice, the second time with half the step and half the spacing of samples.
-The force comes in pulses, one in each internal oscillation, and the *period* is half the time between the pulses before
-and after the strongest.
+The article prints properties of the packet at $n = 80$, far from both ends. We record the deflection of this beam and
+the force of the contact behind it (pulse.hpp), twice, the second time with half the step and half the spacing of
+samples. The force comes in pulses, one in each internal oscillation, and the *period* is half the time between the
+pulses before and after the strongest.
 
 | quantity | article | here |
 |---|---|---|
@@ -285,12 +285,12 @@ struct Passage {
 };
 
 /**
-Speed and duration depend on how they are measured, which the article does not print. For the speed we divide $n$ by the
-time of the largest force at $n = 80$, where the article evaluates all else. The packet slows down as it sheds energy,
-so that slopes of the energy centre $X(t)$, as in section 3.4, depend on where they are taken. The *duration* is the
-time from the first to the last instant at which the force is a given share of its maximum. With a lower
-threshold more pulses count. A thousandth of the force is a hundredth of the compression, by which we also
-say in section 3.4 which sites a packet occupies.
+Speed and duration depend on how they are measured, which the article does not say. For the speed we divide $n$ by the
+time of the largest force at $n = 80$, where the article evaluates all other quantities. The packet slows down as it
+radiates, so slopes of the energy centre $X(t)$, as in section 3.4, depend on the interval. The *duration* is the time
+from the first to the last instant at which the force is a given share of its maximum. A lower threshold includes more
+pulses. A thousandth of the force is a hundredth of the compression, the criterion of section 3.4 for the sites of a
+packet.
 
 | other readings | here |
 |---|---|
@@ -312,7 +312,7 @@ void report_packet(Report& report, const Passage& at) {
   facts.add("frequency",
             at.pulse([&](const Pulse& p) { return 2 * std::numbers::pi * tau_c / p.period; }));
 
-  // The speed as a mean over the way, and on several stretches
+  // The speed as a mean over the whole path, and on several stretches
   facts.add("speed_mean", at.speed_over(watched_site), "sites/s");
   facts.add("speed_79", at.speed_over(watched_site - 1), "sites/s");
   for (const auto& [from, to] : {std::array{10, 40}, {20, 40}, {20, 100}, {75, 85}}) {
@@ -335,8 +335,8 @@ void report_packet(Report& report, const Passage& at) {
 }
 
 /**
-What the packet leaves behind is, the article says, a fairly extended wave train. Just before the packet meets the
-defect we take the sites up to ten behind its largest one, as in section 3.4. They hold
+According to the article the packet leaves behind a fairly extended wave train. Just before the packet meets the defect
+we take the sites up to ten behind its largest one, as in section 3.4. They hold
 [0.562](num:sec36_cantilever_defect.wavetrain_share) of the energy, and by their participation number
 $(\sum e_n)^2/\sum e_n^2$ [32.1](num:cantilever.wavetrain) of them share it. */
 void report_wave_train(Report& report, const ScatteringSetup& setup) {
@@ -360,7 +360,7 @@ array. We strike the DpS chain, Eq. (25), with $\epsilon = \lambda^{5/2}/2$ and 
 the largest deflection $2\epsilon\,|A_{80}|$, and the speed between sites 20 and 60. It deflects the beam by a fraction
 of [0.150](num:cantilever.dps_valid) more than the array does, and is faster by
 [0.112](num:sec36_cantilever_defect.dps_speed_apart). Both are of the order $\epsilon^{1/2}$ of the terms that the
-equation leaves out (`sec31_dps_limit`). So yes, to this accuracy. */
+equation leaves out (`sec31_dps_limit`). So the DpS equation is valid to this accuracy. */
 void report_dps(Report& report, const Passage& array) {
   const double eps = array.blow.struck_velocity() / 2, tau = 320;
   const Dps dps{150};
@@ -391,10 +391,10 @@ void report_dps(Report& report, const Passage& array) {
 ## Which defects reflect, and which trap (figure x09)
 
 The radius varies by a factor of four, and with it the mass of the beads by a factor of 64. The shares change smoothly,
-and heavy and light defects reflect. Is it because a defect's own frequency, $\mu^{-1/2}$, is far from the packet's? Not
-only: at 0.8 radii the two agree to about one per cent, and more than nine tenths are reflected. We do not know the
-reason. [](finding:defect.map) The trapped state at 0.925 radii is close to a breather of the defect
-(`sec36_trapped_mode`).
+and both heavy and light defects reflect. A large difference between the frequency of the defect, $\mu^{-1/2}$, and that
+of the packet is not the only cause: at 0.8 radii the two agree to about one per cent, and more than nine tenths are
+reflected. We do not know the reason. [](finding:defect.map) The trapped state at 0.925 radii is close to a breather of
+the defect (`sec36_trapped_mode`).
 
 ![Reflected, remaining and transmitted energy against the radius of the defect. Drawn by x09_defect_map.py: the net
 shares over `ratio`, from `defect_map`.](fig:x09) */
@@ -468,8 +468,8 @@ The article's conclusion gives ranges: beads of about 1 cm diameter, loads of ab
 breather periods of 0.15 ms at small amplitude. The array of section 3.6 is within a factor of three of diameter, load
 and width, and the period of weak breathers tends to that of one beam alone. In 10 ms, the lifetime of breathers
 measured in diatomic chains, the article expects about 20 sites and 70 oscillations if damping is moderate. Without
-damping the packet covers this from $n = 80$ on. With damping it covers fewer sites, and its frequency hardly changes
-(`sec5_experiment`).
+damping the packet travels this far from $n = 80$ on. With damping it travels fewer sites, and its frequency hardly
+changes (`sec5_experiment`).
 
 | quantity | article | here |
 |---|---|---|
@@ -499,9 +499,9 @@ void report_experiment(Report& report, const Passage& at) {
 /**
 ## Checks and limits
 
-A conserved energy does not prove the forces right, so an array with a heavy defect, close enough to the impact to be
-hit hard, is also computed by an independent method, GSL's adaptive one of order eight, and must arrive at the same
-state to $10^{-8}$, or the program stops. */
+Energy conservation does not prove the forces right, so an independent method, GSL's adaptive one of order eight, also
+computes an array with a heavy defect near the impact, where the motion is strong, and must arrive at the same state to
+$10^{-8}$, or the program stops. */
 void report_check(Report& report, const StruckArray& blow) {
   StruckArray shorter = blow;
   shorter.array.sites = 30, shorter.array.defect = 8;
@@ -513,11 +513,11 @@ void report_check(Report& report, const StruckArray& blow) {
 }
 
 /**
-The article prints neither the way of its speed nor the threshold of its duration. We choose those that give the printed
-numbers; others that are as natural give other numbers. It gives no energies for its reflections. Hertz's coefficient
-needs the Young modulus of the beads, while the article prints the symbol of the beam's. Replacing a beam with beads by
-a point mass costs a tenth of a per cent of its frequency; twisting of the beams, their higher modes and dissipation in
-the contacts are left out. */
+The article prints neither the path over which it measures the speed nor the threshold of the duration. We choose those
+that give the printed numbers; equally natural choices give other numbers. The article gives no energies for its
+reflections. Hertz's coefficient needs the Young modulus of the beads, while the article prints the symbol of the
+beam's. Replacing a beam with beads by a point mass costs a tenth of a per cent of its frequency; torsion of the beams,
+their higher modes and dissipation in the contacts are neglected. */
 void reproduce(Report& report) {
   const StruckArray blow;
   const Passage homogeneous(blow);
@@ -540,18 +540,18 @@ void reproduce(Report& report) {
 (cantilever.hpp); the three windows are the sums in `shares`, the time is `defect_passed`. A new quantity is a
 `report.facts.add`, a new column one more entry of a table; the scripts in `figures/` read columns by name.
 
-1. *Easy.* How much does a slightly heavier defect let pass? `build/bin/sec36_cantilever_defect run --ratio 1.1` gives
-   `net_transmitted` = 0.29443. Hint: its mass differs by an eighth, its own frequency by six per cent only.
+1. *Easy.* How much does a slightly heavier defect transmit? `build/bin/sec36_cantilever_defect run --ratio 1.1` gives
+   `net_transmitted` = 0.29443. Hint: its mass differs by an eighth, its own frequency only by six per cent.
 2. *Easy.* Strike half as hard: `build/bin/sec36_cantilever_defect run --velocity 0.5` gives `speed` = 1477.69. Hint:
    in the DpS limit the speed grows as $\lambda^{5/4}$, that is, as $V^{1/2}$; the ratio should be $0.707$.
 3. *Harder.* And the reflection? `build/bin/sec36_cantilever_defect run --ratio 1.6 --velocity 0.5` gives
-   `net_transmitted` = 9.8594e-9, five decades less than at 1 m/s. Hint: the defect alone has the frequency 0.67. How
-   much its contacts raise this falls with the amplitude, while its distance from the packet's stays.
-4. *Harder.* Which radius keeps most? `build/bin/sec36_cantilever_defect run --ratio 0.925` gives `net_near` = 0.10858;
-   on the map [0.94](num:sec36_cantilever_defect.most_trapped_at) keeps most; try 0.935. Hint: the own frequency of
-   0.925, 1.044, lies between that of its neighbours and the packet's 1.1.
-5. *Open.* Which radius reflects best if two neighbouring beams are changed? Is the swing of the trapped mode from side
-   to side one of its Floquet multipliers?
+   `net_transmitted` = 9.8594e-9, five decades less than at 1 m/s. Hint: the defect alone has the frequency 0.67. Its
+   contacts raise this less at smaller amplitude, while its distance from the frequency of the packet remains.
+4. *Harder.* Which radius traps most? `build/bin/sec36_cantilever_defect run --ratio 0.925` gives `net_near` = 0.10858;
+   on the map [0.94](num:sec36_cantilever_defect.most_trapped_at) keeps most; try 0.935. Hint: a defect of 0.925 radii
+   alone has the frequency 1.044, between that of its neighbours and the packet's 1.1.
+5. *Open.* Which radius reflects best if two neighbouring beams are changed? Does a Floquet multiplier describe the
+   oscillation of the trapped mode from side to side?
 
 ## With your own parameters
 
@@ -587,7 +587,7 @@ Table OneDefect::table() const {
   blow.array.sites = sites;
   const Fractions f = within_array(blow, ratio);
   const char *all = "share of the energy", *arriving = "share of what arrives";
-  // What a defect lets through, or sends back, may be nothing
+  // The transmitted or reflected energy may be zero
   Answers q;
   q.add_small("reflected", f.reflected, all,
               "energy of the sites up to the fifth before the defect, at the end");

@@ -1,24 +1,25 @@
 /**
 # 4 Precompression: phonons, modulational instability and impacts
 
-Squeeze the chain before it is struck. Closed contacts act like springs, and the chain has linear waves, phonons. What
-travelled almost without loss in section 3 now disperses, unless nonlinearity holds it together. Which waves are held
-together? Section 4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) says that
+Does the chain still have travelling breathers if it is compressed before it is struck? Closed contacts act like
+springs, so the chain has linear waves, phonons, and a packet disperses unless nonlinearity holds it together. We
+evaluate the condition for modulational instability, test it in the chain, and follow modulated phonons and impacts.
+Section 4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) says that
 
 - phonons are unstable to slow modulations in bands of wavenumbers, where $\Phi > 0$ (figure 25);
-- there a slightly modulated phonon gathers in a travelling breather, which splits in the end (figure 26);
+- there a slightly modulated phonon localizes into a travelling breather, which finally splits (figure 26);
 - an impact makes a travelling breather in hard wells, which does not turn round as it did without compression, and only
   dispersive wave trains in linear and soft ones (figures 27 and 28).
 
-All of this is found, for the one compression and the one ring that the article names. That the breather of $s = 0$ is
-less localized than the others, as the article adds, depends on a wavenumber that is not printed.
+We confirm all of this for the one compression and the one ring that the article names. The article adds that the
+breather of $s = 0$ is less localized than the others; this depends on a wavenumber that is not printed.
 
 ![The modulation coefficient of Eq. (37) for three wells; phonons are unstable where it is positive. Drawn by
 fig25_modulation_coefficient.gp: `phi` over `q`, for each `s`, from `instability`.](fig:25)
 
 ## Model
 
-The chain of Eq. (6) with the wells of Eq. (10) and the compressed contact of Eq. (33), all dimensionless:
+We take the chain of Eq. (6) with the wells of Eq. (10) and the compressed contact of Eq. (33), all dimensionless:
 $$\ddot y_n + y_n + s\,y_n^3 = V'(y_{n+1}-y_n) - V'(y_n-y_{n-1}),$$
 $$V'(r) = d^{3/2} - (d-r)_+^{3/2} = v_1r + v_2r^2 + v_3r^3 + \dots,\qquad
 v_1 = \tfrac32d^{1/2},\quad v_2 = -\tfrac38d^{-1/2},\quad v_3 = -\tfrac1{16}d^{-3/2}.$$
@@ -30,7 +31,7 @@ equation, Eq. (36),
 $$i\,\partial_\tau A = -\tfrac12\omega''\,\partial_\xi^2A + h\,|A|^2A,\qquad h = \beta/\omega,\quad
 \omega'' = v_1\omega_2/\omega.$$
 It is focusing if $h$ and $\omega''$ have opposite signs: where $|A|$ is largest the phase runs ahead or lags, and the
-bent phase drives more energy there. So the question is one of two signs, $\Phi = -\beta\,\omega_2 > 0$, Eq. (37). */
+curvature of the phase drives more energy there. So two signs decide, $\Phi = -\beta\,\omega_2 > 0$, Eq. (37). */
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -53,10 +54,10 @@ using std::numbers::pi;
 /**
 ## The experiment
 
-The two signs ($\beta$ is derived in phonons.hpp), a modulated phonon on a ring, and an impact on the end of a chain.
-`Splitting`, here of fourteen stages, is symplectic and of order six where all contacts are closed; `EventCorrected`
-keeps its order where they open. `watch_packet` is a run of 60 units of time, some ten oscillations, that follows the
-centre of the packet, and `follow` a run that shows the energy density, too, and watches the last bead. */
+We compute the two signs ($\beta$ is derived in phonons.hpp), a modulated phonon on a ring, and an impact on the end of
+a chain. `Splitting`, here of fourteen stages, is symplectic and of order six where all contacts are closed;
+`EventCorrected` keeps its order where they open. `watch_packet` follows the centre of the packet for 60 units of time,
+about ten oscillations; `follow` also reports the energy density and checks the last bead. */
 constexpr double d = 0.5;  // compression of the contacts
 const double v1 = 1.5 * std::sqrt(d), v2 = -0.375 / std::sqrt(d), v3 = -0.0625 / (d * std::sqrt(d));
 double omega_squared(double q) {  // Eq. (34)
@@ -99,7 +100,7 @@ struct StruckChain : ImpactRun {
 StruckChain struck_chain(double s, double compression, double time, const std::vector<double>& at,
                          double refinement) {
   const Chain chain{.well = Quartic{s}, .contact = CompressedHertz{compression}};
-  // As long as no phonon crosses the chain in this time; a look once in a unit of time
+  // So long that no phonon crosses the chain in this time; one sample per unit of time
   const Impact impact = on_long_chain({.velocity = 1.87, .chain = chain, .time = time, .every = 1});
   StruckChain run{{struck(impact.chain.sites, 1.87)}};  // at rest but for the first bead, Eq. (26)
   const auto look = [&](const State<double>& now, const std::vector<double>& density) {
@@ -120,18 +121,18 @@ StruckChain struck_chain(double s, double compression, double time, const std::v
 }
 
 /**
-`evolve` and `follow` divide each interval between two looks into equal steps, of at most the length given. Every run is
-made twice, with a step and with half of it, and an error is the difference of the two. The program stops if the energy
-is not conserved, or if the far end of a compressed chain moves. The article names no step, no wavenumber for the other
-two wells, and no threshold for *breather*, *sech-like* and *splits*; what we take for them is said where it is used.
+`evolve` and `follow` divide each interval between two samples into equal steps, of at most the length given. Every run
+is made twice, with a step and with half of it, and an error is the difference of the two. The program stops if the
+energy is not conserved, or if the far end of a compressed chain moves. The article names no step, no wavenumber for the
+other two wells, and no threshold for *breather*, *sech-like* and *splits*; we state our choices where we use them.
 
 ## Where phonons are unstable (figure 25)
 
 For $s \le 0$ we find $\beta < 0$, and the band of instability lies to the left of the inflection $q_c$ of $\omega(q)$,
 where $\cos q_c = v_1(1-\cos q_c)^2$. For $s = 1$ it lies to the right of $q_c$ and ends before $\pi$, where $\beta$
-changes sign as well (`band --s 1`). For $s = 0$ the largest $\Phi$ is a twentieth of those of the other wells, so that
-the instability is slow, as the article says. It prints $v_1 = 1.06$, $v_2 = -0.53$ and $v_3 = -0.17$ for $d = \frac12$;
-the last, $-0.1768$, is cut off.
+changes sign as well (`band --s 1`). For $s = 0$ the largest $\Phi$ is a twentieth of those of the other wells, so the
+instability is slow, as the article says. It prints $v_1 = 1.06$, $v_2 = -0.53$ and $v_3 = -0.17$ for $d = \frac12$; the
+last, $-0.1768$, is truncated.
 
 | quantity | article | here |
 |---|---|---|
@@ -185,17 +186,17 @@ void report_instability(Report& report) {
 /**
 ## A modulated phonon becomes a travelling breather (figure 26)
 
-The ring of the article starts from $q = \pi/4$ in soft wells, $s = -\frac16$. At $t = 6619$ the energy has gathered in
-one place, which travels to the right at [0.583](num:sec4_precompression_mi.mi_speed) sites per unit of time, and the
+The ring of the article starts from $q = \pi/4$ in soft wells, $s = -\frac16$. At $t = 6619$ the energy has localized in
+one packet, which travels to the right at [0.583](num:sec4_precompression_mi.mi_speed) sites per unit of time, and the
 sech that fits its envelope best is five sites wide. With $s = 1$ the same phonon has $\Phi < 0$; this control stays
 nearly uniform.
 
-![The initial phonon and the breather that it has become. Drawn by fig26_modulated_ring.gp: `y_start`, `y` and
-`amplitude` over `n`, from `modulated_ring`.](fig:26)
+![The initial phonon and the breather that it becomes. Drawn by fig26_modulated_ring.gp: `y_start`, `y` and `amplitude`
+over `n`, from `modulated_ring`.](fig:26)
 
-We call the energy gathered if a site has five times the mean density and fewer than half of the sites share it, by the
-participation number $(\sum e_n)^2/\sum e_n^2$. The speed is the slope of the centre's path in the last 60 units of
-time. */
+We call the energy localized (*gathered*) if a site has five times the mean density and fewer than half of the sites
+share it, by the participation number $(\sum e_n)^2/\sum e_n^2$. The speed is the slope of the centre's path in the last
+60 units of time. */
 void report_modulated_ring(Report& report) {
   // Soft wells and, as a control, hard ones, each with a step and with half of it
   const std::array<std::pair<double, double>, 4> cases{
@@ -226,19 +227,18 @@ void report_modulated_ring(Report& report) {
 }
 
 /**
-What becomes of the breather? Two runs go on side by side, as long as their states agree to a tenth. The pulse goes
-round the ring as one and spreads; at $t =$ [7.35e3](num:sec4_precompression_mi.splitting_splits_at) a second window of
-21 sites holds half as much energy as the first. The spread pulse breaks up, and later the energy has gathered again, in
-two pulses of which the second has at least half of the energy of the first. The article sees the pulse split at the end
-of a long transient and prints no time.
+What becomes of the breather? We continue two runs side by side as long as their states agree to a tenth. The pulse goes
+round the ring and spreads; at $t =$ [7.35e3](num:sec4_precompression_mi.splitting_splits_at) a second window of 21
+sites holds half as much energy as the first. The spread pulse breaks up, and later the energy gathers again in two
+pulses, the second of which has at least half of the energy of the first. The article sees the pulse split at the end of
+a long transient and prints no time.
 
 In the other wells the article saw a breather too, for $s = 0$ later and less localized. It names no wavenumber. We take
-the most unstable one that fits on the ring, and for $s = 1$ all others of its band besides. With these the order holds:
+the most unstable one that fits on the ring, and for $s = 1$ also all others of its band. With these the order holds:
 for $s = 1$ no wavenumber that makes a breather reverses it, and [19](num:sec4_precompression_mi.rings_formed_s_1) of
-[26](num:sec4_precompression_mi.rings_tried_s_1) make one. (The energy of the others does not gather in the time of the
-runs, or jumps between packets.) For $s = 0$ the width depends on the wavenumber: `ring --s 0 --waves 31` finds a packet
-as narrow as those of the other wells. But it is late for all of its 37 unstable wavenumbers: none has gathered before
-$t = 27800$.
+[26](num:sec4_precompression_mi.rings_tried_s_1) make one. (The energy of the others does not gather within the runs, or
+jumps between packets.) For $s = 0$ the width depends on the wavenumber: `ring --s 0 --waves 31` finds a packet as
+narrow as those of the other wells. But for all 37 unstable wavenumbers it is late: none gathers before $t = 27800$.
 
 | quantity | article | $s = -1/6$ | $s = 1$ | $s = 0$ |
 |---|---|---|---|---|
@@ -330,21 +330,21 @@ void report_rings(Report& report) {
 
 Without compression an impact made a packet that travelled away or turned round, and in soft wells a surface mode
 (section 3.4). With compression and $s = 1$ a travelling breather forms, with a sech-like envelope, and does not turn
-round in the time of the run. At the first time of figure 27 the packet is still forming. The breather loses energy to
-its tail in the whole run, and at the end it stands on waves on both sides. With $s = 0$ or $s = -1/6$ we see a train of
-dispersing waves and no breather, and no surface mode.
+round during the run. At the first time of figure 27 the packet is still forming. The breather loses energy to its tail
+throughout the run, and at the end there are waves on both sides of it. With $s = 0$ or $s = -1/6$ we see a train of
+dispersing waves, no breather and no surface mode.
 
 ![Velocities at three times after an impact, s = 1. Drawn by fig27_compressed_impact.py: `v` and `sech` over `n`, from
 `impact_profiles`.](fig:27)
 ![Wave trains for s = 0 and s = -1/6, and the packet's share of the energy. Drawn by fig28_wave_trains.py: `v` over `n`,
 from `impact_profiles`, and `share` over `t`, from `packet_history`.](fig:28)
 
-What is a breather, and what a wave train? A breather keeps its share of the energy. A linear train loses it: the energy
-of its whole front falls like $t^{-1/3}$, that of a fixed window narrower than the front like $t^{-2/3}$, and the
-exponents found here lie between the two. A surface mode keeps its share of the first five sites; a packet that returns
-moves backwards for some time (packets.hpp). The same measures must recognize two controls without compression, which
-section 3.4 knows: the packet that returns and the surface mode. A good fit of a sech alone says little, because over 21
-sites a broad enough one fits any smooth crest. */
+How does one distinguish a breather from a wave train? A breather keeps its share of the energy. A linear train loses
+it: the energy of its whole front falls like $t^{-1/3}$, that of a fixed window narrower than the front like $t^{-2/3}$,
+and the exponents found here lie between the two. A surface mode keeps its energy on the first five sites; a packet that
+returns moves backwards for some time (packets.hpp). As controls without compression, the same measures must recognize
+the returning packet and the surface mode of section 3.4. A good fit of a sech alone says little, because over 21 sites
+a broad enough one fits any smooth crest. */
 struct Experiment {
   std::string name;
   double s, compression, time;
@@ -392,7 +392,7 @@ void report_profiles(Report& report, const std::vector<Experiment>& all) {
               std::abs(off) < 20 ? shown.sech.at(double(n + 1)) : std::nan("")}});
       }
     }
-    // The packet's share, from when it has left the boundary; one sample in five is enough
+    // The packet's share, once it has left the boundary; one sample in five is enough
     for (const PacketSample& p : e.runs.fine.samples)
       if (!e.shown.empty() && p.t >= 10 && std::fmod(p.t + 1e-6, 5) < 1e-3)
         history.add({{"s", "anharmonicity of the well", e.s},
@@ -441,7 +441,7 @@ void report_impacts(Report& report) {
   const Experiment& hard = all[0];
   facts.add("last_open_s_1", {hard.runs.fine.last_open, 1});
 
-  // The breather's envelope at three times, and the tail on which it stands in the end
+  // The breather's envelope at three times, and the tail around it at the end
   Estimate reach{}, residual{};
   for (std::size_t k = 0; k < hard.shown.size(); ++k) {
     const Snapshot &rough = hard.runs.coarse.shown[k], &good = hard.runs.fine.shown[k];
@@ -471,10 +471,10 @@ void report_impacts(Report& report) {
 /**
 ## Is the NLS coefficient right? (figure x07)
 
-The printed $\beta$ could contain a slip, so we test it in the chain, with waves of finite amplitude. `plane_wave` finds
-$y_n = \varphi(qn-\omega t)$ with $\varphi(\theta) = a\sin\theta + b_2\sin2\theta + \dots$ and its frequency by Newton's
-method in the equations of motion, and `growth_rate` solves the eigenvalue problem of its modulations $e^{iQn}$
-(exact_waves.hpp). Neither knows $\beta$. By the NLS equation the modulation of $Q = (|h|a^2/2|\omega''|)^{1/2}$ grows
+The printed $\beta$ could contain an error, so we test it in the chain, with waves of finite amplitude. `plane_wave`
+finds $y_n = \varphi(qn-\omega t)$ with $\varphi(\theta) = a\sin\theta + b_2\sin2\theta + \dots$ and its frequency by
+Newton's method in the equations of motion, and `growth_rate` solves the eigenvalue problem of its modulations $e^{iQn}$
+(exact_waves.hpp). Neither uses $\beta$. By the NLS equation the modulation of $Q = (|h|a^2/2|\omega''|)^{1/2}$ grows
 fastest, at the rate $|h||A|^2$ with $|A| = a/2$.
 
 First the edges of the band. The article's conditions for instability, $s < 0$ at $q = 0$ and $16v_3 + s > 0$ at
@@ -522,18 +522,19 @@ void report_edges(Report& report) {
 }
 
 /**
-Now $\beta$ in two ways. An exact wave of amplitude $a$ has the frequency $(\omega^2 + \frac12\beta a^2)^{1/2}$, with
-corrections of the order $a^4$. We start a ring of 48 beads from the wave and follow the phase of its Fourier component
-for 60 periods. And where the fastest slow modulation grows, its rate gives $\Phi$. Both are extrapolated to $a = 0$
-from 0.04, 0.02 and 0.01. The frequency confirms $\beta$ to a fraction of
+We now measure $\beta$ in two ways. An exact wave of amplitude $a$ has the frequency
+$(\omega^2 + \frac12\beta a^2)^{1/2}$, with corrections of the order $a^4$. We start a ring of 48 beads from the wave
+and follow the phase of its Fourier component for 60 periods. Where the fastest slow modulation grows, its rate gives
+$\Phi$. Both are extrapolated to $a = 0$ from 0.04, 0.02 and 0.01. The frequency confirms $\beta$ to a fraction of
 [0.0003](num:sec4_precompression_mi.beta_apart_by_shift).
 
 ![Measured points on the curves of figure 25. Drawn by x07_measured_coefficient.gp: `shift_phi` and `growth_phi` over
 `q`, from `measured_coefficient`.](fig:x07)
 
 The growth is compared only where the fastest modulation is slow. Near the inflection it is not, because the curvature
-vanishes. At $q = \pi/2$ another instability is three times as fast: two waves $q$ scatter into two waves $q - \pi$ of
-the same frequency, because $2q$ and $2(q-\pi)$ differ by a whole turn. Eq. (37) decides about slow modulations only.
+vanishes. At $q = \pi/2$ another instability is three times as fast, an umklapp four-wave resonance: two waves $q$
+scatter into two waves $q - \pi$ of the same frequency, because $2q$ and $2(q-\pi)$ differ by $2\pi$. Eq. (37) concerns
+only slow modulations.
 
 | quantity | article | here |
 |---|---|---|
@@ -541,7 +542,7 @@ the same frequency, because $2q$ and $2(q-\pi)$ differ by a whole turn. Eq. (37)
 | largest growth before a threshold | stable | [4e-15](num:sec4_precompression_mi.edges_stable_side) |
 | measured $\beta$ over the formula, minus one, by frequency | | [2e-5 ± 0.0003](num:sec4_precompression_mi.beta_shift) |
 | measured $\Phi$ over the formula, minus one, by growth | | [3e-5 ± 0.0005](num:sec4_precompression_mi.beta_growth) |
-| backscattering over the growth of the fastest modulation, $s = 1$, $q = \pi/2$ | | [2.94567 ± 3e-6](num:sec4_precompression_mi.backscattering) | */
+| growth of the umklapp resonance over that of the fastest modulation, $s = 1$, $q = \pi/2$ | | [2.94567 ± 3e-6](num:sec4_precompression_mi.backscattering) | */
 // The phase turns by -omega in a unit of time
 double frequency_in_run(const Chain& chain, const PlaneWave& wave, double step) {
   State<double> state = on_ring(wave, chain.sites);
@@ -627,17 +628,17 @@ void report_coefficient(Report& report) {
 }
 
 /**
-## How good is the ansatz?
+## The error of the NLS ansatz
 
-The article claims an error $O(\epsilon^{3/2})$ of the ansatz on times of length $O(\epsilon^{-2})$, Eq. (35), and names
-no norm. We start the chain of figure 26 from the soliton of Eq. (38),
+The article claims an error $O(\epsilon^{3/2})$ of the ansatz on times of length $O(\epsilon^{-2})$, Eq. (35), without
+naming a norm. We start the chain of figure 26 from the soliton of Eq. (38),
 $$y_n = 2\epsilon M\,\mathrm{sech}\,\epsilon(n-ct)\,\cos\bigl(qn-(\omega-\tfrac12\epsilon^2\omega'')t\bigr),\qquad
 M^2 = -\omega''/h,$$
-and look for the largest distance of the run from this formula until $t = \epsilon^{-2}$. What the ansatz omits, above
-all the second harmonic, is of size $\epsilon^2$ on $O(1/\epsilon)$ sites. So the error should be of the order
-$\epsilon^2$ on any bead and $(\epsilon^{-1}\epsilon^4)^{1/2} = \epsilon^{3/2}$ in $\ell^2$, the norm of the energy.
-This is so: in $\ell^2$ the order comes down to 1.5 as $\epsilon$ falls from 0.2 to 0.025, and the largest error of a
-bead has the order two, better than the bound.
+and compute the largest deviation of the run from this formula until $t = \epsilon^{-2}$. The omitted terms, above all
+the second harmonic, are of size $\epsilon^2$ on $O(1/\epsilon)$ sites. So the error should be of the order $\epsilon^2$
+on any bead and $(\epsilon^{-1}\epsilon^4)^{1/2} = \epsilon^{3/2}$ in $\ell^2$, the norm of the energy. We find this: in
+$\ell^2$ the order comes down to 1.5 as $\epsilon$ falls from 0.2 to 0.025, and the largest error of a bead has the
+order two, better than the bound.
 
 | quantity | article | here |
 |---|---|---|
@@ -713,11 +714,11 @@ void report_ansatz(Report& report) {
 }
 
 /**
-## Another integrator
+## Checks and limits
 
 GSL's method of order eight must arrive at the states of the ring and of a struck chain, in which contacts open, to
-$10^{-9}$ of those of our method with short steps, or the program stops. That a splitting keeps its order as long as no
-contact opens is shown in the appendix (`secA_integrators`). */
+$10^{-9}$ of those of our method with short steps, or the program stops. The appendix (`secA_integrators`) shows that a
+splitting keeps its order as long as no contact opens. */
 void check_with_gsl() {
   const auto check = [](const Chain& chain, const State<double>& start, double time) {
     State<double> end = start;
@@ -729,10 +730,10 @@ void check_with_gsl() {
 }
 
 /**
-What is not shown: for the other wells we confirm what the article says of impacts, with its restriction, no breather on
-these time scales. A possible reason, not tested, is that for small $|s|$ the soliton is too wide to form so early. That
-the breather of $s = 1$ does not turn round is an observation up to the end of the run; whether compression prevents the
-turning or only delays it we have not established. All runs have $d = \frac12$. */
+For the other wells we confirm the article's statement on impacts only with its restriction: no breather on these time
+scales. A possible reason, not tested, is that for small $|s|$ the soliton is too wide to form so early. The breather of
+$s = 1$ does not turn round up to the end of the run; whether compression prevents the turning or only delays it we have
+not established. All runs have $d = \frac12$. */
 void reproduce(Report& report) {
   report_instability(report);
   report_modulated_ring(report);
@@ -747,10 +748,11 @@ void reproduce(Report& report) {
 /**
 ## Try it
 
-**To change it.** Another well is the member `well` of the chains in `ring` and `struck_chain`, another start on the ring
-is `modulated_phonon`; figure 25 and the scale of $\beta$ need the `beta` of that well. If the program stops because
-energy is lost, shorten the steps. What counts as a breather stands in `traits` and `ring_sample` (packets.hpp). A new
-quantity is a `report.facts.add`, a new column one more entry of a table; the scripts in `figures/` read columns by name.
+**To change it.** Another well is the member `well` of the chains in `ring` and `struck_chain`, another start on the
+ring is `modulated_phonon`; figure 25 and the scale of $\beta$ need the `beta` of that well. If the program stops
+because energy is lost, shorten the steps. The criteria for a breather are in `traits` and `ring_sample` (packets.hpp).
+A new quantity is a `report.facts.add`, a new column one more entry of a table; the scripts in `figures/` read columns
+by name.
 
 1. *Easy.* How much faster are the fastest phonons when the compression is four times as large?
    `build/bin/sec4_precompression_mi band --d 2` gives `largest_group_velocity` = 1.03991. Hint: without wells phonons
@@ -762,12 +764,12 @@ quantity is a `report.facts.add`, a new column one more entry of a table; the sc
    gives `width` = 13.6445, nearly twice that of `--waves 25`, the phonon of figure 26. Hint: in the NLS equation the
    width of an envelope goes like $(\omega''/|h|)^{1/2}$ over its height; ask `coefficients` for both carriers and
    compare `highest`, too.
-4. *Harder.* When does an impact not feel the compression? `build/bin/sec4_precompression_mi impact --d 0.1 --time 1000`
-   gives `energy_fraction` = 0.788, far more than with `--d 0.5`. Hint: contacts open where beads move apart by more
-   than $d$.
-5. *Open.* For which $s$ between 0 and 1 does the impact begin to make a breather, what becomes of the backscattered
-   wave near $q = \pi/2$ when it has grown, and how do super-exponential tails become exponential ones as $d$ grows from
-   zero?
+4. *Harder.* When does the compression not affect an impact?
+   `build/bin/sec4_precompression_mi impact --d 0.1 --time 1000` gives `energy_fraction` = 0.788, far more than with
+   `--d 0.5`. Hint: contacts open where beads move apart by more than $d$.
+5. *Open.* For which $s$ between 0 and 1 does the impact begin to make a breather, what becomes of the waves scattered
+   to $q - \pi$ near $q = \pi/2$ when they have grown, and how do super-exponential tails become exponential ones as $d$
+   grows from zero?
 
 `ring` lets one modulated phonon grow, `impact` strikes a chain, `coefficients` and `band` evaluate formulas. */
 struct OneRing {
@@ -794,7 +796,7 @@ struct OneRing {
       if (fine.peak_over_mean > highest.value)
         highest = compare(coarse.peak_over_mean, fine.peak_over_mean);
 
-    // What the looks have seen
+    // What the samples have recorded
     Answers a{"a shorter --longest"};
     a.add("gathered", pair.gathered, "",
           "first sampled time (every 50 units of time) at which a site has five times the mean "

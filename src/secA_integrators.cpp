@@ -1,11 +1,11 @@
 /**
-# Appendix: what contact events do to an integrator
+# Appendix: the order of integrators at contact events
 
-Nearly all numbers of this book come from integrating a force that is not smooth where a contact opens or closes. It is
-exactly zero before the contact closes at $t^*$, and begins like $(t-t^*)^{3/2}$ then. What does that cost? We measure
-how the error of a run and that of its derivative depend on the step, for ordinary integrators and for the two of ours
-that take account of contacts. An ordinary method of order four or six falls to order 5/2; at a step of 0.01 one that
-corrects for contact events has an error ten thousand times smaller.
+How accurate is an integrator if the force is not smooth where a contact opens or closes? We measure how the error of a
+run and that of its derivative depend on the step, for ordinary integrators and for our two that treat contact events.
+The order of an ordinary method of order four or six falls to 5/2; at a step of 0.01 a method that corrects for contact
+events has an error ten thousand times smaller. The cause is that the contact force is exactly zero before the contact
+closes at $t^*$, and then begins like $(t-t^*)^{3/2}$.
 
 ![Error against step with and without contact correction. Drawn by x05_error_against_step.gp: the errors of
 `error_orbit` against `step`, and `tangent` of `error_tangent` against `evaluations`.](fig:x05) */
@@ -27,14 +27,15 @@ using namespace lattice;
 /**
 ## The error of an orbit (figure x05 a)
 
-An integrator that steps across $t^*$ with the step $h$ misses some fraction, which depends on where in the step the
-event falls, of an impulse of size $h\cdot h^{3/2}$. So its error falls like $h^{5/2}$, however high its order is for
+An integrator that steps across $t^*$ with the step $h$ misses a fraction of an impulse of size $h\cdot h^{3/2}$; the
+fraction depends on where in the step the event falls. So its error falls like $h^{5/2}$, however high its order is for
 smooth forces; a method of order two, such as Verlet's, keeps its order. Our event-corrected integrator
-(event_corrected.hpp) replaces this impulse by the exact one, and what an event leaves should be of the size $h^5$.
+(event_corrected.hpp) replaces this impulse by the exact one, and the remaining error of an event should be of size
+$h^5$.
 
 To see this we need a run with many *contact events*, openings and closings of contacts: a strong impact on a hundred
 beads in hard wells, Eqs. (9) and (10) with $s = 1$. The chain is at rest, the first bead gets the velocity $v_0$,
-Eq. (26), and we look at the displacements at $t = 50$. The errors of single events have random signs, so we show the
+Eq. (26), and we compare the displacements at $t = 50$. The errors of single events have random signs, so we show the
 root mean square over four impact velocities. The ordinary integrators are symmetric splittings, sequences of kicks by
 the force and drifts with the velocity, of order two (Verlet), four and six (schemes.hpp). */
 constexpr double velocities[]{1.6, 1.7, 1.8, 1.9};
@@ -48,7 +49,7 @@ State<double> impact(double v0) {
   return state;
 }
 
-// Where the impact has led at t = 50, by a method with its step
+// The state at t = 50, by a method with its step
 State<double> after(const Method& method, const Chain& chain, double v0) {
   State<double> state = impact(v0);
   evolve(method, chain, state, duration, duration);
@@ -73,9 +74,9 @@ double orbit_error(const Method& method, const Chain& chain,
 }
 
 /**
-The errors jump between neighbouring steps, since they depend on where in a step the events happen to lie. The order
-is the slope of a line of least squares on logarithmic axes, from the largest step down to where an error is less than
-ten times the uncertainty of the reference; its error is the standard error of the slope. */
+The errors jump between neighbouring steps, since they depend on the position of the events within a step. The order is
+the slope of a least-squares line on logarithmic axes, from the largest step down to where an error is less than ten
+times the uncertainty of the reference; its error is the standard error of the slope. */
 Estimate order(const std::vector<double>& step, const std::vector<double>& error, double unsure) {
   std::vector<double> x, y;
   for (std::size_t k = 0; k < step.size() && error[k] >= 10 * unsure; ++k) {
@@ -86,16 +87,16 @@ Estimate order(const std::vector<double>& step, const std::vector<double>& error
 }
 
 /**
-What is exact? The references have the step 1/1024 and another base scheme than the integrator that is tested; with its
-own scheme and the same step it ends within [8e-14](num:secA_integrators.rounding) of them. That is not independent,
-since both correct contacts in the same way. So GSL's integrator, which controls its own error and knows of no events,
-must reach the same end states to $10^{-9}$, or the program stops.
+The references have the step 1/1024 and a base scheme different from that of the tested integrator; with its own scheme
+and the same step that integrator ends within [8e-14](num:secA_integrators.rounding) of them. This check is not
+independent, since both correct contacts in the same way. So GSL's integrator, which controls its own error without
+detecting events, must reach the same end states to $10^{-9}$, or the program stops.
 
-All integrators run with the same steps, each shorter than the one before by the factor $\sqrt2$ only, so that a jump
-between neighbours is not taken for a law. [](finding:integrators.order) The orders four and six are lost. That of the
+All integrators run with the same steps, each only a factor $\sqrt2$ shorter than the one before, so a jump between
+neighbours is not mistaken for a trend. [](finding:integrators.order) The orders four and six are lost. That of the
 event-corrected integrator is below the expected 5, and we do not know why (exercise 4). As a control the same impacts
-strike a chain compressed by $d = 5$, Eq. (33). To open one of its contacts costs the energy $\frac35d^{5/2} = 33.5$, and
-no impact brings more than 1.8; there both splittings have their full order.
+strike a chain compressed by $d = 5$, Eq. (33). Opening one of its contacts needs the energy $\frac35d^{5/2} = 33.5$,
+and no impact brings more than 1.8; there both splittings have their full order.
 
 | power of the step with which the error falls | smooth forces | expected here | here |
 |---|---|---|---|
@@ -169,8 +170,7 @@ State<double> breather() {
 }
 
 /**
-An ordinary integrator can carry the tangent vector along: it gets the same drifts, and kicks by the linearised force.
-*/
+An ordinary integrator can propagate the tangent vector: it gets the same drifts, and kicks by the linearised force. */
 std::vector<double> tangent_by_splitting(const Scheme& scheme, std::size_t steps) {
   const std::size_t N = breather_chain.sites;
   State<double> state = breather(), change(N);
@@ -192,8 +192,8 @@ std::vector<double> tangent_by_splitting(const Scheme& scheme, std::size_t steps
 }
 
 /**
-The other integrator steps exactly to every contact event and starts anew there, so that no step has one inside. It
-chooses its own steps, so we also count its force evaluations. */
+The other integrator steps exactly to every contact event and restarts there, so that no step contains one. It chooses
+its own steps, so we also count its force evaluations. */
 template <class T>
 std::vector<double> tangent_by_events(T tolerance, double& evaluations) {
   State<T> state(31);
@@ -215,9 +215,9 @@ The reference is the event-driven one in extended precision. The splittings, whi
 converge to it, as the table shows. Integrators that choose their own steps cannot be compared at equal steps, so the
 error of the tangent vector stands against the number of force evaluations in one period. That of the splitting of order
 six falls with about the power $-\frac32$ of this number. Verlet's falls faster in this range, on the whole with a power
-between that and the $-2$ of its order, whose error is the larger one as long as the steps are long. With fewer than
-five thousand evaluations event location errs by less than a trillionth; the splitting of order six, with more than
-twice as many, still errs by more than a ten-millionth. */
+between that and the $-2$ of its order, whose error dominates as long as the steps are long. With fewer than five
+thousand evaluations the event-driven integrator has an error below $10^{-12}$; the splitting of order six, with more
+than twice as many, still has an error above $10^{-7}$. */
 void report_tangents(Report& report) {
   Table& table = report.table(
       "error_tangent", {label("method", "integrator"), number("evaluations", "force evaluations"),
@@ -242,10 +242,10 @@ void report_tangents(Report& report) {
 ## Differences and limits
 
 Schemes, steps and starts are ours; the article has no such study. The error of an order is the standard error of the
-slope. It accounts for the jumps, but not for the possibility that large steps obey another law than small ones. All
-orders are from four impacts in hard wells, and the tangent is one column for one breather, whose power is read from the
-table without an error. Whether contact events spoil a given result, such as a pinning threshold or a chaotic fate, is
-examined in its own chapter. */
+slope. It accounts for the jumps, but not for the possibility that large and small steps obey different laws. All orders
+are from four impacts in hard wells, and there is one tangent vector for one breather, whose power is read from the
+table without an error. The other chapters examine whether contact events affect a given result, such as a depinning
+threshold or a chaotic trajectory. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "references at step 1/1024 and in extended precision");
   report_orbits(report);
@@ -255,7 +255,7 @@ void reproduce(Report& report) {
 /**
 ## Try it
 
-1. *Easy.* How good is a printed error? `build/bin/sec34_impact run --velocity 1.8 --s 1 --time 50 --tolerance 1e-8`
+1. *Easy.* How reliable is a printed error? `build/bin/sec34_impact run --velocity 1.8 --s 1 --time 50 --tolerance 1e-8`
    gives `centre` = 8.7868769. Hint: ask again with the default tolerance; the two must agree within the error that the
    coarser one prints, which is the difference of two steps.
 2. *Easy.* When does a run have no contact events?

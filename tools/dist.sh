@@ -1,9 +1,8 @@
 #!/bin/sh
 # Everything in one archive, for those who will not run anything: dist.sh BUILD, into BUILD/dist.
-# The sources are those of the last commit, and build/ has tables, figures, the book, paper, supplement and theorem, and
-# the list of packages where `make` puts them, so that codecheck.yml and the README's paths hold; index.html leads through
-# them, and SHA256SUMS is over every file. Equal contents give equal bytes: names in order, nobody's files, all of the
-# time of the last commit.
+# The sources are those of the last commit, and build/ has tables, figures, verdicts, the book, the paper and the theorem
+# where `make` puts them, so that the README's paths hold; SHA256SUMS is over every file. Equal contents give equal bytes:
+# names in order, nobody's files, all of the time of the last commit.
 set -eu
 unset CDPATH
 build=$1 products=
@@ -35,15 +34,10 @@ take() {
 take data "the tables" "make figures"
 take figures "the figures" "make figures"
 take report/claims.ecsv "published against reproduced" "make figures"
-for index in packages tables commands; do
-  take report/$index.ecsv "the list of $index" "make dist"
-done
 take book "the book" "make book"
 take paper.pdf "the paper" "make paper"
-take supplement.pdf "its supplement" "make paper"
 take theorem.pdf "the theorem" "make paper"
 find "$part/$name/build" -name '.*' -exec rm -rf {} +
-"${PYTHON:-python3}" -m lineage --root "$part/$name" cover
 
 (cd "$part/$name" && find . -type f | LC_ALL=C sort | sed 's|^\./||' | tr '\n' '\0' | xargs -0 sha256sum) > "$part/sums"
 mv "$part/sums" "$part/$name/SHA256SUMS"

@@ -3,15 +3,15 @@
 
 Where do the two breathers exchange their stability, and what happens there? Section 3.3 of James, Kevrekidis and Cuevas
 (Physica D 251, 2013) finds exchanges as the anharmonicity $s$ is changed at $\omega_b = 1.1$, and leaves the
-bifurcations to future work. It says, too, that "for different values" of $\omega_b \in (1,2]$ and $s\in[-1,1]$ four
-Floquet multipliers are close to $+1$ and the others on the unit circle, where they accumulate at
-$e^{\pm2\pi i/\omega_b}$, and in section 5 that the instabilities which it found are weak, with multipliers that exceed
-one by less than $10^{-3}$.
+bifurcations to future work. It also states that "for different values" of $\omega_b \in (1,2]$ and $s\in[-1,1]$ four
+Floquet multipliers are close to $+1$ and the others lie on the unit circle, where they accumulate at $e^{\pm2\pi
+i/\omega_b}$; section 5 adds that the instabilities which it found are weak, with multipliers that exceed one by less
+than $10^{-3}$.
 
-This program looks where in the plane both hold (`sec33_floquet` has tested them where the article shows multipliers),
-maps the exchanges over the whole plane and finds the breathers that are born there: they are centred neither on a site
-nor on a bond. Why should there be such breathers? The centre moves in the Peierls-Nabarro potential, drawn here so that
-a stable breather sits in a valley. Between two valleys there is a hill, between two hills a valley:
+This program tests where in the plane both statements hold (`sec33_floquet` tests them where the article shows
+multipliers), maps the exchanges over the whole plane, and finds the asymmetric breathers that bifurcate there, centred
+neither on a site nor on a bond. Why should they exist? The centre moves in the Peierls-Nabarro potential, drawn here so
+that a stable breather sits at a minimum. Between two minima there is a maximum, between two maxima a minimum:
 
       both stable                both unstable
        site  between  bond        site  between  bond
@@ -38,12 +38,13 @@ using namespace lattice;
 The chain is that of Eqs. (6) and (10),
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}.$$
 The multipliers of a breather are the factors by which small changes of it grow in one period; they come in pairs
-$\lambda, 1/\lambda$. One pair is exactly $+1$, that of a shift in time. The *pinning pair* belongs to a shift along the
-chain and lies close to $+1$, because a shift by a fraction of a site costs hardly any energy. It is one number,
-$\kappa = \frac14(\lambda+1/\lambda-2)$, positive where the breather is unstable ($\lambda$ real), zero at an exchange
-of stability, negative where the pair is on the unit circle. There the breather is stable if all other pairs are on the
-circle, too, so we give the largest modulus as well. Unlike $\lambda$, $\kappa$ keeps all its digits near zero
-(floquet.hpp). The centre of a breather is $Q$, `centre`, in sites from the middle of the chain.
+$\lambda, 1/\lambda$. One pair is exactly $+1$, that of a shift in time. The *translational pair* (*pinning pair* in
+tables) belongs to a shift along the chain and lies close to $+1$, because a shift by a fraction of a site costs hardly
+any energy. It is one number, $\kappa = \frac14(\lambda+1/\lambda-2)$, positive where the breather is unstable
+($\lambda$ real), zero at an exchange of stability, negative where the pair is on the unit circle. There the breather is
+stable if all other pairs are on the circle too, so we also give the largest modulus. Unlike $\lambda$, $\kappa$ keeps
+all its digits near zero (floquet.hpp). The centre of a breather is $Q$, `centre`, in sites from the middle of the
+chain.
 
 ## A chart of both breathers (figure x13)
 
@@ -51,7 +52,8 @@ Where do the breathers exist, and how unstable are they there? We compute all mu
 frequencies from 1.01 to 2 and 25 wells, $-1\le s\le1$, following each breather in $\omega_b$ through the linear well
 and from there in $s$ until the family ends (chart.hpp).
 
-![Which breather has its pinning pair on the circle, where they change places, and how unstable they are.](fig:x13) */
+![Which breather has its translational pair on the circle, where the two exchange stability, and how unstable they
+are.](fig:x13) */
 /// A node of the chart, and of which breather.
 struct OnChart {
   Centre centre;
@@ -96,8 +98,8 @@ std::vector<OnChart> report_multipliers(Report& report, const Chart& site, const
 ## Over the whole plane
 
 `sec33_floquet` tests the article's statement on two lines, where it is true: four multipliers near $+1$, all others on
-the circle, twenty more at the point of accumulation for ten more sites. Here are the nodes that violate a bound
-anywhere. The worst are computed once more, with two tolerances. */
+the circle, twenty more at the point of accumulation for ten more sites. Here we count the nodes of the whole chart that
+violate a bound. The worst are computed again, with two tolerances. */
 /// How many of the twenty are elsewhere, where most of them are.
 int most_missing(const std::vector<OnChart>& nodes) {
   std::vector<int> missing(nodes.size());
@@ -110,9 +112,9 @@ int most_missing(const std::vector<OnChart>& nodes) {
 }
 
 /**
-In hard wells the pinning pair leaves the neighbourhood of $+1$, along the real axis around a bond and along the circle
-around a site. Of the [1719](num:sec33_between.chart_nodes_bond) nodes
-with a breather around a bond, and [1730](num:sec33_between.chart_nodes_site) around a site, so many violate a bound:
+In hard wells the translational pair leaves the neighbourhood of $+1$, along the real axis around a bond and along the
+circle around a site. Of the [1719](num:sec33_between.chart_nodes_bond) nodes with a breather around a bond, and
+[1730](num:sec33_between.chart_nodes_site) around a site, these numbers violate a bound:
 
 | | around a bond | from $\omega_b =$ | around a site | from $\omega_b =$ |
 |---|---|---|---|---|
@@ -123,8 +125,8 @@ with a breather around a bond, and [1730](num:sec33_between.chart_nodes_site) ar
 The largest excess is [1.06](num:sec33_between.range_largest), around a bond at $\omega_b = 2$ and $s = 1$. Near the
 ends of soft families multipliers beside the four leave the circle too, by up to
 [0.0494](num:sec33_between.range_others). Wherever longer chains were tried the added multipliers accumulate at the same
-point. At all but [2](num:sec33_between.chart_same_sign) nodes one of the two breathers has its pinning pair on the
-circle and the other one not. */
+point. At all but [2](num:sec33_between.chart_same_sign) nodes exactly one of the two breathers has its translational
+pair on the circle. */
 void report_range(Report& report, const std::vector<OnChart>& seen, double spacing) {
   // How many nodes are beyond a limit, and from which frequency on
   using Pairs = std::vector<Pair>;
@@ -173,7 +175,7 @@ void report_range(Report& report, const std::vector<OnChart>& seen, double spaci
 }
 
 /**
-## Where they change places
+## Where they exchange stability
 
 Is the exchange at $\omega_b = 1.1$ the only one? Wherever neighbours on the chart of the site-centred breather, along
 either axis, have opposite signs of $\kappa$, an exchange lies between them. For a curve in a figure three digits
@@ -254,11 +256,11 @@ void report_exchanges(Report& report, const Chart& grid) {
 
 At $s = 0$ we locate for both breathers, in extended precision (a 64-bit mantissa), the exchanges that the grid shows;
 on one twenty-five times as dense, run once from $\omega_b = 1.003$, there are no others up to 2.
-[](finding:exchange.six) In the *window* between two of them one breather is stable. Up to the first it is the bond, as
-in the DpS equation, and then they take turns: at 1.1, between the second and the third, it is the bond again, between
-the last two the site. Each exchange is a close pair, one of the site-centred and one of the bond-centred breather.
-Their order tells whether both are stable between them or neither is; those of the first pair are too close to be told
-apart.
+[](finding:exchange.six) In the *window* between two of them one breather is stable. Up to the first exchange it is the
+bond-centred one, as in the DpS equation; then they alternate: at 1.1, between the second and the third, it is the
+bond-centred one again, between the last two the site-centred one. Each exchange is a close pair, one of the
+site-centred and one of the bond-centred breather. Their order tells whether both are stable between them or neither is;
+those of the first pair are too close to be told apart.
 
 | exchange | $\omega_b$ |
 |---|---|
@@ -327,20 +329,20 @@ How wide is the interval in which both are stable, or both unstable? Let the pot
 a site, have two harmonics, $V = a\cos2\pi X+b\cos4\pi X$. Then $V' = -2\pi\sin2\pi X\,(a+4b\cos2\pi X)$, and besides
 site and bond there is a third extremum where $\cos2\pi X = -a/4b$, if $|a|<4|b|$. The curvature is proportional to
 $-(a+4b)$ at the site and to $a-4b$ at the bond: both are stable in this interval if $b<0$, and both unstable if $b>0$.
-It is narrow because $b$ is tiny beside the $a$ of other wells. Half way, at $a = 0$, all three curvatures are
-$16\pi^2|b|$ in size. So $\kappa$, proportional to minus the curvature, is there as large for the third breather as for
-the site, where it has grown from the exchange on, over half the interval. At $\omega_b = 1.1$ half of
+It is narrow because $b$ is tiny compared with the $a$ of other wells. Half way, at $a = 0$, all three curvatures are
+$16\pi^2|b|$ in size. So $\kappa$, proportional to minus the curvature, is as large there for the third breather as for
+the site-centred one, for which it has grown over half the interval, from the exchange on. At $\omega_b = 1.1$ half of
 [3.22e-7](num:sec33_between.exchange_gap) times the slope [7.55e-8](num:sec33_floquet.exchange_slope) is within four per
-cent of what we find, [1.26e-14](num:sec33_between.kappa_between_in_s). What determines the sign of $b$ we do not know.
+cent of what we find, [1.26e-14](num:sec33_between.kappa_between_in_s). We do not know what determines the sign of $b$.
 
-Newton's equations for the third breather are nearly singular, as it can be shifted almost freely. We prescribe its
-centre,
+Newton's equations for the third breather are nearly singular, because shifting it costs almost no energy. We prescribe
+its centre,
 $$Q = \frac{\sum_n n\,\bigl(y_n(0)^2 + y_n(T_b/2)^2\bigr)}{\sum_n \bigl(y_n(0)^2+y_n(T_b/2)^2\bigr)},$$
 and solve for its positions and for the parameter, $s$ or $\omega_b$, at which it exists there (held.hpp), from a site,
 $Q=0$, to the next bond, $Q=1/2$, at two tolerances of extended precision; each orbit is the next one's guess
 (intermediate.hpp).
 
-![Centre, energy and stability of the breathers in between.](fig:x14) */
+![Centre, energy and stability of the intermediate breathers.](fig:x14) */
 /// Two exchanges close together on a cut: the ends of a family of intermediate breathers.
 struct FamilyEnds {
   const char* name;
@@ -364,7 +366,7 @@ std::vector<FamilyEnds> family_ends(const std::vector<ExchangePair>& edges) {
 }
 
 /**
-[](finding:exchange.between) Half way the first of these families is at $s =$
+[](finding:exchange.between) The first of these families has its midpoint at $s =$
 [0.153](num:sec33_between.middle_between_in_s), the second at $\omega_b =$
 [1.33](num:sec33_between.middle_between_in_omega). At the other exchanges no third breather was looked for. */
 void report_between(Report& report, const std::vector<ExchangePair>& edges) {
@@ -417,9 +419,9 @@ void report_between(Report& report, const std::vector<ExchangePair>& edges) {
 /**
 ## Differences and limits
 
-The chart follows each family in $s$ only until Newton's method fails, which for soft wells is near the
-fold of the family. Third breathers were followed at two exchanges only; two exchanges between neighbouring nodes of the
-chart would escape; and whether a third breather stops a moving one was not asked. */
+The chart follows each family in $s$ only until Newton's method fails, which for soft wells is near the fold of the
+family. Third breathers were followed at two exchanges only; two exchanges between neighbouring nodes of the chart would
+escape; and we did not test whether a third breather stops a moving one. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
   const Chart site = chart(Centre::site, report.quick), bond = chart(Centre::bond, report.quick);

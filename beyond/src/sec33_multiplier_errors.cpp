@@ -1,12 +1,11 @@
 /**
 # 3.3 Errors of the Floquet multipliers next to one
 
-Four multipliers of a breather lie within a few $10^{-4}$ of $+1$, and whether one of them exceeds one
-decides its stability. Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) reads off them two
-values of the anharmonicity at which the stability changes, $s_0 \approx 0.26$ around a bond and $0.05$ around
-a site. `sec33_floquet` finds one number for both. This chapter asks what an error of the monodromy matrix, the
-derivative of the flow over one period, does to a verdict of stability, and which computations would give the printed
-pair. */
+Four multipliers of a breather lie within a few $10^{-4}$ of $+1$, and whether one of them exceeds one decides its
+stability. Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) takes from them two values of the
+anharmonicity at which the stability changes, $s_0 \approx 0.26$ around a bond and $0.05$ around a site. `sec33_floquet`
+finds one number for both. This chapter asks how an error of the monodromy matrix, the derivative of the flow over one
+period, affects the stability read from it, and which computations would give the two printed values. */
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -28,23 +27,22 @@ using namespace lattice;
 /**
 ## Model and method
 
-The chain is that of Eqs. (6) and (10) at $\omega_b = 1.1$. The breathers are accurate throughout, so that
-only the linearised flow is at fault. One pair of the four multipliers is exactly $+1$, that of a shift in time. Of the
-other, the pinning pair $\lambda, 1/\lambda$ of a shift along the chain, we form $\kappa = (\lambda+1/\lambda-2)/4$
-(floquet.hpp). The breather is unstable where $\kappa>0$. In an inaccurate matrix all four have moved, and which of them
-belongs to which pair cannot be told. So from a matrix of any origin we take
+The chain is that of Eqs. (6) and (10) at $\omega_b = 1.1$. The breathers are accurate throughout, so only the
+linearised flow has errors. One pair of the four multipliers is exactly $+1$, that of a shift in time. From the other,
+the translational pair $\lambda, 1/\lambda$ of a shift along the chain, we form $\kappa = (\lambda+1/\lambda-2)/4$
+(floquet.hpp). The breather is unstable where $\kappa>0$. In an inaccurate matrix all four are displaced, and one cannot
+tell which of them belongs to which pair. So from any matrix we take
 $$\kappa \simeq \frac18\sum_{k=1}^4\frac{(\lambda_k-1)^2}{\lambda_k}$$
-of the four eigenvalues next to one. In the exact matrix $(\lambda-1)^2/\lambda = \lambda+1/\lambda-2$ is $4\kappa$ for
-either multiplier of the pinning pair and zero for the other two. Being symmetric in the four, this sum changes smoothly
-with the matrix, as no single one of them does.
+over the four eigenvalues next to one. In the exact matrix $(\lambda-1)^2/\lambda = \lambda+1/\lambda-2$ is $4\kappa$
+for either multiplier of the translational pair and zero for the other two. Because it is symmetric in the four, the sum
+depends smoothly on the matrix; no single multiplier does.
 
-## What a defective $+1$ does to a verdict
+## How a defective $+1$ affects the stability found
 
-The double $+1$ is *defective*: it has only one eigenvector. Suppose that we had read the multipliers off the
-monodromy matrix $M$ of the bond-centred breather, which is stable. We add noise of size $\delta$ to an accurate $M$
-and look at the four eigenvalues next to $+1$. Near a double zero of the characteristic polynomial,
-$(\lambda-1)^2 = O(\delta)$, so that they move by $\sqrt\delta$, and some of them leave the unit circle.
-[](finding:multipliers.defect) */
+The double $+1$ is *defective*: it has only one eigenvector. Suppose that we take the multipliers from the monodromy
+matrix $M$ of the bond-centred breather, which is stable. We add noise of size $\delta$ to an accurate $M$ and look at
+the four eigenvalues next to $+1$. Near a double zero of the characteristic polynomial, $(\lambda-1)^2 = O(\delta)$, so
+they move by about $\sqrt\delta$, and some of them leave the unit circle. [](finding:multipliers.defect) */
 constexpr double omega_b = 1.1;
 
 struct Damage {
@@ -69,8 +67,8 @@ Damage damage(const Matrix<double>& map, double kappa) {
 }
 
 /**
-One sample of the noise would be an accident, so we take eight, with the recorded seeds 1 to 8. Displacements
-and changes of $\kappa$ are geometric means over the seeds; the excess is the largest. */
+One sample of the noise proves little, so we take eight, with the recorded seeds 1 to 8. Displacements and changes of
+$\kappa$ are geometric means over the seeds; the excess is the largest. */
 Damage mean_damage(const Matrix<double>& map, double delta, double kappa) {
   double displacement = 0, change = 0;
   Damage out;
@@ -143,11 +141,11 @@ void report_defect(Report& report) {
 Near the exchange of stability $\kappa$ changes by [7.55e-8](num:sec33_floquet.exchange_slope) per unit of
 $s$, so an error of $10^{-8}$ in $\kappa$ moves the exchange by more than a tenth in $s$.
 
-And it moves the exchange around a site and that around a bond in *opposite* directions. As $s$ grows, $\kappa$ falls
+It moves the exchange around a site and that around a bond in *opposite* directions. As $s$ grows, $\kappa$ falls
 through zero around a site and rises through zero around a bond, with nearly the same slope (`sec33_floquet`). If
 $\kappa$ comes out too small by the same amount for both, the zero around the site is found too low and that around the
-bond too high: one true exchange is pulled apart, in the sense of the printed pair. We have no argument for the sign of
-the error; that it is the same for both is what the trials show where they find a single zero.
+bond too high: one true exchange is split in two, in the order of the printed values. We have no argument for the sign
+of the error; the trials show that it is the same for both where they find a single zero.
 
 We compute the matrix by adaptive Runge-Kutta methods that step across the opening and closing of contacts, around
 accurate breathers, and find where the four eigenvalues say that the stability changes. */
@@ -234,10 +232,10 @@ std::vector<MatrixTrial> all_trials() {
 }
 
 /**
-Each trial must answer with a value of $s_0$, so its $\kappa$ is computed in 21 wells, on short chains, and the
-first zero from $s = -1$ on is read off between two of them. Where $\kappa$ is smooth this zero hardly depends on the
-wells that are sampled, where it is noise it does: the difference to the zero from every second well is its
-error. Noise may also change the sign of $\kappa$ more than once, and then no single $s_0$ exists. */
+Each trial must yield a value of $s_0$, so its $\kappa$ is computed in 21 wells, on short chains, and the first zero
+from $s = -1$ on is read off between two of them. Where $\kappa$ is smooth this zero hardly depends on the wells that
+are sampled; where it is noise, it does. The difference to the zero from every second well is its error. Noise may also
+change the sign of $\kappa$ more than once, and then no single $s_0$ exists. */
 struct FoundZero {
   double zero = std::nan("");
   int changes = 0;
@@ -256,10 +254,10 @@ FoundZero read_zero(const std::vector<double>& kappa, std::size_t stride) {
 }
 
 /**
-The table holds all fourteen settings, a tolerance or an increment, with a dash where no zero is found twice;
-`rk8pd` and `rkf45` are GSL's methods of Prince and Dormand (order eight) and of Fehlberg (order five). What matters is
-on which side of the accurate value, [0.153](num:floquet.s0_site) for both centres within a millionth, the two zeros of
-a setting lie, and how far apart they are; the article has 0.05 and 0.26:
+The table holds all fourteen settings, a tolerance or an increment, with a dash where no zero is found twice; `rk8pd`
+and `rkf45` are GSL's methods of Prince and Dormand (order eight) and of Fehlberg (order five). The question is on which
+side of the accurate value, [0.153](num:floquet.s0_site) for both centres within a millionth, the two zeros of a setting
+lie, and how far apart they are; the article has 0.05 and 0.26:
 
 | setting | around a site | around a bond |
 |---|---|---|
@@ -282,9 +280,9 @@ With the variational equations, wherever both zeros are found, the one around a 
 error) and the one around a bond too high, as in the article, although the accurate ones hardly differ. A gap of the
 printed size comes out of order eight at tolerances between $10^{-8}$ and $10^{-9}$, and of order five at $10^{-10}$.
 But the zeros of one setting depend on the wells that are sampled, and no setting gives both 0.05 and 0.26. At
-$10^{-11}$ order eight has closed the gap to a thousandth. Difference quotients do not come near, with any of the four
-increments, and some change the sign of $\kappa$ many times: the stiffness of a contact that is barely closed is like
-the square root of the overlap, so their error is like the square root of the increment. */
+$10^{-11}$ order eight has closed the gap to a thousandth. Difference quotients do not come close with any of the four
+increments, and some change the sign of $\kappa$ many times: the stiffness of a barely closed contact scales like the
+square root of the overlap, so their error scales like the square root of the increment. */
 void report_printed(Report& report) {
   // Accurate breathers in all wells, for every trial the same
   const int steps = report.quick ? 2 : 10;
@@ -352,8 +350,8 @@ void report_printed(Report& report) {
 
 The article does not say how its matrices were computed. Common tolerances produce gaps of the printed size and sign;
 that does not prove that one of them was used. In the trials the breathers are exact, while the article prints a
-residual of $1.5\cdot10^{-9}$ for one of its own, and what that does to $\kappa$ was not tried. Nor were integrators
-with fixed steps. */
+residual of $1.5\cdot10^{-9}$ for one of its own, and we tested neither its effect on $\kappa$ nor integrators with
+fixed steps. */
 void reproduce(Report& report) {
   report.output.note("tolerance",
                      "flow to 128 and 2048 roundings of the type, unless a table says else");

@@ -1,14 +1,14 @@
 /**
 # 3.4 Which packets turn round
 
-According to section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) the packet launched by
-an impact seems to turn round as soon as the wells are hard: they checked $s\ge0.005$, and at $s=0$
-it does not turn. They do not say for which impacts, nor how far out. We map where
-packets turn against impact velocity $v_0$ and hardness $s$, and find the law of a contour of this map,
-that of a turning point at site 40. The chain is that of `sec34_boomeron`, Eqs. (9), (10) and (26),
+According to section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) the packet launched by an impact seems to
+turn round as soon as the wells are hard: they checked $s\ge0.005$, and at $s=0$ it does not turn. They do not say for
+which impacts, nor how far out. We map where packets turn as a function of impact velocity $v_0$ and hardness $s$, and
+find the law of one contour of this map: a turning point at site 40. The chain is that of `sec34_boomeron`, Eqs. (9),
+(10) and (26),
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},
   \qquad \dot y_n(0) = v_0\,\delta_{n,1},$$
-at rest before the impact, with free ends and so long that nothing returns from the far one.
+at rest before the impact, with free ends, and so long that nothing returns from the far end.
 
 ![Fate of the packet against impact and well, and the law of a contour.](fig:x11) */
 
@@ -34,23 +34,23 @@ using namespace lattice;
 
 A map needs one criterion for all its points, although the impacts differ by orders of magnitude. A packet has *turned*
 when its energy centre, averaged over about one internal period, has come back by five sites; a packet that is trapped
-between two sites swings by less. It has *escaped* when it passes site 40, and it *stays* if it never gets beyond site
-8. We wait ten times as long as the slow packet of a weak impact needs to reach site 40, and after strong impacts, where
-all is faster, accordingly less (fate.hpp). So a packet that turns further out than site 40 is said to escape, which
-is a limit of the map and no statement about the chain: with $s=1$ and $v_0=1.5$ the map says *escaped*, and the packet
+between two sites swings by less. It has *escaped* when it passes site 40, and it *stays* if it never gets beyond
+site 8. We wait ten times as long as the slow packet of a weak impact needs to reach site 40, and less after strong
+impacts, where everything is faster (fate.hpp). So a packet that turns farther out than site 40 counts as escaped; this
+is a limit of the map, not a statement about the chain: with $s=1$ and $v_0=1.5$ the map says *escaped*, and the packet
 does turn, at site [183](num:sec34_boomeron.apex_site_150).
 
-## The scaling that decides
+## The scaled hardness
 
-Where should the points of the map lie? In a packet of displacements of the size $y$ the well pulls with $y$, the
-contacts push with $y^{3/2}$, and the hardness adds $s\,y^3$. Relative to the first, the contacts are of the size
-$y^{1/2}$ and the hardness is of the size $s\,y^2$. If both are small, the beads oscillate almost freely and their
-amplitudes change slowly, as in the DpS equation (`sec34_dps_impact`); $y^{1/2}$ only sets how slowly. Measured in this
-slow time, the contacts are one and the hardness is the ratio of the two. So in this limit what happens at which site
-depends on this ratio only, $s\,y^{3/2}$, and as $y$ is proportional to $v_0$, on the *scaled hardness*
+Where should the points of the map lie? In a packet with displacements of size $y$ the well pulls with $y$, the contacts
+push with $y^{3/2}$, and the hardness adds $s\,y^3$. Relative to the first, the contacts are of size $y^{1/2}$ and the
+hardness is of size $s\,y^2$. If both are small, the beads oscillate almost freely and their amplitudes change slowly,
+as in the DpS equation (`sec34_dps_impact`); $y^{1/2}$ only sets how slowly. In units of this slow time the contacts are
+of order one and the hardness is the ratio of the two. So in this limit the motion depends only on this ratio,
+$s\,y^{3/2}$, and, as $y$ is proportional to $v_0$, on the *scaled hardness*
 $$\chi = s\,v_0^{3/2},$$
-which stands under the name `kappa` in tables and facts, though it has nothing to do with multipliers. So we expect
-packets to turn before a given site if $s$ is above
+called `kappa` in tables and facts, though unrelated to multipliers. So we expect packets to turn before a given site if
+$s$ is above
 $$s_c(v_0) = v_0^{-3/2}\,(\chi_0 + \chi_1 v_0^{1/2} + \dots),$$
 where the second term is the first correction, in $y^{1/2}$, to that limit, and both coefficients belong to
 the site. The contour thus crosses many decades of $s$ while $\chi$ changes little, and we place the points of each
@@ -85,8 +85,8 @@ Sweep turning_map_sweep(const std::filesystem::path& folder, const MapGrid& grid
 }
 
 /**
-Each point is computed with two steps. Where they disagree on the fate, the motion is erratic and
-either answer would be an accident: such a point is marked as undecided. */
+Each point is computed with two steps. Where they disagree on the fate, the motion is erratic and neither result is
+reliable: such a point is marked as undecided. */
 void compute_turning_map(Sweep& sweep, const MapGrid& grid, Part part) {
   sweep.compute(part, [&](std::size_t i) {
     const double v = grid.velocity(i), chi = grid.scaled(i), s = chi / (v * std::sqrt(v));
@@ -102,9 +102,9 @@ void compute_turning_map(Sweep& sweep, const MapGrid& grid, Part part) {
 }
 
 /**
-Beside the map we need single points of the contour, by bisection: one between a packet that escapes and one that does
-not, with either step. The finer step begins where the coarser one has ended. If the fate changes in that last interval
-with the finer step too, this is the result; if not, the finer step goes all the way by itself. */
+We also need single points of the contour, by bisection between a packet that escapes and one that does not, with either
+step. The finer step begins where the coarser one has ended. If the fate changes in that last interval with the finer
+step too, this is the result; if not, the finer step goes all the way by itself. */
 struct Bracket {
   double low, high;
 };
@@ -132,8 +132,8 @@ std::pair<double, double> bisect_twice(Bracket all, int bisections, Middle middl
 ## The law of a contour
 
 The contour on which the turning point is at a given site needs more precision than the map has, so we bisect in $s$,
-with two steps. The error is their difference plus the last interval. The bisection asks one thing only: does the packet
-pass the site in the time of the run? If not, it counts as turning, whether it has turned, stays at the struck end, or
+with two steps. The error is their difference plus the last interval. The bisection asks only whether the packet passes
+the site in the time of the run. If not, it counts as turning, whether it has turned, stays at the end that was hit, or
 is still undecided. */
 Estimate critical_s(double velocity, int bisections, double site = horizon) {
   const auto s_of = [&](double log_chi) {
@@ -182,9 +182,9 @@ Law fit_law(const Contour& c) {
 }
 
 /**
-The limit $v_0=0$ lies outside the range of the points, and the error of the slope enters $\chi_0$. So
-we take as its error that of the slope times the root mean square of $v_0^{1/2}$. It is the error of a fit
-at *one* horizon and says nothing about another one, nor about weaker impacts. */
+The limit $v_0=0$ lies outside the range of the points, and the error of the slope enters $\chi_0$. So we take as its
+error that of the slope times the root mean square of $v_0^{1/2}$. It is the error of a fit at *one* horizon and says
+nothing about other horizons or weaker impacts. */
 Estimate Law::chi_0() const {
   double square = 0;
   for (double x : root) square += x * x / double(root.size());
@@ -229,7 +229,7 @@ void report_law(Report& report) {
 }
 
 /**
-## Another horizon
+## Other horizons
 
 Site 40 is our choice. If the contour were the boundary between packets that turn and packets that do not turn at all,
 it would not depend on it. So we bisect again for a turning point at half and at twice that distance. At $v_0=0.1$
@@ -238,9 +238,9 @@ $\chi_c$ falls from [1.55](num:sec34_boomeron_map.kappa_010_site_20) at site 20 
 with it the $\chi_0$ of a line through six impacts from $0.1$ to $2.5$, from
 [1.26](num:sec34_boomeron_map.kappa_0_site_20) over [1.06](num:sec34_boomeron_map.kappa_0_site_40) to
 [0.887](num:sec34_boomeron_map.kappa_0_site_80). A $\chi_0$ depends on the impacts, too: the twelve from $0.01$ to 3,
-with which the law was fitted for site 40, give [1.02](num:sec34_boomeron_map.law_kappa_0). For the contours are not
-quite lines and bend down towards weak impacts. So none of these is the limit at $v_0 \to 0$, which lies lower: at
-$v_0 = 2.5\cdot10^{-5}$ another program, not part of this repository, finds $\chi_c = 1.16$, $1.00$ and $0.87$. */
+with which the law was fitted for site 40, give [1.02](num:sec34_boomeron_map.law_kappa_0). The contours are not quite
+straight and bend down towards weak impacts. So none of these is the limit at $v_0 \to 0$, which lies lower: at $v_0 =
+2.5\cdot10^{-5}$ another program, not part of this repository, finds $\chi_c = 1.16$, $1.00$ and $0.87$. */
 void report_horizons(Report& report) {
   struct Point {
     double site, velocity;
@@ -323,9 +323,9 @@ that are fitted. Above $v_0=1$ the points seem to lie on another power law, and 
 
 **At the article's least hardness, $s=0.005$, packets turn before site 40 after very strong impacts only.** At $v_0=1.9$
 it takes $s$ above [0.908](num:sec34_boomeron_map.s_needed_at_19) to turn a packet before site 40 (if $s$ is far larger,
-it stays at the struck end), and at $s=0.005$ an impact of [128](num:sec34_boomeron_map.v0_needed_at_s_0005), far above
-the velocities that the article prints. It does not say for which impact and until when it looked, and whether a weaker
-packet turns further out we do not know. At $s=0$ none turned before site 40. */
+it stays at the end that was hit), and at $s=0.005$ an impact of [128](num:sec34_boomeron_map.v0_needed_at_s_0005), far
+above the velocities that the article prints. It does not say for which impact and until when it looked, and we do not
+know whether a weaker packet turns farther out. At $s=0$ none turned before site 40. */
 void reproduce(Report& report) {
   MapGrid grid;
   if (report.quick) grid.columns = grid.rows = 8;
@@ -341,10 +341,10 @@ void reproduce(Report& report) {
 /**
 ## Differences and limits
 
-We cannot show that a packet never turns, only that it does not turn before a given site. So there is no
-boundary here, only contours. They move to smaller $\chi$ as the site moves out, and from the three that we
-have we cannot say whether they approach a limit. For $\chi$ far above the contour the motion near the struck
-end is erratic and the fate of single points depends on the last digit.
+We cannot show that a packet never turns, only that it does not turn before a given site. So there is no boundary here,
+only contours. They move to smaller $\chi$ as the site moves out, and from the three that we have we cannot say whether
+they approach a limit. For $\chi$ far above the contour the motion near the end that was hit is erratic, and the fate of
+single points depends on the last digit.
 
 ## Try it
 
@@ -356,7 +356,7 @@ end is erratic and the fate of single points depends on the last digit.
    gives `apex_site` = 60.9, `build/bin/sec34_boomeron run --velocity 0.2375 --s 13.823708 --time 6000` gives
    `apex_site` = 30.7. Hint: the contour of site 40 lies between them; its correction is proportional to $v_0^{1/2}$.
 3. *Open.* Is there a $\chi$ below which no packet turns? Does $\chi_0$ follow from a DpS equation with a cubic term?
-4. *Open.* Does the law hold for a struck chain with a fixed end?
+4. *Open.* Does the law hold for an impact on a chain with a fixed end?
 
 ## With your own parameters
 

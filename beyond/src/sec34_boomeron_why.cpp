@@ -2,18 +2,18 @@
 # 3.4 Why packets turn round
 
 James, Kevrekidis and Cuevas (Physica D 251, 2013) leave open why packets turn round in the hard wells of section 3.4.
-They name one possibility, the waves confined between the packet and the struck end. We test this with experiments whose
-outcome could contradict it.
+They name one possibility: waves confined between the packet and the end that was hit. We test it with experiments that
+could refute it.
 
      waves     |~~~~~~~~~~~~~~~ (packet)              does it turn?
      behind    |xxxxxxxx<- d -> (packet)              with waves up to d sites behind it only?
      end       |x~~~~~~~~~~~~~~ (packet)              with waves that hardly return from the end?
-     cut                        (packet)              alone on a quiet chain?
+     cut                        (packet)              alone on a chain at rest?
      beside              (breather) ~~~~~~            at rest, waves beside it: does it move?
 
-One thing is puzzling from the start. Beads only push, so whatever comes from behind pushes the packet forward. If it
-nevertheless turns the packet back, then the packet has a negative effective mass: what is pushed forward slows down. A
-slow breather of section 3.3 is such a body (`sec33_mobility`), and we find that this packet behaves as one.
+One thing is puzzling. Beads only push, so anything that comes from behind pushes the packet forward. If this turns the
+packet back, the packet has a negative effective mass: pushed forward, it slows down. A slow breather of section 3.3 is
+such a body (`sec33_mobility`), and we find that this packet behaves like one.
 
 ![Experiments on the packet that turns.](fig:x12) */
 
@@ -40,10 +40,10 @@ using namespace lattice;
 The chain is that of the chapter `sec34_boomeron`, Eqs. (9), (10) and (26),
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2} - \nu_n\dot y_n,
   \qquad \dot y_n(0) = v_0\,\delta_{n,1},$$
-with a damping $\nu_n$ that is zero except where we absorb waves: it is 0.1 on all sites more than $d$ behind
-the packet, or 0.2 on the first site alone. A cut takes the packet's own thirteen sites at a given time,
-displacements and velocities untouched, and puts them on a long chain that is otherwise at rest (wake.hpp).
-Every run is made with two steps, on a chain so long that no wave comes back from its ends, which is checked.
+with a damping $\nu_n$ that is zero except where we absorb waves: it is 0.1 on all sites more than $d$ behind the
+packet, or 0.2 on the first site alone. A *cut* isolates the packet: its own thirteen sites at a given time,
+displacements and velocities unchanged, are put on a long chain that is otherwise at rest (wake.hpp). Every run is made
+with two steps, on a chain so long that no wave comes back from its ends, which is checked.
 
 As in that chapter $X$ is the energy centre of the strongest packet, Eq. (24), averaged over four internal periods. The
 packet has *returned* when $X$ has come back by five sites; one that is trapped between two sites swings by less than
@@ -72,12 +72,12 @@ Estimate counted(double coarse, double fine) {
 }
 
 /**
-## Is the turning a matter of waves?
+## Do waves turn the packet?
 
-Seven experiments are made at $v_0 = 1.9$: the undisturbed impact, the two absorbers, and cuts at four times.
-Where the outcome is that a packet does *not* return, only a long run can say so. Absorbing behind the packet
-keeps the moving part of the chain short, so this run goes to $t = 10^4$; waves of a packet that was cut out
-spread over hundreds of sites, and those runs end at 4000. */
+Seven experiments are made at $v_0 = 1.9$: the undisturbed impact, the two absorbers, and cuts at four times. Only a
+long run can show that a packet does *not* return. Absorbing behind the packet keeps the moving part of the chain short,
+so this run goes to $t = 10^4$; the waves of an isolated packet spread over hundreds of sites, and those runs end
+at 4000. */
 std::vector<WakeExperiment> wake_experiments(bool quick) {
   std::vector<WakeExperiment> list{{"waves", {}, 1000},
                                    {"behind", {.behind = 6}, long_time},
@@ -93,13 +93,13 @@ With all its waves the packet returns, after its turning point at site [20.0](nu
 end that reflects hardly any wave only moves this point to site [33.3](num:sec34_boomeron_why.furthest_end). With the
 waves absorbed more than six sites behind it, the packet has not returned by $t = 10^4$ (nor by $10^5$, run once). This
 is true of most but not of all packets of such impacts: of eighty neighbours within half a per cent of this impact four
-return by $10^4$ in another program, from beyond site 58. Put on a quiet chain at $t = 120$ the packet still returns,
-but long afterwards; with its waves it turns much earlier.
+return by $10^4$ in another program, from beyond site 58. Isolated at $t = 120$ on a chain at rest, the packet still
+returns, but long afterwards; with its waves it turns much earlier.
 
-With either step the same packets return: those with all waves, with the absorbing end, and cut out at $t = 120$ and
-200. Those with the waves absorbed behind them and those cut out at $t = 60$ and 300 do not, by the end of their runs.
-We see no order in the four cuts: what becomes of a packet that drifts slowly seems a matter of chance. Had the two
-steps disagreed on a packet, we could say no more than that its motion is chaotic by then. */
+With either step the same packets return: those with all waves, with the absorbing end, and isolated at $t = 120$
+and 200. Those with the waves absorbed behind them and those isolated at $t = 60$ and 300 do not, by the end of their
+runs. We see no order in the four cuts: the fate of a packet that drifts slowly seems a matter of chance. Had the two
+steps disagreed on a packet, we could only say that its motion is chaotic by then. */
 void report_experiments(Report& report) {
   std::vector<WakeExperiment> list = wake_experiments(report.quick);
   parallel_for("experiments", 2 * list.size(), [&](std::size_t i) {
@@ -198,16 +198,16 @@ void report_distance(Report& report) {
 }
 
 /**
-## What is pushed forward slows down
+## A negative effective mass
 
 Where do energy and momentum go between $t=100$ and 220? The momentum of the packet's eleven sites is changed by the
 push $F$ of the contact behind them, by that of the contact ahead, and by the wells. These are true forces, unlike the
 acceleration of the centre. With its waves the packet is pushed forward, *away* from them, by a mean force $F =$
 [0.0113](num:sec34_boomeron_why.push_waves), and by [0.00498](num:sec34_boomeron_why.push_behind) if those beyond six
-sites are absorbed; the wells take up the momentum. So the packet that is pushed forward more is the one that slows down
-more, as a body of negative effective mass does.
+sites are absorbed; the wells take up the momentum. So the packet that is pushed forward more slows down more, like a
+body of negative effective mass.
 
-Nor does it lose the energy that it sheds without its waves: with them its energy changes by
+With its waves it also does not lose the energy that it radiates without them: with them its energy changes by
 [0.00821](num:sec34_boomeron_why.gain_waves), and with those beyond six sites absorbed by
 [-0.0556](num:sec34_boomeron_why.gain_behind). In the linear well it is [-0.0664](num:sec34_boomeron_why.gain_linear)
 with the waves and [-0.0662](num:sec34_boomeron_why.gain_linear_behind) without: there they matter little. */
@@ -249,19 +249,19 @@ void report_budgets(Report& report) {
 }
 
 /**
-## What becomes of it in the end
+## The fate of the packet
 
-A smaller deceleration may still turn a packet, only later. So packets of five impacts around $v_0 = 1.9$ are
-followed until they have returned, or to $t = 10^4$, with waves left up to different distances, with and without
-a cut. Long runs are chaotic and no single one of them proves anything; so both steps are shown, and we count.
+A smaller deceleration may still turn a packet, only later. So packets of five impacts around $v_0 = 1.9$ are followed
+until they have returned, or to $t = 10^4$, with waves left up to different distances, with and without a cut. Long runs
+are chaotic and no single one is conclusive, so we show both steps and count.
 
 Of the five packets [4](num:sec34_boomeron_why.of_five_return_waves_15) return if the waves up to fifteen sites behind
 them are left, [3](num:sec34_boomeron_why.of_five_return_waves_10) with ten sites,
 [0](num:sec34_boomeron_why.of_five_return_waves_8) with eight and [1](num:sec34_boomeron_why.of_five_return_waves_6)
-with six; the others go on or are trapped. If they are cut out at $t = 60$,
+with six; the others go on or are trapped. If they are isolated at $t = 60$,
 [1](num:sec34_boomeron_why.of_five_return_cut_30) of five returns with thirty sites of the fresh wake, and
 [0](num:sec34_boomeron_why.of_five_return_cut_6) with six. An error of one means that the steps disagree on one packet.
-In these trials the distance decides above all how far a packet that was not cut out gets by the end of its run: with
+In these trials the distance mainly decides how far a packet that was not isolated gets by the end of its run: with
 fifteen sites none of the five passes site 40, with six all pass site 50. */
 struct Packet {
   WavesRemoved impact;
@@ -319,9 +319,9 @@ void report_late_fates(Report& report) {
 /**
 ## How far behind the waves may be
 
-So far there was one well. Do fifteen sites suffice in others, and at other velocities? Four packets that turn,
-between sites 20 and 80, are followed to $t = 4000$, with all waves and with those up to a distance $d$ behind them. The
-table has the furthest site by then.
+So far we used one well. Do fifteen sites suffice in others, and at other velocities? Four packets that turn, between
+sites 20 and 80, are followed to $t = 4000$, with all waves and with those up to a distance $d$ behind them. The table
+has the furthest site by then.
 
 | $s$, $v_0$ | all waves | $d = 30$ | $20$ | $15$ | $6$ |
 |---|---|---|---|---|---|
@@ -369,18 +369,18 @@ void report_range(Report& report) {
 /**
 ## Inside the packet
 
-What kind of body do the waves turn? If the packet is a breather that moves, its frequency $\omega$, energy and area in
-phase space, $\int \sum \dot y_n^2\,dt$ over one internal period ($2\pi$ times its action), should be related as in the
-breathers at rest of the same $s$. We average them over the way from $t = 100$, when the packet has left the end, to
+What kind of body do the waves turn? If the packet is a moving breather, its frequency $\omega$, energy and area in
+phase space, $\int \sum \dot y_n^2\,dt$ over one internal period ($2\pi$ times its action), should be related as in
+breathers at rest with the same $s$. We average them over the way from $t = 100$, when the packet has left the end, to
 300, before it turns (wake.hpp), and compare with the breather of the same mean frequency, which Newton's method finds
 (sec34/at_rest.hpp).
 
-The packet is close to a breather that moves: at its frequency, [1.68](num:sec34_boomeron_why.omega_waves), its area is
+The packet is close to a moving breather: at its frequency, [1.68](num:sec34_boomeron_why.omega_waves), its area is
 [5.99](num:sec34_boomeron_why.area_waves) and that of a breather at rest
 [5.83](num:sec34_boomeron_why.area_at_rest_waves). With the waves its energy is
 [1.49](num:sec34_boomeron_why.energy_waves), without them [1.37](num:sec34_boomeron_why.energy_behind), so they do feed
 it. The lattice itself could stop a packet: its barrier is $E_{\rm site}-E_{\rm bond}$ at equal area (chapter 3.2),
-[0.00040](num:sec34_boomeron_why.barrier_waves), which can hold a slow packet, as we see after late cuts, and near it
+[0.00040](num:sec34_boomeron_why.barrier_waves), which can trap a slow packet, as we see after late cuts; close to it
 chance decides which way a slow packet goes. But the force that belongs to it has both signs within one site, and can by
 itself neither slow a packet over many sites nor speed up its return. */
 void report_inside(Report& report) {
@@ -461,24 +461,24 @@ void report_waves(Report& report) {
 }
 
 /**
-## The answer, and its limits
+## Conclusion and limits
 
 **Waves close behind a packet turn it early.** [](finding:turning.waves) At $s = 1$, $v_0 = 1.9$ these waves come
 from the impact. So the possibility that the article names, that other waves turn the packet, is supported, but they
 need not be confined: an end that absorbs them only moves the turning point.
 
-**A part of the slowing down needs no waves beyond the fifth site behind the packet.** At $s = 1$, $v_0 = 1.9$ a packet
-that has been cut out and meets only its own fresh wake slows down about as much as one that keeps five sites of the
-waves of the impact, however much of the fresh wake is left; and as it goes on, it slows down less and less.
+**A part of the slowing down needs no waves beyond the fifth site behind the packet.** At $s = 1$, $v_0 = 1.9$ an
+isolated packet that meets only its own fresh wake slows down about as much as one that keeps five sites of the waves of
+the impact, however much of the fresh wake is left; and as it goes on, it slows down less and less.
 
-**Neither waves nor the end are necessary for an eventual return.** [](finding:turning.alone) Others that are cut out
+**Neither waves nor the end are necessary for an eventual return.** [](finding:turning.alone) Others that are isolated
 early go on or are trapped; of six within a millionth of this impact, tried once, four return by $t = 4000$.
 
-*Not shown* is why waves pull. The packet is pushed forward and slows down; that neighbours in it oscillate in opposite
+*Not shown*: why waves pull. The packet is pushed forward and slows down; that neighbours in it oscillate in opposite
 phase (figure 23), as at the upper edge of a band, while the waves behind are long and in phase, fits a negative mass
 but does not prove it. Nor do we know why the breather of the linear well hardly responds to waves beside it, nor what
-slows the packet down without waves: it sheds energy, but in the linear well it sheds as much. A damping so close to the
-packet may touch the packet itself. "Returns" and "goes on" are said of the times that we followed. */
+slows the packet down without waves: it radiates energy, but in the linear well it radiates as much. Damping so close to
+the packet may affect the packet itself. "Returns" and "goes on" refer to the times that we followed. */
 void reproduce(Report& report) {
   report_experiments(report);
   report_distance(report);
@@ -492,10 +492,10 @@ void reproduce(Report& report) {
 /**
 ## Try it
 
-1. *Easy.* Is the packet a breather that moves? One at rest with its frequency:
-   `build/bin/sec32_newton_breathers breather --omega 1.68362 --s 1 --centre bond` gives `energy` = 1.44065 and
-   `area` = 5.8312. Hint: the packet has 1.487 and 5.99, a few per cent more.
-2. *Easy.* Could the lattice hold it? `build/bin/sec32_barrier barrier --omega 1.68 --s 1` gives `equal_area` =
+1. *Easy.* Is the packet a moving breather? One at rest with its frequency: `build/bin/sec32_newton_breathers
+   breather --omega 1.68362 --s 1 --centre bond` gives `energy` = 1.44065 and `area` = 5.8312. Hint: the packet has
+   1.487 and 5.99, a few per cent more.
+2. *Easy.* Could the lattice trap it? `build/bin/sec32_barrier barrier --omega 1.68 --s 1` gives `equal_area` =
    3.56415e-4. Hint: on its way from $t = 100$ to 220 the packet with its waves gains more than twenty times as much,
    and without those beyond six sites it loses more than a hundred times as much.
 3. *Harder.* And in the linear well? `build/bin/sec32_barrier barrier --omega 1.68 --s 0` gives

@@ -2,15 +2,15 @@
 # 3.6 What a light defect traps
 
 The array of section 3.6 of James, Kevrekidis and Cuevas (Physica D 251, 2013) has one beam with larger beads, and the
-article sees a small part of a packet's energy loosely trapped there. Heavy beads hold next to nothing
-(`sec36_cantilever_defect`), but beads a little smaller than the others keep what they have got. What is it that they
-keep?
+article sees a small part of a packet's energy loosely trapped there. Heavy beads hold almost no energy
+(`sec36_cantilever_defect`), but beads a little smaller than the others retain the energy that they trap. In which
+motion?
 
 ![Energy around the defect against time, and the mode in which it is trapped.](fig:x10)
 
-A light defect oscillates faster than its neighbours. As a family of breathers of the homogeneous array begins at their
-frequency 1, one of breathers at the defect begins at its own, $\mu^{-1/2}$. We look for the member of this family that
-has the energy which stays, and compare it with the run. */
+A light defect has a higher frequency than its neighbours. Breathers of the homogeneous array bifurcate from their
+frequency 1; a family of breathers at the defect bifurcates from its own, $\mu^{-1/2}$. We find the member of this
+family that has the trapped energy, and compare it with the run. */
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,11 +30,11 @@ using namespace lattice;
 /**
 ## The run
 
-The array and its units are those of `sec36_cantilever_defect`: an impact of 1 m/s, the defect at $n = 100$. Until its
-front arrives the defect is at rest, so all radii share the way there. From 50 to 100 ms we record the energy on the
-sites 96 to 104, from 65 ms on the mean distribution over the sites and the frequency of the defect, from the upward
-crossings of its velocity through zero. By 100 ms the packet that passes would reach the end of the article's array, so
-this one has a hundred beams more. */
+The array and its units are those of `sec36_cantilever_defect`: an impact of 1 m/s, the defect at $n = 100$. Until the
+front of the packet arrives the defect is at rest, so all radii share the run up to there. From 50 to 100 ms we record
+the energy on the sites 96 to 104, from 65 ms on the mean distribution over the sites and the frequency of the defect,
+from the upward crossings of its velocity through zero. By 100 ms the transmitted packet would reach the end of the
+article's array, so this one has a hundred beams more. */
 ImpactRun approach(const StruckArray& blow, double step) {
   const std::size_t d = blow.array.defect - 1;
   const auto before = [&](const State<double>& now, const auto&) { return now.y[d - 5] == 0; };
@@ -84,8 +84,8 @@ Stay stay(const StruckArray& blow, double ratio, ImpactRun run, const RunResolut
 /**
 ## The energy around the defect (figure x10)
 
-Five radii: two heavy defects, those of figure 24, no defect for comparison, and two light ones. Everything is run with
-two steps, and the difference is the error. From 75 to 100 ms only light defects keep the energy around them.
+Five radii: two heavy defects, those of figure 24, no defect for comparison, and two light ones. Every run has two
+steps, and the difference is the error. From 75 to 100 ms only light defects keep the energy around them.
 
 | radius of the beads | around the defect at 75 ms, of all energy | left at 100 ms of that |
 |---|---|---|
@@ -124,12 +124,12 @@ Stays report_trapping(Report& report, const StruckArray& blow) {
 }
 
 /**
-## The breather that stays
+## The trapped breather
 
 Newton's method follows the family from the frequency of the defect alone (defect_mode.hpp). A run and its breather are
 compared at equal energy around the defect, by their frequencies and by the overlap $1-\frac12\sum_n|p_n-q_n|$ of the
-distributions $p_n$, $q_n$ of their energy over the nine sites. The run also swings slowly from side to side, as a state
-does that is nearly but not quite the breather. */
+distributions $p_n$, $q_n$ of their energy over the nine sites. In the run the energy also moves slowly from side to
+side, as in a state that is close to the breather but not equal to it. */
 std::vector<double> nine_sites(const std::vector<double>& density, std::size_t middle) {
   std::vector<double> part(density.begin() + std::ptrdiff_t(middle) - 4,
                            density.begin() + std::ptrdiff_t(middle) + 5);
@@ -147,7 +147,8 @@ double overlap(const std::vector<double>& p, const std::vector<double>& q) {
 /**
 How well do we know it? An error of the energy that stayed moves it along its family, so it is computed at two energies.
 It should be symmetric about the defect, although we demand evenness in time only. So we also note its residual in the
-equations for symmetric orbits. It is rounding if it shrinks with the precision, and the orbit is computed in two.
+equations for symmetric orbits. If it shrinks with the precision it is rounding, so the orbit is computed in two
+precisions.
 
 | quantity | here |
 |---|---|
@@ -204,8 +205,8 @@ void report_mode(Report& report, const StruckArray& blow, const Stays& stays) {
 ## Differences and limits
 
 One impact, five radii, fifty milliseconds. A heavy defect is slower than its neighbours; at 1.6 radii the packet drives
-it far above its own frequency, and what stays lies before it. Whether heavy ones have breathers of their own that other
-waves could excite we have not examined. */
+it far above its own frequency, and what stays lies before it. We have not examined whether heavy defects have breathers
+of their own that other waves could excite. */
 void reproduce(Report& report) {
   StruckArray blow;
   blow.array.sites += 100;
@@ -220,7 +221,7 @@ void reproduce(Report& report) {
 2. *Harder.* At 0.8 radii the defect's own frequency is that of the packet, and yet less stays:
    `build/bin/sec36_cantilever_defect run --ratio 0.8` gives `net_near` = 0.01422. Hint: above which frequency do the
    breathers of this defect lie?
-3. *Open.* Is the swing from side to side one of the breather's Floquet multipliers? */
+3. *Open.* Is the motion from side to side one of the breather's Floquet multipliers? */
 int main(int argc, char** argv) {
   return run({"sec36_trapped_mode", "3.6", "What a light defect traps (section 3.6)", reproduce},
              argc, argv);

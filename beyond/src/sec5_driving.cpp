@@ -2,19 +2,19 @@
 # 5 Driving an array at one end
 
 "A related aspect concerns the actuation of the system through the driving of a bead with a particular frequency", says
-the conclusion of James, Kevrekidis and Cuevas (Physica D 251, 2013), and leaves it there. We shake one end of the array
+the conclusion of James, Kevrekidis and Cuevas (Physica D 251, 2013), without pursuing it. We shake one end of the array
 of section 3.6. All its beams have one frequency, so that no wave of small amplitude carries energy, and a drive at a
-higher frequency moves the first few beads only. But contacts harden: breathers are faster than the beams. From which
-amplitude on does the drive send breathers into the array, and which?
+higher frequency moves the first few beads only. But contacts harden: breathers are faster than the beams. Above which
+amplitude does the drive send breathers into the array, and which ones?
 
 ![Energy in an array driven below, just above and far above its threshold. Drawn by x28_driven_maps.py: `energy` over
 `n` and `t`, for each `ratio` of `maps`.](fig:x28)
 
 - Below a threshold nothing leaves the end. A little above it breathers leave one after the other, far above
   irregularly.
-- The threshold depends on how the drive begins. Under a slow rise it is where the non-emitting motion ends in a fold, a
-  saddle-node bifurcation; a drive that is switched on emits earlier.
-- Close to the frequency of the beams the threshold of a piston goes like the square of the distance $\delta$ from it,
+- The threshold depends on how the drive begins. If the amplitude rises slowly, it is where the non-emitting motion ends
+  in a fold, a saddle-node bifurcation; a drive that is switched on emits earlier.
+- Close to the frequency of the beams the threshold of a piston scales like the square of the distance $\delta$ from it,
   that of a shaken base like the cube. The limit of small amplitude gives both laws, and an asymptotic threshold.
 - The packets are travelling breathers: two numbers of a packet predict its energy to about one per cent.
 
@@ -55,12 +55,12 @@ using By = Drive::By;
 /**
 ## The experiment
 
-An array of 120 beads at rest is driven at its first bead, and we listen at bead 20. A packet passes when the energy
+An array of 120 beads at rest is driven at its first bead, with a detector at bead 20. A packet passes when the energy
 density of this bead, as its maximum in each period of the drive, rises fourfold and above 0.03 $a^2$, or 0.03
 $(a/\delta)^2$ for a base, whose force moves a bead by about $a/\delta$; it must fall to half before the next one counts
 (`PacketCounter`). `evolve` lets losses and drive act for half a step before and after each event-corrected step, and
-books the energy that they take and give (driven_chain.hpp). Energy and losses less work must stay constant to $10^{-4}$
-of the largest energy, or the program stops. Times and steps are in units of $\tau_c$, 25 µs. */
+records the energy that they take and give (driven_chain.hpp). Energy and losses less work must stay constant to
+$10^{-4}$ of the largest energy, or the program stops. Times and steps are in units of $\tau_c$, 25 µs. */
 constexpr std::size_t detector = 20;
 
 struct BeamArray : Scales {
@@ -326,10 +326,10 @@ fixed lifetime the ratio does not tend to one.
 
 ## Where emission begins (figure x27 a)
 
-A threshold depends on how one comes to it, and on what one calls emission. *Up*: the amplitude rises slowly from zero,
-for 0.15 s, and the first packet decides. *Once*: the drive is switched on, and again the first packet decides.
-*Lasting*: it is switched on, and packets must still come at the end of the run. *Down*: the same for an amplitude that
-falls slowly from 1.2 times the fold. Emission that has been silent for five lifetimes is over. */
+A threshold depends on how it is approached, and on the definition of emission. *Up*: the amplitude rises slowly from
+zero, for 0.15 s, and the first packet decides. *Once*: the drive is switched on, and again the first packet
+decides. *Lasting*: it is switched on, and packets must still come at the end of the run. *Down*: the same for an
+amplitude that falls slowly from 1.2 times the fold. Emission counts as over after five lifetimes without a packet. */
 enum class Way { up, once, lasting, down };
 
 /// How long a run is, for how long the amplitude changes, and the step, in units of tau_c.
@@ -442,8 +442,8 @@ void report_thresholds(Report& report, const BeamArray& beams, const std::vector
 
 /**
 [](finding:driving.onset) Under a slow rise (*up*) the threshold comes to the fold, from below. Lasting emission begins
-below the fold, whether the drive is switched on or comes down. In between the array emits or not, as it did before.
-Amplitudes are in µm.
+below the fold, whether the drive is switched on or comes down. In between the array emits or not, depending on its
+history. Amplitudes are in µm.
 
 | drive | fold | up | lasting | down | once |
 |---|---|---|---|---|---|
@@ -560,7 +560,7 @@ void report_chart(Report& report, const BeamArray& beams) {
 
 In the frame that turns with a free bead, $z_n = e^{it}(y_n+i\dot y_n)$, a travelling breather repeats itself one site
 further on after the *shift time* $T$ but for a phase, $z_n(t+T) = e^{-i\varphi}z_{n-1}(t)$. The chain has such
-breathers on curves $\varphi = 2\pi k-T$, one *family* for each whole number $k$ (`sec5_travelling_families`), and on a
+breathers on curves $\varphi = 2\pi k-T$, one *family* for each integer $k$ (`sec5_travelling_families`), and on a
 family $T$ fixes energy and width. If the packets of a drive are travelling breathers, their $T$ and $\varphi$ must
 therefore predict both, and nothing is fitted. We measure $T$ as the mean time from one bead to the next and $\varphi$
 as the mean angle by which the seven $z_n$ about the centre have turned back (packet_members.hpp), on beads 12 to 28.
@@ -657,10 +657,10 @@ void report_packets(Report& report) {
 /**
 [](finding:driving.packets) The test is of one combination of $T$ and $\varphi$: a phase that is wrong by a tenth
 changes the ratio by a seventh, while an error in time is hardly seen. The width tests little. At the two strongest
-drives the four looks differ, and the ratio is uncertain by more than one per cent. The packet of an impact still sheds
-a tail.
+drives the four looks differ, and the ratio is uncertain by more than one per cent. The packet of an impact still
+radiates a tail.
 
-A drive that locked its packets to an exact breather would keep $(T+\varphi)/2\pi$ at a whole number over a range of
+A drive that locked its packets to an exact breather would keep $(T+\varphi)/2\pi$ at an integer over a range of
 strengths. From each of the seventeen strengths to the next it changes by more than the errors of both, so that a
 plateau could only hide between two of them. A packet is exact if besides $\varphi$ is zero or the sum of all $y_n+i\dot
 y_n$ is. No packet meets both conditions; those near 1.23 and 1.63 nearly do.
@@ -718,12 +718,13 @@ void report_budget(Report& report) {
 
 The fold has independent routes: slow runs, Newton's method, and the map of the DpS limit, which shares no code with the
 others; at 7000 Hz another program finds it too (`tests/second`). The article has no number for such a drive. All
-thresholds are for one lifetime and for one sensitivity of the detector. That the non-emitting motion ends in a fold
-does not tell what follows; runs do.
+thresholds are for one lifetime and for one sensitivity of the detector. The fold alone does not determine the motion
+beyond it; runs do.
 
 ## With your own parameters
 
-`drive` tells what comes out of one drive, `packet` what a packet is, `chart --part 1/10` computes a tenth of the chart.
+`drive` shows the result of one drive, `packet` the properties of a packet, and `chart --part 1/10` computes a tenth of
+the chart.
 */
 struct OneDrive : DrivenArray {
   static constexpr Title title{"drive", "packets that a driven array emits"};
@@ -824,9 +825,8 @@ The frequencies are those of `fold_points` and `chart_of`. The figures read colu
    `response` = 1.3200. Hint: this is a point of the lower branch of non-emitting orbits. By which factor does it jump
    at 7 µm, with emission?
 3. *Harder.* Do losses move the threshold? With a lifetime of 1 ms and 7 µm nothing passes the detector:
-   `build/bin/sec5_driving drive --amplitude 7 --lifetime 1 --time 20` gives `response` = 4.0521.
-   Hint: either the fold is above 7 µm now, or packets die before bead 20. Is the response that of a quiet or of an
-   emitting end?
+   `build/bin/sec5_driving drive --amplitude 7 --lifetime 1 --time 20` gives `response` = 4.0521. Hint: either the fold
+   is above 7 µm now, or packets die before bead 20. Is the response that of a non-emitting or of an emitting end?
 4. *Harder.* Is a packet that loses energy still a breather of the family?
    `build/bin/sec5_driving packet --lifetime 10 --from 9 --beads 8` gives `energy_ratio` = 1.01. Hint: shift time and
    phase change on the way, and the energy with them. The ratio compares all three at the same place.

@@ -1,14 +1,14 @@
 /**
 # 5 Breathers between bounds
 
-Some of what section 3 computes with error bars can be proved. This chapter encloses breathers in
-intervals that no rounding can break: a map is given that sends a ball around an approximate solution into itself and
-shrinks distances in it, so that an exact solution is in the ball, and no other one.
+Some results that section 3 computes with error bars can be proved. This chapter encloses breathers in intervals that
+include all rounding errors: a map sends a ball around an approximate solution into itself and contracts distances in
+it, so the ball contains exactly one exact solution.
 
 ![Both DpS breathers, the search for others, and what the proofs need.](fig:x25)
 
 It begins with the static breathers of the DpS equation, whose instability, with a margin of five millionths, is one of
-the closest decisions of the article. Then it turns to the breathers of the chain itself, and to waves of the kernel
+the closest cases of the article. Then it turns to the breathers of the chain itself, and to waves of the kernel
 equation. */
 
 #include <algorithm>
@@ -35,7 +35,7 @@ $q$ are computed in intervals whose ends are rounded outwards (interval.hpp), wi
 computation leaves out. The last panel of the figure draws $\eta/\rho+q(\rho)$ for the DpS breathers: it is below one
 between two radii. Within the smaller one the solution lies; within the larger there is no other.
 
-An interval becomes a value with an error: the middle, and half the width rounded up. For once the error is no
+An interval becomes a value with an error: the middle, and half the width rounded up. This error is a bound, not an
 estimate. */
 Estimate estimate_of(const Interval<double>& x) {
   return {x.middle(), x.radius()};
@@ -58,11 +58,11 @@ on the infinite lattice:
 4. The bond-centred breather is orbitally stable in $\ell^2$: what starts close to it stays close to its
    multiples $e^{i\varphi}u$ for all times.
 5. The energy of the site-centred breather minus that of the bond-centred one is positive at equal $\mu$,
-   [2.85e-9](num:sec5_enclosures.barrier_equal_mu) at $\mu = 1$, and negative at equal norm, which physics asks
-   for, [-7.14e-10](num:sec5_enclosures.barrier_equal_norm).
+   [2.85e-9](num:sec5_enclosures.barrier_equal_mu) at $\mu = 1$, and negative at equal norm, the physically relevant
+   comparison, [-7.14e-10](num:sec5_enclosures.barrier_equal_norm).
 
-Existence of both is known (James and Starosvetsky 2014). Not proved are solutions without these signs or
-symmetries, and whether the instability of the linearised equation is followed by that of the full one. */
+Existence of both is known (James and Starosvetsky 2014). We prove nothing about solutions without these signs or
+symmetries, nor whether the instability of the linearised equation implies that of the full one. */
 struct Both {
   DpsBreather<double> site = enclose_dps<double>(Centre::site);
   DpsBreather<double> bond = enclose_dps<double>(Centre::bond);
@@ -77,13 +77,13 @@ constexpr std::pair<Centre, const char*> centres[] = {{Centre::site, "site"},
 /**
 ## Existence
 
-The strains $r_n$ are sought with the contraction of dps_enclosure.hpp, from the profile that section 3.2 computes.
-That profile is only a guess, and the proof would fail if it were wrong. The map contracts on all sequences of this
-symmetry that differ from it by less than [0.00781](num:sec5_enclosures.unique_radius_site) in each contact (about
-a twelfth of $r_0$), and it moves the guess by some $10^{-16}$. So the solution is that close and alone in the large
-ball. Its components are then tightened until the tail, too, is known to many digits. The norms are
-[0.00536](num:sec5_enclosures.norm_site) and [0.00536](num:sec5_enclosures.norm_bond), the largest
-displacements [0.0504](num:sec5_enclosures.u0_site) and [0.0462](num:sec5_enclosures.u0_bond). */
+The strains $r_n$ are sought with the contraction of dps_enclosure.hpp, from the profile that section 3.2 computes. That
+profile is only a guess, and the proof would fail if it were wrong. The map contracts on all sequences of this symmetry
+that differ from it by less than [0.00781](num:sec5_enclosures.unique_radius_site) in each contact (about a twelfth of
+$r_0$), and it moves the guess by some $10^{-16}$. So the solution is that close to the guess, and the only one in the
+large ball. Its components are then tightened until the tail, too, is known to many digits. The norms are
+[0.00536](num:sec5_enclosures.norm_site) and [0.00536](num:sec5_enclosures.norm_bond), the largest displacements
+[0.0504](num:sec5_enclosures.u0_site) and [0.0462](num:sec5_enclosures.u0_bond). */
 void report_strains(Report& report, const DpsBreather<double>& b, const std::string& who) {
   Table& table = report.table(
       "strains" + who,
@@ -104,12 +104,12 @@ void report_profile(Quantities& facts, const DpsBreather<double>& b, const std::
 /**
 ## Uniqueness
 
-How many breathers of each kind are there? With $r_0$ given, the equation yields $r_1$, $r_2$ and so on, and
-each must be positive and no larger than the one before. Intervals of $r_0$ are followed outwards until this
-fails, or until all their profiles lie in the ball in which there is just one. Around a site
-[362](num:sec5_enclosures.discarded_site) intervals are discarded and [60](num:sec5_enclosures.inside_site) end
-in the ball, around a bond [480](num:sec5_enclosures.discarded_bond) and [68](num:sec5_enclosures.inside_bond).
-None remains, else the program would stop here. */
+How many breathers of each kind are there? With $r_0$ given, the equation yields $r_1$, $r_2$ and so on, and each must
+be positive and no larger than the one before. Intervals of $r_0$ are followed outwards until this fails, or until all
+their profiles lie in the ball in which there is just one. Around a site [362](num:sec5_enclosures.discarded_site)
+intervals are discarded and [60](num:sec5_enclosures.inside_site) end in the ball, around a bond
+[480](num:sec5_enclosures.discarded_bond) and [68](num:sec5_enclosures.inside_bond). None remains; otherwise the program
+would stop here. */
 Table search_table(const std::vector<Piece<double>>& pieces) {
   Table table{{number("from", "lower end of the interval of r_0"), number("to", "upper end"),
                count("contact", "contact at which the interval is decided"),
@@ -189,19 +189,19 @@ DpsBarrier<double> certain_barrier(const Both& both) {
 /**
 ## The breathers of the chain
 
-The same lemma serves the chain of Eqs. (6) and (10) in the linear well, $s = 0$, at $\omega_b = 1.1$
-(chain_enclosure.hpp): unknown are now functions of time, the compressions of all contacts of the infinite
-chain in the supremum norm. Proved, for each of the two centres: there is a periodic solution with this
-frequency and the symmetry of its centre, even in time, which falls double-exponentially along the chain. It
-differs by no more than `radius` from the guess, a sum of cosines, in each contact at each time, and among the
-solutions with these symmetries it is the only one that differs by no more than `unique_radius`. Amplitude and
-energy follow. The table `bounds` has the constants of the proof, all rounded upwards: $\beta \ge \|A\|-1$ (column
-`kappa`), the residual of the guess, $\eta \le (1+\beta)\,$residual, and $q$.
+The same lemma applies to the chain of Eqs. (6) and (10) in the linear well, $s = 0$, at $\omega_b = 1.1$
+(chain_enclosure.hpp): unknown are now functions of time, the compressions of all contacts of the infinite chain in the
+supremum norm. Proved, for each of the two centres: there is a periodic solution with this frequency and the symmetry of
+its centre, even in time, which falls double-exponentially along the chain. It differs by no more than `radius` from the
+guess, a sum of cosines, in each contact at each time, and among the solutions with these symmetries it is the only one
+that differs by no more than `unique_radius`. Amplitude and energy follow. The table `bounds` has the constants of the
+proof, all rounded upwards: $\beta \ge \|A\|-1$ (column `kappa`), the residual of the guess, $\eta \le
+(1+\beta)\,$residual, and $q$.
 
-The amplitudes are [0.0107](num:sec5_enclosures.amplitude_site) (site) and
-[0.00978](num:sec5_enclosures.amplitude_bond) (bond), the energies [0.000154](num:sec5_enclosures.energy_site) and
-[0.000154](num:sec5_enclosures.energy_bond), whose difference, of order $10^{-11}$, is far below what these intervals
-resolve. Not proved is anything about Floquet multipliers. */
+The amplitudes are [0.0107](num:sec5_enclosures.amplitude_site) (site) and [0.00978](num:sec5_enclosures.amplitude_bond)
+(bond), the energies [0.000154](num:sec5_enclosures.energy_site) and [0.000154](num:sec5_enclosures.energy_bond), whose
+difference, of order $10^{-11}$, is far below what these intervals resolve. Nothing is proved about Floquet
+multipliers. */
 const std::pair<int, int> omega_b{11, 10};
 
 Table bound_table(const Column& which) {
@@ -387,18 +387,18 @@ struct EnclosedWaves {
 /**
 ## Differences and limits
 
-The article computes such breathers and does not prove them. A proof of this kind trusts its program, the compiler and
-the arithmetic of the processor. It does not trust the numbers that it begins with: guesses and approximate inverses may
-come from anywhere, since the bounds hold or fail with whatever they are. Whether the sign plus is the maximum of the
+The article computes such breathers without proof. A proof of this kind relies on its program, the compiler and the
+arithmetic of the processor. It does not rely on the numbers that it starts from: guesses and approximate inverses may
+come from anywhere, since the bounds are checked for them as they are. Whether the sign plus is the maximum of the
 theorem remains open.
 
 The interval arithmetic is tested on a million random operations against four-fold precision. Boost.Interval is put to
 the same test and fails it without a special option of the compiler. A second program in another language, with the
 intervals of the Python package mpmath and eighty digits, repeats for the DpS equation: existence, with the norm and the
 largest displacement; the second eigenvalue, its exponent, and how many eigenvalues lie above $\frac23$; both barriers;
-and the radius of uniqueness. Its intervals lie in ours. Not repeated are the search for other profiles and all that
-concerns the chain and the kernel equation, whose waves and breathers are only compared with those that Newton's method
-finds. The errors that the tests put into the proof, one at a time, make it fail. */
+and the radius of uniqueness. Its intervals lie in ours. It does not repeat the search for other profiles, or anything
+about the chain and the kernel equation, whose waves and breathers are only compared with those that Newton's method
+finds. Errors that the tests introduce into the proof, one at a time, make it fail. */
 void reproduce(Report& report) {
   const Both both;
   for (const auto& [centre, name] : centres) {

@@ -10,26 +10,25 @@ Boechler et al. (Phys. Rev. Lett. 104, 244302, 2010), and expects two things:
 - a static breather dies long before its weak instability shows, if its unstable Floquet multiplier $\lambda$ has
   $\lambda-1 < 0.015$.
 
-We add friction to the array of section 3.6 and ask three questions: how far does the packet come, how far does a sensor
-see it, and does an instability show before the breather has died?
+We add friction to the array of section 3.6 and ask three questions: how far does the packet travel, how far can a
+sensor detect it, and does an instability show before the breather has decayed?
 
-![How far a packet comes (a), how far it is seen (b), breathers that decay (c), and the quality factor at which their
+![How far a packet travels (a) and is detected (b), breathers that decay (c), and the quality factor at which their
 instability shows (d). Drawn by x26_damped_array.py: columns `sites` and `sites_law` of `journeys`, `seen` and
 `seen_law` of `sights` against `lifetime`, `energy` and `energy_branch` of `decay` against `frequency`, `quality_e` of
 `instability` against `omega`.](fig:x26)
 
-Both expectations hold for a lifetime of 10 ms. The packet travels nearly 19 sites,
-instead of 21 without losses, and a sensor of 1 mm/s sees it over 80 sites. A clock that slows down, a law without a
-free parameter, says this for all lifetimes. A static breather stays on its branch while it dies. The bound on
-$\lambda-1$ has to be four times smaller than the article's, but the breather around a site at $\omega_b = 1.1$ is far
-below it: its instability remains hidden.
+Both expectations hold for a lifetime of 10 ms. The packet travels nearly 19 sites, instead of 21 without losses, and a
+sensor of 1 mm/s sees it over 80 sites. A clock that slows down, a law without free parameters, describes this for all
+lifetimes. A static breather stays on its branch while it decays. The bound on $\lambda-1$ has to be four times smaller
+than the article's, but the breather around a site at $\omega_b = 1.1$ is far below it: its instability remains hidden.
 
 ## Model
 
 Length and time are in the units $\xi$ and $\tau_c$ of section 3.6, in which a beam has the period $2\pi$ (0.16 ms), and
 $V$ is in units of $\xi/\tau_c$. The array is that of Eq. (32) with equal beads and free ends. Each beam loses energy at
 the rate $\nu$, and a contact with the overlap $x$ has a viscous force (driven_chain.hpp). Just before the contact opens
-this force may pull, which is left in.
+this force may pull; we keep this.
 $$\ddot y_n+y_n+\nu\dot y_n = \psi_n-\psi_{n+1},\qquad
   \psi_n = (x^{3/2}+\tfrac32\,t_v\,x^{1/2}\dot x)_{x = (y_{n-1}-y_n)_+},\qquad y_n(0) = 0,\quad
   \dot y_n(0) = V\,\delta_{n,1}.$$
@@ -68,7 +67,7 @@ using namespace lattice;
 /**
 ## The experiment
 
-Strike the first of 200 beams and watch every contact and every bead at every step: the maxima in time of the contact
+Strike the first of 200 beams and observe every contact and every bead at every step: the maxima in time of the contact
 force and of the speed, and the centre of the energy, Eq. (24) over the whole array. `evolve` alternates friction,
 solved exactly, with an event-corrected step of the chain (driven_chain.hpp), and returns by how much energy plus losses
 has changed, relative to the energy of the impact. */
@@ -112,9 +111,9 @@ Packet two_runs(double velocity, double lifetime, double viscous, double ms, dou
 }
 
 /**
-We read the place of the packet in two ways. One is the centre of the energy. The other counts contacts: the packet is
-at a contact when the push there is *strongest*. Between two contacts it moves evenly, and its speed is a mean over the
-last five (arrivals.hpp). The steps are 0.1 and 0.05, in units of $\tau_c$. */
+We define the position of the packet in two ways. One is the centre of the energy. The other counts contacts: the packet
+is at a contact when the push there is *strongest*. Between two contacts it moves evenly, and its speed is a mean over
+the last five (arrivals.hpp). The steps are 0.1 and 0.05, in units of $\tau_c$. */
 constexpr double ten_ms = 10;  // the time, and the article's lifetime
 const double t10 = units.time(ten_ms);
 
@@ -140,10 +139,10 @@ Estimate centre(const Packet& packet, double t) {
 Without friction the array is described by the DpS equation, Eq. (12), at small amplitude. Write it for
 $y_n = a_ne^{it}+\text{c.c.}$ and add friction,
 $$2i\tau_0\,\dot a_n = d_n-d_{n-1}-i\tau_0\nu\,a_n,\qquad d_n = (a_{n+1}-a_n)\,|a_{n+1}-a_n|^{1/2}.$$
-With $a_n = e^{-\nu t/2}\,b_n$ the friction drops out. The right side, of degree $\frac32$, keeps the factor
-$e^{-\nu t/4}$. So $b_n$ is a field without friction in the time of a slower clock,
+With $a_n = e^{-\nu t/2}\,b_n$ the friction drops out. The right side, of degree $\frac32$, keeps the factor $e^{-\nu
+t/4}$. So $b_n$ is a field without friction in the time of a slowing clock,
 $$\theta(t) = \int_0^te^{-\nu t'/4}\,dt' = \frac4\nu\bigl(1-e^{-\nu t/4}\bigr) < 4\,T_E.$$
-The speed of a packet goes with the fourth root of its energy, so that it falls like $e^{-\nu t/4}$ only. The law has no
+The speed of a packet scales with the fourth root of its energy, so it falls only like $e^{-\nu t/4}$. The law has no
 free parameter: what happens without losses at the time $\theta$ happens with losses at the time $t$ at which the clock
 shows $\theta$. In the centre of the energy the factor of the field cancels. A maximum in time feels it as a *weight*,
 $e^{-\nu t/2} = (1-\nu\theta/4)^2$ for a velocity and its power $\frac32$ for a force, so that the strongest push comes
@@ -160,11 +159,11 @@ Estimate error_of(const Estimate& predicted, const Estimate& found) {
 }
 
 /**
-## How far the packet comes (figure x26a)
+## How far the packet travels (figure x26a)
 
 We strike with three velocities and take seven lifetimes; the law starts from the run without losses. With $T_E = 10$ ms
 the change of velocity is indeed moderate and that of frequency small. The clock alone would leave $e^{-1/4}\simeq 0.78$
-of the speed. We read more, partly because the mean over five contacts goes back to faster ones; the rest is within the
+of the speed. We find more, partly because the mean over five contacts goes back to faster ones; the rest is within the
 few per cent by which such a mean jumps from one contact to the next (columns `speed` and `speed_law`).
 
 | impact of 1 m/s, after 10 ms | article | here |
@@ -248,13 +247,13 @@ void report_distances(Report& report, const std::vector<DampedPacket>& all) {
 
 /**
 How good is the law? [](finding:experiment.clock) The clock never shows more than $4\,T_E$. Yet with $T_E = 1$ ms the
-strongest push comes farther than a packet without losses does in 4 ms. A weak front runs ahead of the packet, and at a
-contact that the packet never reaches the front's push is the strongest that is ever felt. Without the weight the law
-misses this. What it leaves unexplained should be the error of the DpS limit, which falls like the square root of the
-amplitude. An impact 64 times weaker, with eight times the lifetime and the time, has an error nine times smaller, where
-eight is expected.
+strongest push travels farther than a packet without losses does in 4 ms. A weak front runs ahead of the packet, and at
+a contact that the packet never reaches the push of the front is the strongest. Without the weight the law misses this.
+What it leaves unexplained should be the error of the DpS limit, which falls like the square root of the amplitude. An
+impact 64 times weaker, with eight times the lifetime and the time, has an error nine times smaller, where eight is
+expected.
 
-| relative error of the law, and how far a packet comes | here |
+| relative error of the law, and how far a packet travels | here |
 |---|---|
 | centre of the energy, all impacts and lifetimes | [0.01282 ± 1e-5](num:sec5_experiment.centre_off) |
 | strongest push, all impacts and lifetimes | [0.030497 ± 3e-6](num:sec5_experiment.way_off) |
@@ -297,12 +296,12 @@ void report_law(Report& report, const std::vector<DampedPacket>& all) {
 }
 
 /**
-## How far a sensor sees it (figure x26b)
+## How far a sensor detects it (figure x26b)
 
-A laser vibrometer resolves a velocity and sees the packet as far as the beads move faster. Panel (b) shows this place
-for three sensors and lifetimes up to 20 ms; from 50 ms on the packet reaches the end of the array. A sensor that is a
-hundred times coarser still sees more than half as far. The packet fades to the finer resolution only nine lifetimes
-later, and by then it hardly moves.
+A laser vibrometer has a velocity resolution and detects the packet as far as the beads move faster. Panel (b) shows
+this distance for three sensors and lifetimes up to 20 ms; from 50 ms on the packet reaches the end of the array. A
+sensor that is a hundred times coarser still detects it more than half as far. The packet fades to the finer resolution
+only nine lifetimes later, and by then it hardly moves.
 
 | impact of 1 m/s, $T_E = 10$ ms | here |
 |---|---|
@@ -347,7 +346,7 @@ void report_sights(Report& report) {
 /**
 ## Losses in the contacts
 
-Viscous contacts damp the packet while it moves, and not a beam that swings alone. The law is that of Kuwabara and Kono,
+Viscous contacts damp the moving packet, but not a beam that oscillates alone. The law is that of Kuwabara and Kono,
 fixed by the restitution of a drop test; the article cites Carretero-González et al. (Phys. Rev. Lett. 102, 024102,
 2009), who fit a power of the relative velocity. We give the restitution $C_R$ that two cantilevers would show if they
 met at 1 m/s in free flight, without their beams' stiffness. With $C_R = 0.9$ and beams without losses the packet
@@ -379,13 +378,13 @@ void report_contacts(Report& report) {
 }
 
 /**
-## Static breathers that die (figure x26c)
+## Decaying static breathers (figure x26c)
 
 Does a breather at rest survive as a breather while it loses its energy? We let both breathers of section 3.2, with
 $\omega_b = 1.1$, decay for two lifetimes of 10 ms. Frequency and energy are means over eight periods, from upward
-crossings of the strongest bead. If the decay is slow, the breather stays on its branch, and its *area*
-$\mathcal A = \oint\sum\dot y_n^2\,dt$, $2\pi$ times the action, is an adiabatic invariant but for friction, which takes
-the share $\nu$ of it per unit of time, $\mathcal A(t) = \mathcal A(0)\,e^{-\nu t}$. */
+crossings of the strongest bead. If the decay is slow, the breather stays on its branch, and its *area* $\mathcal A =
+\oint\sum\dot y_n^2\,dt$, $2\pi$ times the action, is an adiabatic invariant except for friction, which removes the
+fraction $\nu$ of it per unit of time, $\mathcal A(t) = \mathcal A(0)\,e^{-\nu t}$. */
 struct Moment {
   double t, omega, energy;  // t: middle of the eight periods
 };
@@ -422,7 +421,7 @@ std::vector<Moment> let_decay(const Chain& chain, const Orbit<double>& breather,
 /**
 Each moment is compared with the exact breather of its frequency. Around a site the energies agree to
 [0.0006](num:sec5_experiment.off_the_branch_site), and the program stops if energy or area of either breather is half a
-per cent off its branch. Friction does not destroy the breathers: they pass through their family. */
+per cent off its branch. Friction does not destroy the breathers: they move along their family. */
 void report_decay(Report& report) {
   const double nu = units.rate(ten_ms), joule = units.unit_energy(), h = step(report.quick);
   Table& table = report.table(
@@ -474,11 +473,11 @@ rate. By this alone an instability is hidden only for $\lambda-1 <$
 [0.00361](num:sec5_experiment.epsilon_hidden_dps), a quarter of the article's bound. Friction does not damp the shift
 itself: breather and perturbation decay alike, and the shift is counted in sites.
 
-*A shift from rest.* If $X$ grows exponentially in $\theta$, it obeys $\ddot X+\frac\nu4\dot X = \sigma^2X$ in $t$. A
-shift that begins at rest grows at first like $1+\frac12\sigma^2t^2$, hence more slowly.
+*A shift from rest.* If the shift $X$ grows exponentially in $\theta$, it obeys $\ddot X+\frac\nu4\dot X = \sigma^2X$ in
+$t$. A shift that begins at rest grows at first like $1+\frac12\sigma^2t^2$, hence more slowly.
 
 *The chain.* Its breather around a site has $\sigma^2 < 0$ on a long stretch farther down the branch: the translational
-pair of multipliers is on the unit circle, and a shift that has grown swings back. We integrate this equation with
+pair of multipliers is on the unit circle, and a shift that has grown reverses. We integrate this equation with
 $\sigma^2(\mathcal A(t))$ of the exact breathers (`largest_shift` of decay.hpp), until a hundredth of the area is left.
 The members of the branch are equidistant in $\ln(\omega_b-1)$, from 1.01 on; for the error every second one is left
 out. [](finding:experiment.hidden)
@@ -542,7 +541,7 @@ void report_instability(Report& report) {
 /**
 ## How well is it known?
 
-Energy and losses are booked in every step. Their sum stays within [5e-11](num:sec5_experiment.budget_10ms) of the
+Energy and losses are recorded in every step. Their sum stays within [5e-11](num:sec5_experiment.budget_10ms) of the
 energy of the impact, and a run with $10^{-6}$ is refused. The budget does not see the error of the alternation; two
 steps do. Another program with another integrator (`tests/second`) finds the same sites without losses and with $T_E =
 10$ ms, and a third one (`beyond/tests/programs`) those of three other impacts. The tests
@@ -550,8 +549,8 @@ steps do. Another program with another integrator (`tests/second`) finds the sam
 equation, and the growth of a shift with damped chains, in which a shifted breather is compared with one that is not.
 They refuse a clock whose rate is wrong by a tenth.
 
-What a clamped beam loses to the ground is not computed but given. Friction between beam and clamp, which is not linear,
-is left out. */
+The loss of a clamped beam to the ground is prescribed, not computed. Friction between beam and clamp, which is not
+linear, is left out. */
 void reproduce(Report& report) {
   const std::vector<DampedPacket> packets = damped_packets(report.quick);
   report_distances(report, packets);
@@ -571,13 +570,13 @@ another `Chain` in `damped_array` (wells, contacts, length). A rate for each bea
 in the observer of `follow_packet`. Impacts and lifetimes are listed in `damped_packets`; the figure reads columns by
 name.
 
-1. *Easy.* Half the lifetime: how much of the way is lost?
+1. *Easy.* Half the lifetime: by how much is the distance shorter?
    `build/bin/sec5_experiment damped --lifetime 5` gives `sites_10ms` = 17.0208.
-   Hint: compare with the default lifetime. `slow_clock` says at which time the energy of an array without losses has
+   Hint: compare with the default lifetime. `slow_clock` is the time at which the energy of an array without losses has
    its centre at about `centre_10ms`; the strongest push is not there.
-2. *Harder.* Does a weaker packet lose a larger part of its way?
+2. *Harder.* Does a weaker packet lose a larger part of its distance?
    `build/bin/sec5_experiment damped --velocity 0.5` gives `sites_10ms` = 13.6624; without losses it is 15.3118.
-   Hint: form the ratio, then that at 1 m/s. The slow clock knows $\nu$ and no amplitude.
+   Hint: form the ratio, then that at 1 m/s. The slow clock depends on $\nu$, not on the amplitude.
 3. *Open.* What does the slow clock become where contacts lose energy?
 4. *Open.* At which quality factor would the array show the boomeron of hard wells?
 

@@ -2,16 +2,16 @@
 # 5 Modulational instability without precompression
 
 "An extensive study of MI in the cradle model (with the help of the DpS equation) would be of interest", says the
-conclusion of James, Kevrekidis and Cuevas (Physica D 251, 2013), because such an instability could make static
-breathers where no bead can be set in motion by itself. Here is the study for plane waves.
+conclusion of James, Kevrekidis and Cuevas (Physica D 251, 2013), because such an instability could create static
+breathers where no bead can be set in motion by itself. This chapter carries out the study for plane waves.
 
 ![Which waves are unstable to which modulations, and how nearly the chain agrees.](fig:x32)
 ![What two unstable waves become, and the breathers that they leave.](fig:x33)
 
 Nothing is compressed: the contacts of a plane wave are open for half of the time, and there is no linear band. James
 (Math. Models Methods Appl. Sci. 21 (2011) 2335, arXiv:1008.1153) derived the DpS equation with its plane waves, proved
-that the chain has such waves too, and saw in runs that some of them break up into static and travelling breathers.
-Which modulations grow, and how fast, is said by two lines of algebra. */
+that the chain has such waves too, and saw in runs that some of them break up into static and travelling breathers. Two
+lines of algebra show which modulations grow, and how fast. */
 
 #include <algorithm>
 #include <array>
@@ -46,7 +46,7 @@ $$\frac{i\sigma}\rho\begin{pmatrix}x\\y\end{pmatrix} =
   a = \tfrac52cC-\tfrac12-2c,\quad e = -\tfrac52\sin q\sin Q,\quad k = \tfrac12(c-C).$$
 $e$ shifts only the frequency of the modulation. It grows if the coupling of the side bands $q\pm Q$ exceeds their
 detuning, $|k|>|a|$. Rates go like $|A|^{1/2}$, so $|A| = 1$ throughout; a bead of the chain, $y_n =
-2\epsilon\,\mathrm{Re}(A_ne^{it})$, then swings by $\pm2\epsilon$.
+2\epsilon\,\mathrm{Re}(A_ne^{it})$, then oscillates by $\pm2\epsilon$.
 
 | symbol | program | meaning |
 |---|---|---|
@@ -187,9 +187,9 @@ void report_chain(Report& report) {
 }
 
 /**
-A linearisation may be right and a run show something else. The growth of the side band in runs of the chain is measured
-at $\epsilon = 10^{-3}$. The runs start from the field of the DpS equation, which is a wave of the chain up to
-$\epsilon^{1/2}$ only and brings harmonics; of $q = \pi$ and $\frac23\pi$ these are stable modulations, and harmless. */
+Runs test the linearisation. The growth of the side band in runs of the chain is measured at $\epsilon = 10^{-3}$. The
+runs start from the field of the DpS equation, which is a wave of the chain up to $\epsilon^{1/2}$ only and brings
+harmonics; of $q = \pi$ and $\frac23\pi$ these are stable modulations, and harmless. */
 void report_runs(Report& report) {
   const double eps = 1e-3;
   for (const ModulatedWave& wave : {waves_tried()[0], waves_tried()[1]}) {
@@ -201,12 +201,12 @@ void report_runs(Report& report) {
 }
 
 /**
-## Two waves in between
+## Two marginal waves
 
 At $q = \frac\pi2$ and where $\cos q = -\frac15$ nothing grows exponentially in the DpS equation, and yet these waves
 are not stable but marginal: where $k^2 = a^2\ne0$ two exponents coincide with one eigenvector, and a modulation grows
-in proportion to time. A phase modulation $Q = \pi$ of the first becomes [154](num:sec5_growth.side_band_400) times
-as large in 400 units of slow time. The second nearly fits on a ring of 39 sites, where it grows at
+linearly in time. A phase modulation $Q = \pi$ of the first becomes [154](num:sec5_growth.side_band_400) times as large
+in 400 units of slow time. The second nearly fits on a ring of 39 sites, where it grows at
 [0.00193](num:sec5_growth.growth_on_39) at most; on twice that ring, with noise of one per cent, it keeps
 [0.016](num:sec5_growth.share_left_fifth) in 300 units.
 
@@ -304,7 +304,7 @@ void report_marginal_runs(Report& report) {
 /**
 ## In the array
 
-In the array of section 3.6 a wave with $q = \pi$ that swings by one micrometre has its fastest growth among the
+In the array of section 3.6 a wave with $q = \pi$ and an amplitude of one micrometre has its fastest growth among the
 modulations of a ring of 62 sites, e-fold in [15.6](num:sec5_growth.periods_at_1um) periods of a beam (a ring of 54
 gives the error), in the DpS equation in [14.0](num:sec5_growth.periods_at_1um_dps); both go nearly like $a^{-1/2}$. */
 void report_array(Report& report) {
@@ -324,18 +324,18 @@ void report_array(Report& report) {
 /**
 ## What is left
 
-Eight waves with noise of one per cent (seeds 1 to 8) run for 600 units of slow time on rings of 64 sites; from $\tau
-= 100$ on we look for breathers that live for at least 25 units, about ten of their periods (leftovers.hpp). These
-runs are chaotic. A tolerance ten times smaller gives other breathers, so that only means have a meaning: their
-errors are the standard error over the seeds and the difference of both tolerances.
+Eight waves with noise of one per cent (seeds 1 to 8) run for 600 units of slow time on rings of 64 sites; from $\tau =
+100$ on we look for breathers that live for at least 25 units, about ten of their periods (leftovers.hpp). These runs
+are chaotic. A tolerance ten times smaller gives other breathers, so only means are significant: their errors are the
+standard error over the seeds and the difference of both tolerances.
 
 Norm and energy are conserved. A field of independent normal amplitudes, the motion of infinite temperature, has the
-energy $\frac25\,2^{5/4}\,\Gamma(\frac94) =$ [1.08](num:sec5_growth.random_energy) per site at norm one, on the mean
-and on a long ring. A wave with more has no such state to go to, and its surplus is expected to gather. This is the
-argument of Rasmussen, Cretegny, Kevrekidis and Grønbech-Jensen (Phys. Rev. Lett. 84, 3740, 2000) for the discrete
+energy $\frac25\,2^{5/4}\,\Gamma(\frac94) =$ [1.08](num:sec5_growth.random_energy) per site at norm one, on average and
+on a long ring. A wave with more energy cannot relax to such a state, and its surplus is expected to localise. This is
+the argument of Rasmussen, Cretegny, Kevrekidis and Grønbech-Jensen (Phys. Rev. Lett. 84, 3740, 2000) for the discrete
 nonlinear Schrödinger equation. Waves pass that energy at $q =$ [1.68](num:sec5_growth.neutral_q), a little beyond
-$\pi/2$, so that most unstable waves are above. On 64 sites chance is large: the eight random fields that we run beside
-the waves scatter by [0.1](num:sec5_growth.random_energy_scatter) in energy, and
+$\pi/2$, so that most unstable waves are above. On 64 sites fluctuations are large: the eight random fields that we run
+beside the waves scatter by [0.1](num:sec5_growth.random_energy_scatter) in energy, and
 [3](num:sec5_growth.random_with_surplus) of them have a surplus themselves. */
 /// Energy per site at infinite temperature and norm one.
 template <class T>
@@ -411,12 +411,12 @@ none; the bounds for the latter, [0.00079](num:sec5_growth.births_below_17), and
 30,000 units, made once, breathers were born in all three, more often where there was a surplus.
 
 Few are at rest, at 95 per cent fewer than [0.2](num:sec5_growth.at_rest_below_32) and
-[0.1](num:sec5_growth.at_rest_below_24) of those after the first two waves: they travel, and a collision or a wave turns
-them round. After $q = \pi$ they go both ways: their mean velocity is [0.06](num:sec5_growth.mean_speed_32), the mean of
-its modulus [0.16](num:sec5_growth.mean_size_of_speed_32). After $q = \frac34\pi$ they go with the energy of the wave,
-at [-0.28](num:sec5_growth.mean_speed_24) on the mean, more slowly than its group velocity
-[-0.778](num:sec5_growth.group_velocity_24). The static breathers that the article hopes for are the exception in
-these runs, and of the waves tried $q = \pi$ leaves the most. */
+[0.1](num:sec5_growth.at_rest_below_24) of those after the first two waves: they travel, and collisions or waves reverse
+them. After $q = \pi$ they go both ways: their mean velocity is [0.06](num:sec5_growth.mean_speed_32), the mean of its
+modulus [0.16](num:sec5_growth.mean_size_of_speed_32). After $q = \frac34\pi$ they go with the energy of the wave, at
+[-0.28](num:sec5_growth.mean_speed_24) on average, more slowly than its group velocity
+[-0.778](num:sec5_growth.group_velocity_24). Static breathers, which the article hopes for, are the exception in these
+runs, and of the waves tried $q = \pi$ leaves the most. */
 void report_energies(Report& report) {
   report.facts.add("random_energy",
                    compare(random_energy<double>(), double(random_energy<long double>())));
@@ -463,10 +463,10 @@ void report_maps(Report& report) {
 ## Differences and limits
 
 The growth has four routes: the closed form, the matrix of a ring, runs of the DpS equation, and the linearised chain
-with a run of it. Of the study that the article wishes for these are the plane waves in linear wells, without losses.
-Spectrally stable is not stable for ever: in a run made once, on 64 sites with noise of one per cent, the wave
-$q = \frac{15}{32}\pi$ of the DpS equation lost more than half of its norm within 4000 units. The energy of a random
-field says where a surplus is, not how fast it gathers, nor whether a breather is left in the end. */
+with a run of it. Of the study that the article proposes, this covers plane waves in linear wells without losses.
+Spectral stability is not stability for ever: in a run made once, on 64 sites with noise of one per cent, the wave $q =
+\frac{15}{32}\pi$ of the DpS equation lost more than half of its norm within 4000 units. The energy of a random field
+says where a surplus is, not how fast it gathers, nor whether a breather is left in the end. */
 void reproduce(Report& report) {
   report_chart(report);
   report_fastest(report);

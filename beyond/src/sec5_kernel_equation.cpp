@@ -4,9 +4,9 @@
 An exact travelling breather repeats itself one site further on after the shift time $T$. In linear wells, and for $T
 = 2\pi k$, the whole lattice can be replaced by one scalar equation for one function,
 $$d = K * d_+^{3/2},\qquad K(\sigma) = -\sin|\sigma| \ \text{ for } |\sigma| \le 2\pi k,\ \text{else } 0,$$
-where $d(t)$ is the compression that every contact sees in its own time, and $*$ the convolution. The article strikes a
-chain to find such breathers and leaves the computation of exact ones open; the chapters before compute them as orbits
-of a lattice. The equation yields a proof that they exist, and the same energies by a second route.
+where $d(t)$ is the compression that every contact sees in its own time, and $*$ the convolution. The article finds such
+breathers by an impact and leaves the computation of exact ones open; the preceding chapters compute them as orbits of a
+lattice. The equation yields a proof that they exist, and the same energies by a second route.
 [](finding:travelling.existence)
 
 ![The kernel, two waves, the iteration that maximizes the quotient, and the quotients of both signs.](fig:x24) */
@@ -187,15 +187,15 @@ A nonlinear power iteration, $u \leftarrow (K*u^\alpha+\mu u)_+$ with $f = u^\al
 upwards from random positive functions. If there is one maximum only, counting local ones, all starts come to the same
 value, that of the waves above, up to the error of the plain grid. They need not come to the same function: translations
 change nothing, and the internal phase changes the quotient only in the eleventh digit, far below what this grid
-resolves. Along these two directions the iteration creeps, so that a single small step says nothing: each start goes on
-until 25 steps together gain less than $10^{-10}$ a step.
+resolves. Along these two directions the iteration is slow, so a single small step is not convergence: each start
+continues until 25 steps together gain less than $10^{-10}$ a step.
 
 [30](num:sec5_kernel_equation.ascents_finished) of [30](num:sec5_kernel_equation.ascent_starts) random starts meet the
-stopping rule (some still creep). The lowest of them ends at the quotient
-[1.16](num:sec5_kernel_equation.ascent_lowest), where the waves have
-[1.16](num:sec5_kernel_equation.quotient_plus). All ends lie within [3e-6](num:sec5_kernel_equation.ascent_spread) of
-each other, and the grid with half the points changes this spread by as much: a second maximum is not seen in these
-starts, nor excluded, since two that are closer would not be told apart. */
+stopping rule (some still move slowly). The lowest of them ends at the quotient
+[1.16](num:sec5_kernel_equation.ascent_lowest), where the waves have [1.16](num:sec5_kernel_equation.quotient_plus). All
+ends lie within [3e-6](num:sec5_kernel_equation.ascent_spread) of each other, and the grid with half the points changes
+this spread by as much: a second maximum is not seen in these starts, nor excluded, since two that are closer would not
+be told apart. */
 constexpr StopRule rule{1e-10, 60000, 25};
 
 Table ascent_table(const std::vector<Ascent>& all, std::size_t shown) {
@@ -328,11 +328,11 @@ void report_exchanges(Report& report, const std::vector<TwoSigns>& all) {
 }
 
 /**
-Stability does not pass from one sign to the other in one point. At the second exchange both phases are pinned over a
-short range of $\alpha$, so that a third wave, without symmetry, should separate them there. At the first one, that of
-the largest $\alpha$, there is a short range in which neither is pinned. There another program (an iteration from a
-disturbed wave by Fourier transforms) finds a wave without symmetry, with a quotient $4\times10^{-6}$ above those of
-both signs.
+Stability does not pass from one sign to the other at a single exponent. At the second exchange both phases are pinned
+over a short range of $\alpha$, so that a third wave, without symmetry, should separate them there. At the first one,
+that of the largest $\alpha$, there is a short range in which neither is pinned. There another program (an iteration
+from a disturbed wave by Fourier transforms) finds a wave without symmetry, with a quotient $4\times10^{-6}$ above those
+of both signs.
 
 | phase pinned, as $\alpha$ grows | sign plus | sign minus |
 |---|---|---|
@@ -394,8 +394,8 @@ void report_type_two(Report& report) {
 /**
 ## Generalisations
 
-Only some properties of $K$ have been used: it is even, Lipschitz continuous, of compact support, not negative at
-zero and positive somewhere. So the proof holds with no other change for
+The proof uses only some properties of $K$: it is even, Lipschitz continuous, of compact support, not negative at zero
+and positive somewhere. So the proof holds with no other change for
 
 - *identical linear cells*, in which contacts push a mass with any linear resonators inside, with or
   without a well, if $T\omega_j \in 2\pi\mathbb N$ for all frequencies $\omega_j > 0$ of the cell. Then
@@ -433,14 +433,14 @@ The linear waves of the chain at rest all have the frequency 1, so a wave of any
 general drag a tail. At $T = 2\pi k$ that one is the uniform oscillation, which no contact feels. So these waves are
 embedded in a band, as embedded solitons are (Champneys, Malomed, Yang and Kaup, Physica D 152 (2001) 340), but
 protected by an identity. The mechanism is known from chains of beads with one resonator each, where Kevrekidis,
-Stefanov and Xu (arXiv:1502.01995) call it anti-resonance and have rigorous waves: for one resonator in a bead the case
-*identical linear cells* is theirs. Chains without wells have the theorems of Friesecke and Wattis (Commun. Math. Phys.
-161 (1994) 391), English and Pego (Proc. AMS 133 (2005) 1763), Stefanov and Kevrekidis (J. Nonlinear Sci. 22 (2012)
-327), the first and the last of which are variational too; periodic trains in convex wells that of Herrmann
+Stefanov and Xu (arXiv:1502.01995) call it anti-resonance and have rigorous waves: for one resonator in a bead the
+case *identical linear cells* is theirs. Chains without wells have the theorems of Friesecke and Wattis (Commun. Math.
+Phys. 161 (1994) 391), English and Pego (Proc. AMS 133 (2005) 1763), Stefanov and Kevrekidis (J. Nonlinear Sci. 22
+(2012) 327), the first and the last of which are variational too; periodic trains in convex wells that of Herrmann
 (arXiv:0902.4201). Waves with tails, nanoptera, are in Faver (arXiv:1910.12313) and Vorotnikov et al.
-(arXiv:1709.08629). We searched what is freely accessible for a theorem like this one and found none that is equivalent.
-Journals behind a paywall were not searched, and the papers named without an arXiv number are quoted without having been
-read. */
+(arXiv:1709.08629). We searched the freely accessible literature for a theorem like this one and found no equivalent.
+Journals behind a paywall were not searched, and we quote the papers named without an arXiv number without having read
+them. */
 void report_waves(Report& report, const std::vector<TwoGridWave>& all) {
   const TwoGridWave &plus = all[0], &minus = all[1];
   Quantities& facts = report.facts;
@@ -459,14 +459,13 @@ void report_waves(Report& report, const std::vector<TwoGridWave>& all) {
 /**
 ## Differences and limits
 
-Proved are the theorem and what is listed under *What else follows*, and in the next chapter both waves of $k = 1$.
-The theorem does not say whether the maximum is even, unique or stable, nor which sign it has; and nothing about other
-speeds and wells with $s \ne 0$. For waves that
-repeat themselves only after $m$ sites, or for masses of period $m$ in wells of one frequency, the resonance leaves
-$m-1$ complex conditions. Computed, with errors from two grids, are the waves, their quotients and the exchanges. That
-one of the two even waves is the maximum of the theorem at $\alpha = 3/2$ is a conjecture, with which the iteration
-agrees; at the exchange near 5.82 it is neither, since the wave without symmetry that was computed there has a larger
-quotient. */
+The theorem, the list under *What else follows* and, in the next chapter, both waves of $k = 1$ are proved. The theorem
+does not say whether the maximum is even, unique or stable, nor which sign it has, and says nothing about other speeds
+or wells with $s \ne 0$. For waves that repeat themselves only after $m$ sites, or for masses of period $m$ in wells of
+one frequency, the resonance leaves $m-1$ complex conditions. The waves, their quotients and the exchanges are computed,
+with errors from two grids. We conjecture that one of the two even waves is the maximum of the theorem at $\alpha =
+3/2$, and the iteration agrees; at the exchange near 5.82 neither is, since the wave without symmetry that was computed
+there has a larger quotient. */
 void reproduce(Report& report) {
   const bool quick = report.quick;
   const auto all =

@@ -1,17 +1,17 @@
 /**
 # 5 Exact travelling breathers
 
-Struck chains send out breathers that travel. Those of section 3.4 of James, Kevrekidis and Cuevas
-(Physica D 251, 2013) shed a tail as they go, ever more weakly. Section 5 leaves open whether one can
-compute exact ones, which after a time $T$ are the same again, one site further:
+An impact on the chain launches breathers that travel. Those of section 3.4 of James, Kevrekidis and Cuevas (Physica D
+251, 2013) radiate a tail that weakens as they go. Section 5 leaves open whether one can compute exact ones, which after
+a time $T$ are the same again, one site further:
 
       t = 0    .  .  o  O  o  .  .  .            y_n(t + T) = y_(n-1)(t)
       t = T    .  .  .  o  O  o  .  .            and nothing is left behind
 
-One can in linear wells. Those that we find repeat themselves from site to site and have isolated speeds; one sum
-narrows down which are possible.
+In linear wells one can. Those that we find repeat themselves from site to site and have isolated speeds; a single sum
+restricts which speeds are possible.
 
-![Exact travelling breathers, and a packet that sheds a tail.](fig:x18) */
+![Exact travelling breathers, and a packet that radiates a tail.](fig:x18) */
 
 #include <algorithm>
 #include <array>
@@ -33,7 +33,7 @@ using namespace lattice;
 
 The article generates travelling breathers by striking a chain and waiting, and calls the computation of exact ones by
 Newton's method an interesting open problem. It prints no number for them. Two more chapters follow the exact orbits
-into other wells and compare them with packets; the last one sorts what is proved, computed and conjectured.
+into other wells and compare them with packets; the last one lists what is proved, computed and conjectured.
 
 ## Model
 
@@ -49,20 +49,20 @@ rotates, $Z(t) = e^{-it}Z(0)$, and a shift by one site does not change it, so th
 factors vanishes. [](finding:travelling.speeds) An orbit with $T = 2\pi k$, which moves on by one site during $k$
 oscillations of a free bead, is *type I*; one with $Z = 0$, at whatever $T$, is *type II*.
 
-The same sum says what a packet leaves behind. A bead that has been passed keeps oscillating with the
-amplitude $|\int e^{it}(f_{n-1}-f_n)\,dt|$, where $f_n$ is the force in the contact on its right. If
-these pulses repeat themselves after $T$ from contact to contact, the amplitude is
+The same sum gives the tail that a packet radiates. A bead that has been passed keeps oscillating with the amplitude
+$|\int e^{it}(f_{n-1}-f_n)\,dt|$, where $f_n$ is the force in the contact on its right. If these pulses repeat
+themselves after $T$ from contact to contact, the amplitude is
 $$|1-e^{-iT}|\,|g(1)|,\qquad g(1) = \int e^{it}f_0(t)\,dt.$$
 It vanishes in just these two cases. The first factor does so for type I. As to the second, take the sum over the beads
 beyond the contact alone: it is zero before the breather comes and all of $Z$ when it has gone through, and only the
-pulse in the contact changes $e^{it}$ times this sum, so that $|g(1)| = |Z|$. Pulses of a packet that sheds repeat
-themselves only nearly, so that for it this is an order of magnitude (chapter on families).
+pulse in the contact changes $e^{it}$ times this sum, so that $|g(1)| = |Z|$. The pulses of a packet that radiates
+repeat themselves only approximately, so for it this is an order of magnitude (chapter on families).
 
-## Not with the opposite sign
+## No orbit of opposite sign
 
-Could an orbit come back with the opposite sign after one site, $y_n(t+T) = -y_{n-1}(t)$? No localized one in wells with
-$W'(-y) = -W'(y)$. With $d_n = y_n-y_{n+1}$ the contact $n$ pushes with $(d_n)_+^{3/2}$ at $t$, and at $t+T$, where its
-compression is $-d_{n-1}(t)$, with $(-d_{n-1})_+^{3/2}$: it is closed when the one before was open. So the sum of
+Could an orbit return with the opposite sign after one site, $y_n(t+T) = -y_{n-1}(t)$? In wells with $W'(-y) = -W'(y)$
+no localized one can. With $d_n = y_n-y_{n+1}$ the contact $n$ pushes with $(d_n)_+^{3/2}$ at $t$, and at $t+T$, where
+its compression is $-d_{n-1}(t)$, with $(-d_{n-1})_+^{3/2}$: it is closed when the one before was open. So the sum of
 Newton's law for the bead $n$ at $t+T$ and for the bead $n-1$ at $t$, whose left sides cancel, is
 $$0 = (-d_{n-2})_+^{3/2}-(-d_{n-1})_+^{3/2}+(d_{n-2})_+^{3/2}-(d_{n-1})_+^{3/2} = |d_{n-2}|^{3/2}-|d_{n-1}|^{3/2}$$
 at every $t$. At each instant all $|d_n|$ are equal; if the orbit is localized they vanish, and so does the orbit. In
@@ -70,8 +70,8 @@ other wells $W'(y_{n-1})+W'(-y_{n-1})$ takes the place of zero, and the argument
 
 ## How orbits are found
 
-This chapter finds orbits of type I, starting from a packet cut out of an impact (travelling.hpp).
-Each is computed in double precision and again in extended precision, which gives its errors. */
+This chapter finds orbits of type I, starting from the packet of an impact, cut out of the chain (travelling.hpp). Each
+is computed in double precision and again in extended precision, which gives its errors. */
 constexpr double two_pi = 2 * std::numbers::pi;
 constexpr std::array signs{1, -1};  // of the central velocity
 
@@ -86,8 +86,8 @@ struct Exact {
 };
 
 /**
-In extended precision the shift time must be $2\pi k$ with all its digits. The derivative for Newton's
-method may come from the orbit in double precision. */
+In extended precision the shift time must be $2\pi k$ to all digits. The derivative for Newton's method may come from
+the orbit in double precision. */
 Exact confirmed(std::size_t k, int sign, const Orbit<double>& orbit) {
   NewtonRule<long double> rule;
   rule.events.tolerance /= 2;
@@ -204,9 +204,8 @@ void report_profiles(Report& report, const std::vector<Exact>& shown) {
 }
 
 /**
-What does exact mean to the eye? The maps compare the energy density of an exact orbit with that of a
-struck packet of about the same speed, on a logarithmic scale, on which a tail of a millionth would
-still be seen. */
+How does an exact orbit look? The maps compare its energy density with that of the packet of an impact at about the same
+speed, on a logarithmic scale, on which a tail of a millionth would still be seen. */
 void add_map(Table& table, int which, const Chain& chain, State<double> state, double from,
              double first_site) {
   const double duration = 12 * two_pi;
@@ -231,17 +230,16 @@ void report_maps(Report& report, const Exact& orbit) {
 }
 
 /**
-## What an orbit leaves behind, and whether it is stable
+## The radiated tail, and stability
 
-The equations cover one shift; now we let an orbit run on, and look at what it leaves behind. The multipliers per shift,
-the eigenvalues of the flow over $T$ read one site further on, say whether small disturbances grow: the pair $\lambda$,
-$1/\lambda$ of the internal phase by $\kappa = (\lambda+\lambda^{-1}-2)/4$, the phase being pinned, or *held*, if
+The equations cover one shift; now we let an orbit run on and measure the tail that it radiates. The multipliers per
+shift, the eigenvalues of the flow over $T$ read one site further on, say whether small disturbances grow: the pair
+$\lambda$, $1/\lambda$ of the internal phase by $\kappa = (\lambda+\lambda^{-1}-2)/4$, the phase being pinned if
 $\kappa<0$ (travelling.hpp).
 
-A long run is the strictest test that an orbit leaves nothing behind. For a thousand shifts an
-ordinary integrator is cheaper; its error shows in what it leaves behind. The frame moves on by twenty
-sites at a time, and resting beads come in ahead. A hundred shifts are repeated by GSL, with which our
-integrators have nothing in common, in one long chain. */
+A long run is the strictest test that an orbit leaves nothing behind. For a thousand shifts an ordinary integrator is
+cheaper; its error shows in the tail. The frame moves on by twenty sites at a time, and resting beads come in ahead. A
+hundred shifts are repeated in one long chain by GSL, which shares nothing with our integrators. */
 /// The largest of the beads that have been passed.
 double passed(const State<double>& z, std::size_t shifts) {
   double left = 0;
@@ -291,21 +289,21 @@ void report_long_runs(Report& report, const Exact& e) {
 /**
 A small change of the speed neither grows nor dies out: two multipliers are one. Beside them two numbers describe the
 stability of an orbit to first order, $\kappa$ of the phase, and the largest modulus of the others. These lie inside the
-unit circle, though nothing is damped: in the frame that travels with the breather, a free oscillation of the beads is
-left behind, and the disturbance with it. All this is said of disturbances of the eighteen sites of the breather.
+unit circle, though nothing is damped: in the co-moving frame a free oscillation of the beads is left behind, and the
+disturbance with it. All this holds for disturbances of the eighteen sites of the breather.
 
 ## Results
 
-Newton's method finds two exact travelling breathers, one of each sign, for every $k$ from 1 to 5 (and for 6, 8, 10,
-15 and 20 in the next chapters). It finds the first in [6](num:sec5_travelling_breathers.newton_steps_from_cut) steps
-from the cut packet. The residuals are [7e-14](num:sec5_travelling_breathers.residual_double) in double precision,
+Newton's method finds two exact travelling breathers, one of each sign, for every $k$ from 1 to 5 (and for 6, 8, 10, 15
+and 20 in the next chapters). It finds the first in [6](num:sec5_travelling_breathers.newton_steps_from_cut) steps from
+the cut packet. The residuals are [7e-14](num:sec5_travelling_breathers.residual_double) in double precision,
 [3e-17](num:sec5_travelling_breathers.residual_wide) in extended precision and
 [8e-17](num:sec5_travelling_breathers.residual_rounded) after rounding. A thousand shifts leave
 [2e-14](num:sec5_travelling_breathers.left_by_thousand_shifts) of the amplitude behind, no more than the error of the
 steps. That of $k = 1$, the fastest of type I, has the speed $1/(2\pi)$ and the energy
 [0.181](num:sec5_travelling_breathers.energy_plus); with the other sign it is higher by only
-[7.84e-11](num:sec5_travelling_breathers.energy_difference). So little pins the internal phase, and the multipliers
-agree: $\kappa =$ [-8.89e-11](num:sec5_travelling_breathers.kappa_k1_plus) with the sign plus,
+[7.84e-11](num:sec5_travelling_breathers.energy_difference). This is the barrier that pins the internal phase, and the
+multipliers agree: $\kappa =$ [-8.89e-11](num:sec5_travelling_breathers.kappa_k1_plus) with the sign plus,
 [8.89e-11](num:sec5_travelling_breathers.kappa_k1_minus) with the sign minus, a growth of
 [1.89e-5](num:sec5_travelling_breathers.growth_k1_minus) per shift. At $k = 2$ no $\kappa$ is left above the errors.
 [](finding:travelling.stability) */
@@ -327,18 +325,16 @@ void report_stability(Report& report, const Exact& e) {
 
 A small residual is no proof that an orbit exists; for $k = 1$ the chapter on enclosures gives one. Orbits that repeat
 themselves only after $m > 1$ sites, or never, were not looked for. For a shift by $m$ sites the sum $Z$ still demands
-$T = 2\pi k$, and the speeds $m/2\pi k$ are dense: so it is not this identity alone that isolates speeds. But it
-settles only one of the $m$ complex amplitudes that such an orbit may leave behind on $m$ successive beads, so that
-$m-1$ conditions remain without an unknown to meet them. We therefore expect such orbits only at particular $s$ or
-exponents.
+$T = 2\pi k$, and the speeds $m/2\pi k$ are dense: so this identity alone does not isolate speeds. But it fixes only one
+of the $m$ complex amplitudes that such an orbit may leave on $m$ successive beads, and $m-1$ conditions remain without
+an unknown to satisfy them. We therefore expect such orbits only at particular $s$ or exponents.
 
-That tails vanish at countably many speeds, where the resonance meets a zero, is known from chains of beads
-with resonators (Kevrekidis, Stefanov and Xu, Letters in Mathematical Physics 106, 2016, arXiv:1502.01995);
-here the well itself is the resonator. In the DpS equation travelling breathers were computed by James
-(Philosophical Transactions A 376, 20170138, 2018), who finds tails but for particular parameters. Moving
-breathers on a tail, and the conditions under which it vanishes, are discussed for other lattices by Flach and
-Kladko (Physica D 127, 61, 1999), Iooss and Kirchgässner (Communications in Mathematical Physics 211, 439,
-2000) and Sire and James (Physica D 204, 15, 2005). */
+That tails vanish at countably many speeds, where the resonance meets a zero, is known from chains of beads with
+resonators (Kevrekidis, Stefanov and Xu, Letters in Mathematical Physics 106, 2016, arXiv:1502.01995); here the well
+itself is the resonator. In the DpS equation travelling breathers were computed by James (Philosophical Transactions A
+376, 20170138, 2018), who finds tails except at particular parameters. Moving breathers on a tail, and the conditions
+under which it vanishes, are discussed for other lattices by Flach and Kladko (Physica D 127, 61, 1999), Iooss and
+Kirchgässner (Communications in Mathematical Physics 211, 439, 2000) and Sire and James (Physica D 204, 15, 2005). */
 void reproduce(Report& report) {
   const std::vector<std::size_t> ks =
       report.quick ? std::vector<std::size_t>{1, 2, 3} : std::vector<std::size_t>{1, 2, 3, 4, 5};
@@ -363,8 +359,8 @@ void reproduce(Report& report) {
    Hint: compare with the sign plus, digit by digit.
 3. *Harder.* Must the shift time be a multiple of $2\pi$ in soft wells?
    `build/bin/sec5_travelling_breathers orbit --s -0.3` gives `shift_time` = 6.48005.
-   Hint: the forces of the wells do not cancel in $Z$ any more; $T$ is an unknown of Newton's method, and a tail is
-   still avoided.
+   Hint: the forces of the wells no longer cancel in $Z$; $T$ is an unknown of Newton's method, and there is still no
+   tail.
 4. *Harder.* And is that orbit stable further down?
    `build/bin/sec5_travelling_breathers orbit --s -1` gives `multiplier_modulus` = 1.000453.
    Hint: after how many shifts is a disturbance $e$ times as large? At $s = -0.3$ none grows.

@@ -3,11 +3,11 @@
 
 An exact travelling breather of the linear well needs the right speed. Its shift time $T$, in which it moves on by one
 site, must be $2\pi k$ (type I) or such that the sum $Z = \sum_n(y_n+i\dot y_n)$ vanishes (type II). At other shift
-times a breather sheds a tail. This chapter follows the families on which both types lie and asks how much the members
-between the exact ones leave behind. Then it continues the exact ones into soft wells and into hard wells, in which
-those of $k = 1$, 2 and 3 turn back in folds. Does the packet that turns round in section 3.4 follow exact ones?
+times a breather radiates a tail. This chapter follows the families on which both types lie and asks how strong the tail
+of the members between the exact ones is. Then it continues the exact ones into soft wells and into hard wells, where
+those of $k = 1$, 2 and 3 turn back in folds. Does the packet that turns round in section 3.4 follow one of them?
 
-![What travelling breathers leave behind, against their shift time.](fig:x19) */
+![The radiated tail of travelling breathers against their shift time.](fig:x19) */
 
 #include <algorithm>
 #include <array>
@@ -37,13 +37,13 @@ on the sites $-L$ to $L+1$ (symmetry.hpp). The two together, $y_n(t) = -y_{-n}(-
 y_{n-1}(t)$; even wells allow them. There are as many equations as unknowns if $T$ is one of them: the state at $t = 0$
 has $L$ positions and $L+1$ velocities, the bead $L+1$ being at rest.
 
-If $T$ is chosen at will we leave out one equation, that of $y_1+y_0$. The others have a solution for every $T$ at which
-we look for one, in the stretches named below, and these solutions form a *family*. What do they miss? At $t = 0$ the
-positions cancel in the sum, so that $Z = iV$ with $V = \sum\dot y_n$. In linear wells $Z$ turns with $e^{-it}$, and at
-$T/2$ its real part, the sum of all positions, is $V\sin(T/2)$. This sum consists of the left sides of the equations for
-positions, all of which vanish but the first. So the equation left out reads $V\sin(T/2) = 0$: $T = 2\pi k$ gives an
-orbit of type I, at which a family begins, and each zero of $V$ an orbit of type II. The full equations, with $T$
-unknown, confirm the latter and give its digits in two precisions. */
+For a prescribed $T$ we leave out one equation, that of $y_1+y_0$. The others have a solution for every $T$ at which we
+look for one, in the stretches named below, and these solutions form a *family*. Which condition do they violate? At
+$t = 0$ the positions cancel in the sum, so that $Z = iV$ with $V = \sum\dot y_n$. In linear wells $Z$ turns with
+$e^{-it}$, and at $T/2$ its real part, the sum of all positions, is $V\sin(T/2)$. This sum consists of the left sides of
+the equations for positions, all of which vanish but the first. So the equation left out reads $V\sin(T/2) = 0$: $T =
+2\pi k$ gives an orbit of type I, at which a family begins, and each zero of $V$ an orbit of type II. The full
+equations, with $T$ unknown, confirm the latter and give its digits in two precisions. */
 constexpr double two_pi = 2 * std::numbers::pi;
 
 struct Family {
@@ -71,14 +71,14 @@ void follow(Family& f, double step) {
 }
 
 /**
-## What is left behind (figure x19)
+## The radiated tail (figure x19)
 
-What becomes of a member that is no exact orbit? We set it free in a resting chain, and behind it each bead keeps
+What becomes of a member that is not an exact orbit? We release it in a chain at rest, and behind it each bead keeps
 oscillating. If the pulses in the contacts repeat themselves after $T$, it does so with the amplitude
-$|1-e^{-iT}|\,|g(1)|$ (chapter on exact travelling breathers). A member that sheds loses energy, and its pulses repeat
-themselves only nearly, so that this can only give the order of magnitude, and we measure how well it does. The integral
-$g(1)$ needs no quadrature: it is the change of $e^{it}Z$, with the sum $Z$ taken over the beads on the right of the
-contact only. */
+$|1-e^{-iT}|\,|g(1)|$ (chapter on exact travelling breathers). A member that radiates loses energy, and its pulses
+repeat themselves only approximately. So this can only give the order of magnitude, and we measure how well it does. The
+integral $g(1)$ needs no quadrature: it is the change of $e^{it}Z$, with the sum $Z$ taken over the beads on the right
+of the contact only. */
 struct Left {
   double beads = 0, pulse = 0;  ///< both relative to the amplitude
 };
@@ -109,8 +109,8 @@ Left set_free(const Orbit<double>& member, double step) {
 
 /**
 The figure compares both with $|1-e^{-iT}|\,|V|$ (beside some orbits of type II the pulse misses the dip or makes it too
-deep), since $|g(1)| = |V|$ as long as little is shed: then the whole sum $Z = iV$ passes from the beads on the left of
-the contact to those on its right. The error of the run is the difference between two steps. For the error of $V$ we
+deep), since $|g(1)| = |V|$ as long as little is radiated: then the whole sum $Z = iV$ passes from the beads on the left
+of the contact to those on its right. The error of the run is the difference between two steps. For the error of $V$ we
 evaluate the equation that was left out and compare it with $V\sin(T/2)$, which also checks this identity for every
 member. */
 double missed_identity(const Orbit<double>& member) {
@@ -121,16 +121,16 @@ double missed_identity(const Orbit<double>& member) {
 }
 
 /**
-We compare what the beads have with what the sum $Z = iV$ of the member at the start would leave, at the
-[141](num:sec5_travelling_families.left_compared) members of the five families whose tail is above $10^{-7}$. There what
-a breather leaves behind has the order of magnitude that the sum $Z$ says, from
-[0.40](num:sec5_travelling_families.left_over_sum_least) to [1.05](num:sec5_travelling_families.left_over_sum_most)
-of $\lvert1-e^{-iT}\rvert\,\lvert Z\rvert$, but at [126](num:sec5_travelling_families.left_off_by_a_fifth) of them it is
-more than a fifth off. One might expect the two to agree very close to an orbit of type I, closer than the table goes,
-because there the tail is weak and the pulses nearly repeat themselves. They do not: with this measurement at $T/2\pi =
-k-10^{-4}$, made once by a program that is not part of this repository, the ratio was 1.079, 0.961 and 0.889 for $k =
-1$, $2$ and $4$; we do not know why. At the orbits of type II $V$ vanishes, and nothing should be left behind; the
-members drawn lie beside them, so that the figure shows dips and no zeros. */
+We compare the amplitude of the beads with that expected from the sum $Z = iV$ of the member at the start, at the
+[141](num:sec5_travelling_families.left_compared) members of the five families whose tail is above $10^{-7}$. There the
+tail has the order of magnitude given by the sum $Z$, from [0.40](num:sec5_travelling_families.left_over_sum_least) to
+[1.05](num:sec5_travelling_families.left_over_sum_most) of $\lvert1-e^{-iT}\rvert\,\lvert Z\rvert$, but at
+[126](num:sec5_travelling_families.left_off_by_a_fifth) of them it is more than a fifth off. One might expect the two to
+agree very close to an orbit of type I, closer than the table goes, because there the tail is weak and the pulses nearly
+repeat themselves. They do not: with this measurement at $T/2\pi = k-10^{-4}$, made once by a program that is not part
+of this repository, the ratio was 1.079, 0.961 and 0.889 for $k = 1$, $2$ and $4$; we do not know why. At the orbits of
+type II $V$ vanishes, and nothing should be left behind; the members drawn lie beside them, so that the figure shows
+dips and no zeros. */
 // The errors are to be compared with the largest value of their column, because these columns pass through zero
 Cells row_of(const Family& f, const Orbit<double>& member, double step) {
   const double tail = 2 * std::abs(std::sin(shift_time(member) / 2) * velocity_sum(member));
@@ -280,10 +280,10 @@ which speeds are possible. But with $T$ as an unknown there are as many equation
 function theorem an orbit at which their derivative is invertible continues to $s \ne 0$. We follow it by
 pseudo-arclength, so that we can pass *folds*, at which a branch turns back in $s$ (branches_in_s.hpp).
 
-In soft wells none of the four branches of type I ends within the steps that we spend on it, ten, and two for $k = 4$.
-Followed further, that of $k = 1$ folds at $s =$ [-5.73](num:sec5_travelling_families.soft_fold_k1). In hard wells those
-of $k = 1$, 2 and 3 fold, and come back from there to an orbit of type II at $s = 0$, for $k = 1$ after two folds more
-close to $s = 0$. The slower the orbit, the later it folds: slow orbits are small and feel the quartic term less.
+In soft wells none of the four branches of type I ends within the steps that we take: ten, and two for $k = 4$. Followed
+further, that of $k = 1$ folds at $s =$ [-5.73](num:sec5_travelling_families.soft_fold_k1). In hard wells those of $k =
+1$, 2 and 3 fold, and come back from there to an orbit of type II at $s = 0$, for $k = 1$ after two folds more close to
+$s = 0$. The slower the orbit, the later it folds: slow orbits are small and feel the quartic term less.
 
 | $k$ | soft wells: followed to $s =$ | hard wells: fold at $s =$ |
 |---|---|---|
@@ -344,16 +344,16 @@ void report_wells(Report& report, const std::vector<Start>& starts) {
 /**
 ## The boomeron again
 
-In section 3.4 the packet of an impact with $v_0 = 1.9$ slows down in hard wells, $s = 1$, and turns round: the
-*boomeron*. At a given $s$ the exact orbits that we know are single points in the plane of speed and energy. Does the
-path of the packet come near any of them, and does it turn there? A branch may pass $s = 1$ on its way out, and again
-after its fold; those of $k = 1$ and 2 fold before and have no orbit there. The fastest orbit found at $s = 1$ has the
-speed [0.0540](num:sec5_travelling_families.fastest_at_one) and the energy
+In section 3.4 the packet of an impact with $v_0 = 1.9$ slows down in hard wells, $s = 1$, and turns round:
+the *boomeron*. At a given $s$ the exact orbits that we know are single points in the plane of speed and energy. Does
+the path of the packet come near any of them, and does it turn there? A branch may pass $s = 1$ on its way out, and
+again after its fold; those of $k = 1$ and 2 fold before and have no orbit there. The fastest orbit found at $s = 1$ has
+the speed [0.0540](num:sec5_travelling_families.fastest_at_one) and the energy
 [0.00166](num:sec5_travelling_families.fastest_energy_at_one); when the packet is as slow as that it still has
 [1.52](num:sec5_travelling_families.packet_energy_then), some nine hundred times as much (figure x21d). The other two
 that we found are slower and have less energy still, while the packet has kept most of its own. A packet on an exact
-orbit would have its speed and its energy, so this one is on none of those found. [](finding:travelling.wells) What
-turns it instead is asked in `sec34_boomeron_why`. */
+orbit would have its speed and its energy, so this one is on none of those found. [](finding:travelling.wells)
+`sec34_boomeron_why` asks what turns it instead. */
 Path packet_at_one(double step) {
   Path path;
   strike(EventCorrected{step}, {1.9, {160, Quartic{1}}, 400, 0.5},

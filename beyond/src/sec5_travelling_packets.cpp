@@ -1,11 +1,11 @@
 /**
 # 5 What becomes of a packet
 
-Strike the first bead of a resting chain. A packet of energy, some seven sites wide, runs away along the chain: the
-travelling breather of section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013). It leaves every bead that it
-has passed swinging a little. So it loses energy, slows down, and turns into something else:
+Strike the first bead of a chain at rest. A packet of energy, about seven sites wide, runs along the chain: the
+travelling breather of section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013). Every bead that it has passed
+keeps oscillating weakly. So the packet loses energy, slows down and changes:
 
-      passed beads swing freely                 the packet          at rest
+      passed beads oscillate                    the packet          at rest
        . . .  z(n-1)   z(n)  . . .     o  o  O  O  O  o  o     .   .   .   .
                  \_____/                    ---> X(t)
         phase turns by theta, amplitude |z(n)|
@@ -16,8 +16,8 @@ linear wells, we find:
 
 - No exact breather captures the packets of the two impacts that we follow.
 - The tail weakens all the way, but more slowly than the $1/n$ of a simple energy balance. Its final law is open.
-- Speed and energy approach a smooth line drawn through exact breathers, but at a point where we know none. The energy
-  in the contacts, which hardly changes on the way, seems to select this point.
+- Speed and energy approach a smooth line drawn through exact breathers, at a point where we know of none. The energy in
+  the contacts, which hardly changes on the way, seems to select this point.
 - At small amplitude the exact breathers tend to a travelling breather of the DpS equation (figure x23).
 
 ![The tail of an impact's packet weakens, and its speed and energy tend to the line through exact breathers. Drawn by
@@ -37,11 +37,11 @@ from one bead to the next, both read at the same time.
 
 An exact travelling breather repeats itself one site further on after the *shift time* $T$, the inverse of its speed:
 $y_n(t+T) = y_{n-1}(t)$. The contact forces cancel in $Z = \sum_n z_n$, so that $Z\propto e^{-it}$. The shift does not
-change $Z$ either, hence $e^{-iT}Z = Z$. Either $T = 2\pi k$ with a whole number $k$ (*type I*) or $Z = 0$ (*type II*).
-An exact breather turns by $\vartheta = T$, modulo $2\pi$, from bead to bead. A packet is not bound to this: while its
-envelope moves on by a site, its *internal phase* may turn by the extra angle $T-\vartheta$. If $\vartheta$ tends to
-zero at some other $T$, nothing is left behind either, but one site further on the packet is the same only up to the
-phase of its oscillation: it is quasi-periodic. */
+change $Z$ either, hence $e^{-iT}Z = Z$. Either $T = 2\pi k$ with an integer $k$ (*type I*) or $Z = 0$ (*type II*). An
+exact breather turns by $\vartheta = T$, modulo $2\pi$, from bead to bead. A packet need not do so: while its envelope
+moves on by a site, its *internal phase* may turn by the extra angle $T-\vartheta$. If $\vartheta$ tends to zero at some
+other $T$, nothing is left behind either, but one site further on the packet is the same only up to the phase of its
+oscillation: it is quasi-periodic. */
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -239,11 +239,11 @@ void report_tail(Quantities& facts, const TwoRuns<Course>& runs) {
 }
 
 /**
-## Where speed and energy end (figure x22)
+## The final speed and energy (figure x22)
 
-Where does the packet end? Against $\vartheta$ its speed and its energies are nearly straight lines. We extrapolate them
-to $\vartheta = 0$ from the last half decade of sites. Shorter and longer stretches, a quarter of a decade and a whole
-one, give other values; the largest difference is added to the error, and is most of it. */
+At which speed and energy does the packet end? Against $\vartheta$ its speed and its energies are nearly straight lines.
+We extrapolate them to $\vartheta = 0$ from the last half decade of sites. Shorter and longer stretches, a quarter of a
+decade and a whole one, give other values; the largest difference is added to the error, and is most of it. */
 struct EndState {
   double speed, energy, contact;  // where theta = 0
   double contact_late;            // mean over the stretch
@@ -410,8 +410,8 @@ $w_n = e^{-i\varphi/2}A_n(\tau_T/2)$ the equations are
 $$\mathrm{Re}\,(w_n+w_{1-n}) = 0,\qquad \mathrm{Im}\,(w_n-w_{1-n}) = 0,\qquad n = 1,\dots,9.$$
 The equations of the first kind add up to $V\sin(\varphi/2) = 0$, where $\sum A_n(0) = iV$. We leave out one of them and
 find a solution for every $\varphi$ that we try; $V$ shows what is missed (dps_travelling.hpp). The first guess is the
-packet of a struck DpS chain, cut out at site 40. At $\varphi = 0$, where the solution is exact, a whole shift without
-the symmetry must confirm it.
+packet of an impact on a DpS chain, isolated at site 40. At $\varphi = 0$, where the solution is exact, a whole shift
+without the symmetry must confirm it.
 
 ![The travelling breather of the DpS equation, its family, and the limit of the chain's orbits of type I. Drawn by
 x23_dps_travelling.py: `modulus`, `early` and `late` against `n` from `dps_profiles`, `log_V` against `phase` from
@@ -440,9 +440,9 @@ DpsFamily dps_family(double tolerance, double to, double step) {
 }
 
 /**
-The breather of type I looks like the struck packet, which at site 100 comes closer to it than at site 20. Along the
-family $|V|$ falls by orders of magnitude up to $\varphi = 3$ but does not change its sign, so that we find no orbit of
-type II on this stretch. The chain's families from $k = 1$ to 4 have them (`sec5_travelling_families`). Packets of
+The breather of type I looks like the packet of an impact, which at site 100 comes closer to it than at site 20. Along
+the family $|V|$ falls by orders of magnitude up to $\varphi = 3$ but does not change its sign, so that we find no orbit
+of type II on this stretch. The chain's families from $k = 1$ to 4 have them (`sec5_travelling_families`). Packets of
 impacts are on the other side, at negative $\varphi$, and there $|V|$ grows.
 
 | $\lvert\sum A_n\rvert$ over $(\sum\lvert A_n\rvert^2)^{1/2}$ | expected | here |
@@ -473,7 +473,7 @@ void report_dps_family(Report& report, const TwoRuns<DpsFamily>& family) {
   report.facts.add("dps_sum_half", sum_at(5));
 }
 
-// Beside the exact profile that of a struck packet, cut out at two sites and scaled to the same shift time
+// The exact profile, and that of the packet of an impact, isolated at two sites and scaled to the same shift time
 void report_dps_profiles(Report& report, const DpsMember& exact) {
   Table& table = report.table(
       "dps_profiles", {count("n", "site", "site"), number("re", "real part of the exact breather"),
@@ -494,7 +494,7 @@ void report_dps_profiles(Report& report, const DpsMember& exact) {
 
 /**
 The chain's orbits of type I should tend to this breather as $k\to\infty$. Its energy is $E = 2\epsilon^2\sum|A_n|^2$
-and its speed $c = \epsilon^{1/2}/\tau_T$, so that $E/c^4$ does not depend on $\epsilon$. We compute $E/c^4$ of slower
+and its speed $c = \epsilon^{1/2}/\tau_T$, so that $E/c^4$ does not depend on $\epsilon$. We compute $E/c^4$ for slower
 and slower orbits, for both signs of their central velocity, and extrapolate by the parabola in $1/k$ through the last
 three. Without the slowest orbit it gives the error. Each orbit is found twice, the second time at eight times the
 tolerance from a disturbed guess. The two signs agree far better with each other than with the limit. Chain and DpS
@@ -572,10 +572,10 @@ void report_dps(Report& report) {
 }
 
 /**
-## What is proved, computed and conjectured
+## Proved, computed and conjectured
 
 The article calls the computation of exact travelling breathers by Newton's method an open problem. It works. This
-chapter and those on exact travelling breathers leave the following.
+chapter and those on exact travelling breathers lead to the following.
 
 *Proved*, in the linear well: an exact travelling breather whose sum $Z$ converges absolutely has $T = 2\pi k$ or
 $Z = 0$. Pulses that repeat themselves exactly leave behind the amplitude $|1-e^{-iT}|\,|g|$. The equation left out of a
@@ -587,8 +587,8 @@ well. There is an orbit of type I for every $k$ (`sec5_kernel_equation`), and fo
 folds in $s$; the multipliers; the limit of small amplitude. A small residual is no proof that an orbit exists: those of
 type II, and all in other wells, are computed only.
 
-*Conjectured*: there are two orbits for every $k\ge2$; what pins the phase decreases with $k$ faster than any power of
-$1/k$.
+*Conjectured*: there are two orbits for every $k\ge2$; the pinning of the phase decreases with $k$ faster than any power
+of $1/k$.
 
 *Open*: how the tail of a packet falls in the end; whether an exact orbit captures a packet later than we follow these
 two; whether there are orbits that repeat themselves only after several sites; a proof for type II. The reversal of
@@ -619,7 +619,7 @@ void reproduce(Report& report) {
    Hint: one equation is left out, and missed by $V\sin(\varphi/2)$; the field misses itself by a little less. What
    happens at $\varphi = 0.2$ and at 0.5, where $V$ is smaller?
 4. *Open.* Damp the chain slightly. Does a packet pass along the line of type I, and does it stop at some $k$?
-5. *Open.* Strike the first bead a second time such that $Z$ becomes zero. Does the packet then shed less from the
+5. *Open.* Strike the first bead a second time such that $Z$ becomes zero. Does the packet then radiate less from the
    start?
 
 The command is explained in dps_orbit.hpp. */

@@ -1,19 +1,18 @@
 /**
 # Appendix: numbers of other authors
 
-This book compares its numbers with those of one article and with each other. A library for chains of beads should also
-reproduce what others have printed, and so we compute here some twenty numbers from the classical subject of this field,
-the chain *without* wells, and from the neighbours of the article's own equations. The list `paper/literature.ecsv`
-holds what is printed, with its source and the way in which we know it: only a number that we have read at its source,
-in its text or its data, or in its abstract, gets a verdict, and all of these are reproduced within what their digits
-allow. A few that are often quoted, and whose source we could not open, stand beside ours as we remember them, without a
-verdict.
+A library for chains of beads should also reproduce numbers that other authors have printed. Here we compute some twenty
+of them, for the classical system of this field, the chain *without* wells, and for relatives of the article's
+equations. The list `paper/literature.ecsv` has the printed values, their sources and how we know them. Only a number
+that we have read at its source, in text, data or abstract, gets a verdict; all of these are reproduced within what
+their digits allow. A few that are often quoted, and whose source we could not open, stand beside ours as we remember
+them, without a verdict.
 
 ![Numbers of other authors, and ours over them.](fig:x34)
 
 The equations of this chapter are those of chain.hpp with $W = 0$ and all masses one, unless it says otherwise:
 $$\ddot y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}.$$
-The first bead is struck, $\dot y_1(0) = 1$. This is no restriction: with another impact velocity $v_0$ all
+The first bead gets an impact, $\dot y_1(0) = 1$. This is no restriction: with another impact velocity $v_0$ all
 displacements grow like $v_0^{4/5}$, all times shrink like $v_0^{-1/5}$, and velocities are proportional to $v_0$. */
 
 #include <algorithm>
@@ -37,8 +36,8 @@ using namespace lattice;
 ## The pulse of an impact
 
 Within some ten beads an impact turns into a solitary wave (solitary_wave.hpp), which takes nearly all of the energy
-with it. Its shape has no parameter; the run only has to tell how high it is. We record the velocity of two beads and
-take the maximum of the parabola through the largest samples. */
+with it. Its shape has no parameter; the run only has to give its height. We record the velocity of two beads and take
+the maximum of the parabola through the largest samples. */
 Chain free_chain(std::size_t sites) {
   return {sites, None{}};
 }
@@ -85,8 +84,8 @@ $V$ has the speed $c = (V/V_1)^{1/5}$ if $V_1$ is the largest velocity in the wa
 of Nesterenko $c = (4/5)^{2/5}V^{1/5}$, and the velocity is proportional to $\cos^4(\sqrt{2/5}\,\xi)$, five sites wide.
 Sen and Manciu wrote the displacement as a $\tanh$ with the slope $C_1/2$ at the centre, so that $C_1 = 4V/(c\,A)$ with
 the shift $A$ of every bead. We find $C_1 =$ [2.40](num:secB_other_numbers.sen_c1); theirs, as we remember it, is
-2.39536, and we do not know from which run it was taken. The wave is slower than the
-long-wave theory by [0.781](num:secB_other_numbers.pulse_slower) per cent and at half height narrower by
+2.39536, from a run that we do not know. The wave is slower than the long-wave theory by
+[0.781](num:secB_other_numbers.pulse_slower) per cent and at half height narrower by
 [12.7](num:secB_other_numbers.pulse_narrower) per cent; printed are "within 0.8" and 13. */
 struct WaveNumbers {
   double crest, speed_deficit, half_deficit, width, share, c1, energy;
@@ -107,9 +106,9 @@ WaveNumbers wave_numbers(std::size_t points, std::size_t half_width) {
 }
 
 /**
-One of the sources gives the width at a hundredth of the crest as it was measured: bead 31 of 60 steel beads of 10 mm,
-sampled every 2 microseconds, between the samples a straight line. Near the foot of the pulse the velocity falls by half
-from sample to sample, and the straight line makes the pulse wider: [3.96](num:secB_other_numbers.sampled_width)
+One of the sources gives the width at a hundredth of the peak as it was sampled: bead 31 of 60 steel beads of 10 mm,
+sampled every 2 microseconds, with straight lines between the samples. Near the foot of the pulse the velocity falls by
+half from sample to sample, and the straight line makes the pulse wider: [3.96](num:secB_other_numbers.sampled_width)
 sites instead of [3.95](num:secB_other_numbers.pulse_width). The source has 3.96. */
 double sampled_width(double step, double speed) {
   const double mass = 7780 * std::numbers::pi / 6 * 1e-6;
@@ -141,7 +140,7 @@ void report_pulse(Report& report) {
 }
 
 /**
-## What flies back
+## Rebounding beads
 
 Behind the pulse one bead after the other loses its contacts and flies back, each more slowly than the one before, the
 sixteenth by the factor [0.563](num:secB_other_numbers.fragment_ratio). Hinch and Saint-Jean described this
@@ -162,7 +161,7 @@ void report_fragments(Report& report) {
 }
 
 /**
-## Masses in turn
+## Alternating masses
 
 In a dimer chain the pulse loses energy to the light beads, but at particular mass ratios it does not: Jayaprakash,
 Starosvetsky and Vakakis found a sequence of them. A run approaches them slowly. We solve the equations of the wave
@@ -188,9 +187,9 @@ void report_dimers(Report& report) {
 }
 
 /**
-## Exponents in turn
+## Alternating exponents
 
-The same happens in a chain of equal beads whose contacts have two exponents in turn (alternating.hpp). Kekić, who
+The same happens in a chain of equal beads whose contacts alternate between two exponents (alternating.hpp). Kekić, who
 studied such chains in his thesis, writes exponents of the potential energy and names two pairs for which the leading
 pulse keeps its energy, 5/2 with 2.635 and 4 with 5.0. His unit of length follows from the impact of 0.11 m/s. The loss
 has its minimum, zero, at [2.64](num:secB_other_numbers.exponent_hertz) and
@@ -217,11 +216,11 @@ exponent $\alpha > 1$ of the contact force, and that they become Gaussian as $\a
 compute both from $\alpha = 1.1$ to 4 (secB/exponents.hpp). A breather $u_ne^{i\mu t}$ is unstable if the second
 eigenvalue $m_2$ of the matrix of section 3.3 exceeds $\mu/\alpha$. At every exponent that we computed the one around a
 bond is spectrally stable and the one around a site is not, with a margin $m_2/\mu-1/\alpha$ that grows from
-[2.63e-28](num:secB_other_numbers.margin_site_110) over [4.85e-6](num:secB_other_numbers.margin_site_150) for
-spheres to [0.0955](num:secB_other_numbers.margin_site_400). The sign of so small a margin is trusted because
-quadruple precision and fifty digits agree on it. At all of these exponents each margin has the same sign, and so has
-the difference of the norms; what happens between them we do not know. Anharmonic wells exchange stability in the chain;
-in the limit of small amplitude the exponent of the contact, as far as we computed, does not.
+[2.63e-28](num:secB_other_numbers.margin_site_110) over [4.85e-6](num:secB_other_numbers.margin_site_150) for spheres to
+[0.0955](num:secB_other_numbers.margin_site_400). The sign of so small a margin is trusted because quadruple precision
+and fifty digits agree on it. At all of these exponents each margin has the same sign, and so has the difference of the
+norms; we do not know what happens between them. Anharmonic wells exchange stability in the chain; in the limit of small
+amplitude the exponent of the contact, as far as we computed, does not.
 
 ![Which static DpS breather is stable, and by how much, against the exponent of the contact.](fig:x35)
 
@@ -230,8 +229,8 @@ Fourier component $e^{2\pi ix}$ of the profile: so the two become alike like $e^
 alone would give $c = \pi^2/2$; the profile farther out gives [6.49](num:secB_other_numbers.alike_expected), by the
 argument of secB/exponents.hpp. Between $\alpha = 1.1$ and 1.12 the logarithm of the norms' difference falls by
 [6.45](num:secB_other_numbers.alike_rate) for each unit of $1/(\alpha-1)$, and between 1.2 and 1.3 by
-[6.43](num:secB_other_numbers.alike_rate_far): the rate approaches $c$ slowly, as a power in front would make it do,
-and both are far from $\pi^2/2$. */
+[6.43](num:secB_other_numbers.alike_rate_far): the rate approaches $c$ slowly, as a power in front would make it do, and
+both are far from $\pi^2/2$. */
 void report_exponents(Report& report) {
   std::vector<double> alphas{1.3, 1.5, 2, 3, 4};
   if (!report.quick)
@@ -274,12 +273,12 @@ void report_exponents(Report& report) {
 /**
 ## Differences and limits
 
-Of what we could not read at its source, $C_1$ and the mass ratios, we compare what we remember, and give no verdict; a
-number behind a paywall may be misremembered. Of what we read, some has two digits only, and a run of another program
-holds its own step and sampling. An agreement of printed digits says that two computations solve the same equations,
-not that a chain of real balls does. The stability of the last section is that of the DpS equation, the limit of small
-amplitudes, at the exponents computed and not between them; of the chain itself we know only what other chapters
-compute. */
+For $C_1$ and the mass ratios, whose sources we could not read, we compare what we remember and give no verdict; a
+number behind a paywall may be misremembered. Some of the values that we read have only two digits, and a run of another
+program contains the errors of its own step and sampling. An agreement of printed digits says that two computations
+solve the same equations, not that a chain of real balls does. The stability of the last section is that of the DpS
+equation, the limit of small amplitudes, at the exponents computed and not between them; of the chain itself we know
+only what other chapters compute. */
 void reproduce(Report& report) {
   report_pulse(report);
   report_fragments(report);

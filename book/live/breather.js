@@ -47,10 +47,10 @@
       this.say(`computed in ${this.seconds.toFixed(2)} s; every number was computed with two tolerances${kicked ? " or steps" : ""}, and their difference is in its error`);
       this.fact("amplitude", "amplitude");
       this.fact("energy", "energy");
-      this.fact("area", "area of the orbit");
+      this.fact("area", "area of the orbit (2π times the action)");
       this.fact("residual", "residual over a whole period, relative");
       this.fact("sites", "sites of the chain", "", String(f.sites.value));
-      this.fact("pinning_kappa", "κ of the pinning pair; unstable where positive");
+      this.fact("pinning_kappa", "κ of the translational pair; unstable where positive");
       const count = f.unstable_pairs.value;
       this.fact("largest_modulus", "largest modulus of a multiplier");
       this.fact("unstable_pairs", "stability", "", count ? `unstable: ${count} pair${count > 1 ? "s" : ""} of multipliers off the circle, beyond the error`
@@ -58,10 +58,10 @@
       if (!kicked) return;
       this.fact("speed", "mean speed after the kick", "sites per unit of time");
       this.fact("travelled", "sites travelled");
-      this.fact("margin", "energy of the kick over the drift of the energy", "", rounded(f.margin.value, 2));
+      this.fact("margin", "ratio of the kick's energy to the energy drift", "", rounded(f.margin.value, 2));
       const trusted = f.margin.value > 100;
-      this.fact("fate", "what becomes of it", "", !trusted ? "no verdict: the integration drifts too much for so weak a kick"
-        : f.share.value < 0.9 ? "it breaks up" : ["undecided in this time", "it is free and moves on", "it is pinned"][f.fate.value]);
+      this.fact("fate", "fate after the kick", "", !trusted ? "no verdict: the integration drifts too much for so weak a kick"
+        : f.share.value < 0.9 ? "it breaks up" : ["undecided in this time", "it is depinned and moves on", "it is pinned"][f.fate.value]);
     }
 
     draw() {

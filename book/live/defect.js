@@ -20,7 +20,7 @@
     }
     begin() { this.budget.replaceChildren(); }
 
-    progress(t) { this.say(t < 74.9 ? `computing: ${t.toFixed(0)} of 75 ms` : "the map is drawn; computing the shares at two steps …"); }
+    progress(t) { this.say(t < 74.9 ? `computing: ${t.toFixed(0)} of 75 ms` : "the map is drawn; computing the fractions at two steps …"); }
 
     report() {
       const f = this.facts, percent = (x) => `${(100 * x).toFixed(1)} %`;
@@ -29,13 +29,13 @@
       const part = (name, x) => make("span", { class: name, style: `flex-grow: ${Math.max(x, 0.0005)}` });
       this.budget.append(make("div", { class: "bar", "aria-hidden": "true" }, part("stays", back), part("rest", near), part("packet", on)),
         make("p", {}, `Of the energy that arrives at the defect, ${percent(back)} is reflected, ${percent(near)} is still near it after 75 ms, ${percent(on)} is transmitted.`));
-      this.fact("net_reflected", "reflected, of what arrives");
-      this.fact("net_near", "near the defect, of what arrives");
-      this.fact("net_transmitted", "transmitted, of what arrives");
-      this.fact("reflected", "before the defect, of all energy");
-      this.fact("near", "near the defect, of all energy");
-      this.fact("transmitted", "behind the defect, of all energy");
-      this.fact("budget", "sum of the shares less one");
+      this.fact("net_reflected", "reflected fraction of the arriving energy");
+      this.fact("net_near", "fraction of the arriving energy near the defect");
+      this.fact("net_transmitted", "transmitted fraction of the arriving energy");
+      this.fact("reflected", "fraction of the total energy before the defect");
+      this.fact("near", "fraction of the total energy near the defect");
+      this.fact("transmitted", "fraction of the total energy behind the defect");
+      this.fact("budget", "sum of the fractions less one");
     }
 
     draw() {

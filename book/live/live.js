@@ -69,7 +69,7 @@ window.Live = (() => {
   const raised = (text) => [...text].map((c) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(c)]).join("");
   const rounded = (x, digits) => x.toPrecision(digits).replace(/^-/, "−").replace(/e\+?(-?\d+)/, (_, n) => `·10${raised(n)}`);
   const withError = (value, error) => {
-    if (!Number.isFinite(value)) return "there is none";
+    if (!Number.isFinite(value)) return "none";
     if (error === 0 || value === 0) return rounded(value, 6);
     const digits = Math.min(Math.max(power(value) - power(error) + 1, 1), 12);
     return `${rounded(value, digits)} ± ${rounded(error, 1)}`;
@@ -135,7 +135,7 @@ window.Live = (() => {
         const good = value >= least && value <= most && whole;
         input.toggleAttribute("aria-invalid", !good);
         if (!good) {
-          this.say(`${words} = ${input.value.trim() || "nothing"} cannot be used; allowed ${whole ? "is" : "are whole numbers"} from ${least} to ${most}`, true);
+          this.say(`${words} = ${input.value.trim() || "nothing"} cannot be used; allowed ${whole ? "is" : "are integers"} from ${least} to ${most}`, true);
           input.focus();
           return false;
         }

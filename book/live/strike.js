@@ -57,10 +57,10 @@
             key("packet"), ` ${percent(share)} in the foremost packet, `, key("rest"), ` ${percent(rest)} elsewhere.`));
       }
       this.fact("speed", "speed of the foremost packet beyond site 20", "sites per unit of time");
-      this.fact("centre", "place of the foremost packet at the end", "(site)");
+      this.fact("centre", "position of the foremost packet at the end", "(site)");
       this.fact("peak_energy_density", "largest maximum of the packet's energy density");
-      this.fact("packet_energy_fraction", "share of the energy in the foremost packet");
-      this.fact("boundary_energy_fraction", "share that stays on the first five beads");
+      this.fact("packet_energy_fraction", "fraction of the energy in the foremost packet");
+      this.fact("boundary_energy_fraction", "fraction that stays on the first five beads");
       this.fact("energy_drift", "relative drift of the energy");
     }
 

@@ -30,11 +30,11 @@ def of_volume(test):
 
 
 CLAIMS = ["id", "section", "where", "quantity", "printed", "unit", "class", "tolerance", "answer", "criterion", "assumption",
-          "covered_by", "reason", "status"]
+          "covered_by", "reason", "cause", "status"]
 LOCK = ["program", "id", "value", "error", "unit", "kind"]
 FACTS = ["quantity", "value", "error", "unit", "made_by"]
 FACTS_OF_DEMO = ["one", 1.0, 1e-3, "m"], ["other", 1.0, 0.0, ""], ["fact", 2.0, 0.1, ""]
-FIGURES = ["id", "label", "section", "program", "script", "class", "data", "caption"]
+FIGURES = ["id", "label", "section", "program", "script", "class", "data", "caption", "details"]
 HELP = """#!/bin/sh
 if [ "$1" = one ]; then cat <<'END'
 one thing, of two
@@ -86,19 +86,17 @@ class Scratch(unittest.TestCase):
         os.chdir(self.root)
         self.write("src/sec1_demo.cpp", "/**\n# 1 A demonstration\n\nIt is [](num:a.one). */\n")
         self.write("paper/claims.ecsv", table(CLAIMS, [
-            ["a.one", "1", "Fig. demo", "one", "1.02", "", "converged", "rel 1e-2", "sec1_demo.one", "", "", "", "they erred",
+            ["a.one", "1", "Fig. demo", "one", "1.02", "", "converged", "rel 1e-2", "sec1_demo.one", "", "", "", "they erred", "their ruler",
              "discrepant"],
-            ["a.two", "1", "text", "two", "yes", "", "claim", "", "", "sec1_demo.fact > 1", "of {a.one}, Section wells", "", "",
+            ["a.two", "1", "text", "two", "yes", "", "claim", "", "", "sec1_demo.fact > 1", "of {a.one}, Section wells", "", "", "",
              "holds"]]))
         self.write("paper/converged.ecsv", table(LOCK, [
             ["sec1_demo", "one", 1.0000000000000002, 1e-3, "m", "value"], ["sec1_demo", "fact", 2.0, 0.1, "", "value"]]))
         self.write("figures/figures.ecsv", table(FIGURES, [
-            ["01", "demo", "1", "sec1_demo", "fig01.gp", "ER", "facts", "A line."]]))
+            ["01", "demo", "1", "sec1_demo", "fig01.gp", "ER", "facts", "A line.", "(a–c) At $t = \\frac12$."]]))
         self.write("paper/costs.ecsv", table(["program", "seconds"], [["sec1_demo", 3.0]]))
         self.write("codemeta.json", ecsv.text_of(ROOT / "codemeta.json"))
         self.write("README.md", "<!-- discrepant -->\n<!-- /discrepant -->\n")
-        self.write("CONTRIBUTING.md", "")
-        self.write("DATA.md", "It is <!--num:a.one--><!--/-->.\n")
         self.facts(*FACTS_OF_DEMO)
 
     def write(self, name, text):

@@ -62,13 +62,12 @@ class Repository(Scratch):
         self.write("src/lattice/numbers/demo.cpp", '#include "lattice/numbers/demo.hpp"\n/** More words. */\nint x;\n')
         self.write("figures/fig01.gp", "plot x  # a line\n")
         self.write("build/figures/fig01.svg", '<svg xmlns="http://www.w3.org/2000/svg" width="10mm" height="20"><rect/></svg>')
-        self.write("paper/captions.tex", "\\see{01}{(a--c) As Fig. 01, at~$t = \\frac12$.}\n")
         self.write("book/equations.ecsv", ecsv.text_of(ROOT / "book/equations.ecsv"))
         self.write("book/contents.txt", "= One\nsec1_demo\n")
         self.write("book/start.md", "# Start\n\nTake [](num:a.one).\n")
         self.write("book/commands.txt", "a.one build/bin/sec1_demo one --exactly # one\n")
-        self.write("apt-packages.txt", "dpkg\n[book]\nno-such-package\n")
-        self.write("DATA.md", "# Use the data\n\nIt is <!--num:a.one-->1.000<!--/-->.\n")
+        self.write("CONTRIBUTING.md", "")
+        self.write("tools/apt-packages.txt", "dpkg\n[book]\nno-such-package\n")
         cells = [{"cell_type": "markdown", "source": ["# In Python\n", "\n", "By Eq. (9), $x^2$; [](num:a.one)."]},
                  {"cell_type": "code", "source": ["x = 1  # one"], "outputs": [{"output_type": "stream", "text": ["a < b\n"]}]}]
         self.write("python/a_b.ipynb", json.dumps({"cells": cells}))
@@ -93,7 +92,7 @@ class Repository(Scratch):
         for name, pieces in {
                 "published": ['id="a.one"', "they erred", 'sec1_demo.html#L-15">line 15 of sec1_demo.cpp</a>', "--exactly"],
                 "numbers-sec1_demo": ['id="sec1_demo.fact"', "sec1_demo.html#L-16", "data/sec1_demo/facts.ecsv", "what quantity is"],
-                "fig-01": ["(a–c) As", "a line", "what quantity is"], "numbers-demo-cpp": ["A header: how", "declared in"],
+                "fig-01": ["(a–c) At", "a line", "what quantity is"], "numbers-demo-cpp": ["A header: how", "declared in"],
                 "commands": ['id="sec1_demo-one"', "how fast it is, in sites (default: 0.5)"], "packages": ["not installed"],
                 "notebook-a-b": ["equations.html#eq-9", "a &lt; b"], "data": ["numbers-sec1_demo.html"]}.items():
             for piece in pieces:

@@ -8,9 +8,9 @@ from lineage.lock import read_lock
 
 from common import ROOT, VOLUME, Scratch, finding, of_volume, table
 
-FINDINGS = ["id", "sentence", "kind", "range", "tried", "criterion", "second", "figure"]
+FINDINGS = ["id", "sentence", "kind", "range", "tried", "criterion", "second", "figure", "front"]
 GOOD = ["pull", "Up to t = 10 it is [](num:a.one) and $x_1 > 0$.", "observed", "Up to t = 10; one well", "longer runs",
-        "sec1_demo.one > 0.5; sec1_demo.fact > sec1_demo.one", "0.9 by hand", "01"]
+        "sec1_demo.one > 0.5; sec1_demo.fact > sec1_demo.one", "0.9 by hand", "01", "yes"]
 
 
 class Rows(Scratch):

@@ -76,7 +76,7 @@ class Files(Scratch):
         """Also if no number is read from it; a header does not count."""
         self.computed("sec1_demo/speeds.ecsv", table(["value"], [[1.0], [2.0]]))
         self.write("apt-packages.txt", "")
-        changed, readers = "changed since sec1_demo wrote it; remove it to recompute it", ("lock", "show a.one", "tables", "inventory")
+        changed, readers = "changed since sec1_demo wrote it; remove it to recompute it", ("lock", "show a.one", "tables")
         for path, old, new, words, verbs in [
                 (self.FACTS, r"(?s).*", "", "not a table (it is empty)", readers[:2]), (self.FACTS, r"(?s).{12}$", "", "row 3: ", readers[:2]),
                 (self.FACTS, "one,1,", "one,2,", changed, readers), (self.FACTS, r"fact,.*\n", "", changed, readers),
@@ -95,7 +95,7 @@ class Files(Scratch):
     def test_a_run_that_has_lost_a_table_is_made_again(self):
         self.computed("sec1_demo/speeds.ecsv", table(["value"], [[1.0], [2.0]]))
         (self.root / self.SPEEDS).unlink()
-        for verb in ("lock", "show a.one", "inventory"):
+        for verb in ("lock", "show a.one"):
             self.refuses(verb, f"{self.SPEEDS} is missing")
         facts = self.read(self.FACTS)
         self.assertEqual(self.lineage("tables"), (0, f"  missing  {self.SPEEDS}: its program will run again\n", ""))

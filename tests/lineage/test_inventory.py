@@ -1,4 +1,4 @@
-"""Tables and commands as they describe themselves."""
+"""Commands as they describe themselves."""
 
 from lineage import ecsv, inventory
 
@@ -18,9 +18,3 @@ class Inventory(Scratch):
         self.write("build/bin/sec1_demo", HELP.replace("#!/bin/sh\n", "#!/bin/sh\nexit 3\n"))
         with self.assertRaisesRegex(ecsv.Fault, "sec1_demo: cannot print its help"):
             list(inventory.commands(self.root, self.root / "build/bin"))
-
-    def test_a_table_describes_its_columns(self):
-        rows = list(inventory.tables(self.root, self.root / "build/data"))
-        self.assertEqual([(r["table"], r["column"]) for r in rows],
-                         [("facts", c) for c in ("quantity", "value", "error", "unit", "made_by")])
-        self.assertEqual(rows[1]["kind"] + ", " + rows[1]["description"], "float64, what value is")

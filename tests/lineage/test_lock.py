@@ -20,7 +20,7 @@ class Locking(Scratch):
         self.assertIn("lock       : 2 values (3 computed), 0 changes", self.lineage("lock")[1])
         before, text = self.read("paper/converged.ecsv"), self.read("src/sec1_demo.cpp")
         for name, quotation in [("src/sec1_demo.cpp", text + "/** [](num:sec1_demo.other) */\n"),
-                                ("paper/paper.tex", "\\num{sec1_demo.other}\n"), ("paper/supplement.tex", "\\both{sec1_demo.other}\n"),
+                                ("paper/paper.tex", "\\num{sec1_demo.other}\n"), ("paper/theorem.tex", "\\both{sec1_demo.other}\n"),
                                 ("book/start.md", "[](num:sec1_demo.other)\n"),
                                 ("book/commands.txt", "# one\nsec1_demo.other run # it\n")]:
             self.write(name, quotation)

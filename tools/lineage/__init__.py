@@ -4,21 +4,16 @@
     values    a value with its error, and the digits that people see of it
     claims    what is claimed and found, the verdicts, and all numbers by their names
     chapters  which chapters answer and explain a claim, their commands and costs
-    modules   how the libraries stand on each other, as CMake links them
     lock      paper/converged.ecsv: which values are kept, and how far a fresh one may be
     hashes    paper/hashes.ecsv: the bytes of every table
-    refresh   values and tables in prose: src/, the pages, paper/costs.ecsv
-    metadata  version, title, authors, licences: CITATION.cff, .zenodo.json, paper/metadata.yaml
-    codecheck what a codechecker compares: codecheck.yml
+    refresh   values and tables in prose: src/, README.md, paper/costs.ecsv
     tex       the same values for the paper
     show      one number, statement or finding
-    inventory list every table with its columns, every command and the packages used
-    cover     the first page of the archive of `make dist`
-    gallery   the small pictures of the README
+    inventory every command and the packages used
     sources   chapters as prose and code, and the line that recorded a number
     markdown  values and words for the book, which book/literate.py makes of all this
 
-`python3 -m lineage --help` lists the verbs. All but `gallery` need the standard library only.
+`python3 -m lineage --help` lists the verbs. All need the standard library only.
 """
 
 import sys

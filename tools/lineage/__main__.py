@@ -53,21 +53,6 @@ def macros(given):
     write(given.root, given.out)
 
 
-def gallery(given):
-    from .gallery import renew
-    renew(given.root, given.figures)
-
-
-def inventory(given):
-    from .inventory import write
-    write(given.root, given.data, given.programs, given.out)
-
-
-def cover(given):
-    from .cover import write
-    write(given.root)
-
-
 class Parser(argparse.ArgumentParser):
     def error(self, message):
         self.exit(2, f"{self.prog}: {message}\n")
@@ -79,9 +64,7 @@ def reader():
     verbs = parser.add_subparsers(dest="verb", required=True, metavar="verb")
     options = {"data": ("build/data", "folder that holds one folder of tables per program"),
                "quick": ("build/quick/data", "the same for the run with --quick"),
-               "figures": ("build/figures", "folder of the figures"),
-               "costs": ("build/report/cost", "folder with the run time of each program in seconds"),
-               "programs": ("build/bin", "folder of the compiled programs")}
+               "costs": ("build/report/cost", "folder with the run time of each program in seconds")}
 
     def verb(run, help, *wanted, out=None):
         sub = verbs.add_parser(run.__name__, help=help, description=help)
@@ -106,9 +89,6 @@ def reader():
     stale = verb(refresh, "write the reference values into the prose, and renew the tables of the pages", "costs")
     stale.add_argument("--check", action="store_true", help="only report what is stale; exit code 1 if anything is")
     verb(macros, "write the reference values as macros for the paper", out="build/paper")
-    verb(gallery, "draw the small pictures of the README", "figures")
-    verb(inventory, "list every table with its columns, every command and the packages used", "data", "programs", out="build/report")
-    verb(cover, "write index.html of the archive, with the article's figures and claims")
     return parser
 
 

@@ -13,7 +13,7 @@ from .values import Finding, distance
 from .volumes import article
 
 COLUMNS = ("id", "section", "where", "quantity", "printed", "unit", "class", "tolerance", "answer", "criterion", "assumption",
-           "covered_by", "reason", "status")
+           "covered_by", "reason", "cause", "status")
 KINDS = {"proved": "by an argument that is written out in the chapter",
          "enclosed": "by interval arithmetic: a theorem, of which a program is a part",
          "computed": "a converged number with its error",
@@ -45,7 +45,7 @@ def read_claims(root):
 
 def read_findings(root):
     """What we found in this volume, by id."""
-    return read_list(root, "findings", ("id", "sentence", "kind", "range", "tried", "criterion", "second", "figure"))
+    return read_list(root, "findings", ("id", "sentence", "kind", "range", "tried", "criterion", "second", "figure", "front"))
 
 
 def read_literature(root):

@@ -1,7 +1,7 @@
-"""What there is: every table with its columns, every command with its options, and the packages they were made with.
+"""What there is: every command with its options, and the packages that all was made with.
 
-Nothing of it is written by hand. A table describes itself in its header, a program in its `--help`, and dpkg knows
-the versions. The verb writes three tables, and the book makes pages of them."""
+Nothing of it is written by hand: a program describes itself in its `--help`, and dpkg knows the versions. The book makes
+pages of them."""
 
 import re
 import shutil
@@ -15,26 +15,6 @@ from .volumes import volumes
 # Packages that the README takes for granted, in the words of apt-packages.txt
 GRANTED = "build"
 GRANTED_PACKAGES = ("g++", "cmake", "make", "git")
-
-COLUMNS = {
-    "tables": [("program", "that writes the table"), ("table", "name of the table"), ("column", "name of the column"),
-               ("unit", "unit of the column; empty if it has none"), ("kind", "float64, int64 or string"),
-               ("description", "what the column means")],
-    "commands": [("program", "name of the program"), ("command", "name of the command; empty for the program alone"),
-                 ("option", "with two dashes; empty in the row that says what the command does"),
-                 ("allowed", "values that the option takes; empty if it takes none"),
-                 ("description", "what the command does or the option means, with the default")],
-    "packages": [("package", "name in Debian"), ("version", "installed here; empty if it is not"),
-                 ("section", "of apt-packages.txt, what the package is needed for")]}
-
-
-def tables(root, data):
-    """A row for each column of each table, in the order of programs, tables and columns."""
-    for program in (program for folder in volumes(root) for program in programs_of(folder)):
-        for path in sorted((Path(data) / program).glob("[!.]*.ecsv")):
-            for c in ecsv.header_of(ecsv.text_of(path))[0]:
-                yield {"program": program, "table": path.stem, "column": c.name, "unit": c.unit, "kind": c.kind,
-                       "description": c.description}
 
 
 def entries(help_text, heading):
@@ -75,7 +55,7 @@ def commands(root, folder):
 def packages(root):
     """The packages of apt-packages.txt and those that it takes for granted, with the versions installed here."""
     wanted, section = [(name, GRANTED) for name in GRANTED_PACKAGES], "figures and tests"
-    for line in ecsv.text_of(Path(root) / "apt-packages.txt").split():
+    for line in ecsv.text_of(Path(root) / "tools/apt-packages.txt").split():
         if line.startswith("["):
             section = line.strip("[]")
         else:
@@ -88,11 +68,3 @@ def packages(root):
         versions = {name: version for name, status, version in found if status == "installed"}
     return [{"package": name, "version": versions.get(name, ""), "section": section} for name, section in wanted]
 
-
-def write(root, data, folder, out):
-    """The verb: tables.ecsv, commands.ecsv and packages.ecsv."""
-    ecsv.check_all_written(data)
-    for name, rows in [("tables", tables(root, data)), ("commands", commands(root, folder)), ("packages", packages(root))]:
-        columns = [ecsv.Column(column, "string", text) for column, text in COLUMNS[name]]
-        ecsv.write_whole(Path(out) / f"{name}.ecsv",
-                         ecsv.to_text(ecsv.Table(columns, list(rows), {"program": "lineage inventory"})))

@@ -74,7 +74,7 @@ def quoted(root):
         for path in sources(folder) + sorted((folder / "book").glob("*.md")):
             out.update(re.findall(r"\]\(num:([^)]+)\)", ecsv.text_of(path)))
         for path in sorted((folder / "paper").glob("*.tex")):
-            out.update(re.findall(r"\\(?:num|err|both|about)\{([^}#]+)\}", uncommented(ecsv.text_of(path))))
+            out.update(re.findall(r"\\(?:num|both)\{([^}#]+)\}", uncommented(ecsv.text_of(path))))
     return {claims[name]["answer"] if name in claims else name for name in out} - {"...", ""}
 
 

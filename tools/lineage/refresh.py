@@ -1,25 +1,22 @@
 """Numbers in prose. Nobody types a result: `[](num:pn.omega11)` names the answer to a claim and
 `[](num:sec32_dps_profiles.norm_site)` a fact of a program, and the text of the link is the locked value, in a row of a
-table with its error. This file writes those texts, the tables of the pages, the costs in paper/costs.ecsv, and the files that say to others what
-codemeta.json says (metadata.py).
+table with its error. This file writes those texts, the tables of the pages, and the costs in paper/costs.ecsv.
 
 The quoted values are the locked ones and not the fresh ones, because another compiler may change a digit of a
 rounding residue; that fresh and locked values agree is asserted on its own."""
 
-import math
 import re
 from pathlib import Path
 
-from . import codecheck, ecsv, metadata, modules
-from .chapters import article_tests, costs_text, explained_by, read_commands, renewed_costs, run_of, shown_cost
-from .claims import by_name, check_quotations, in_plain, meanings, program_of, programs_of, read_claims, read_findings, read_verdicts, said
+from . import ecsv
+from .chapters import article_tests, costs_text, renewed_costs
+from .claims import by_name, check_quotations, in_plain, meanings, program_of, programs_of, read_claims, read_findings, read_verdicts
 from .lock import read_lock, sources
 from .volumes import article, below, joined
 
 LINK = re.compile(r"(\[[^\]]*\])?\(num:([^)\n]*)(\)?)")
 MARK = re.compile(r"<!--num:([\w.]+)-->[^<\n]*<!--/-->")
-GALLERY = 5  # pictures in a row
-PAGES = ("README.md", "CONTRIBUTING.md", "DATA.md")
+PAGE = "README.md"
 
 
 def with_numbers(text, numbers):
@@ -59,27 +56,19 @@ def printed(claim):
     return f"{text} {claim['unit']}" if claim["unit"] and re.fullmatch(r"[-+.\de]+", text) else text
 
 
-def see(id, claims, costs, alone):
-    """Where a claim that is missed is computed and explained: chapters with their commands and costs, and the command
-    for the number alone."""
-    chapters = ", ".join(f"[`{run_of(program)}`](src/{program}.cpp) ({shown_cost(costs.get(program, math.nan))} s)"
-                         for program in explained_by(id, claims))
-    return chapters + (f"; alone: `{alone[id][0]}`" if id in alone else "")
-
-
-def discrepancy_rows(claims, numbers, verdicts, costs, alone):
-    """Where the article and we differ, the list of claims says why."""
-    yield "| claim | article | here | why | chapters |"
-    yield "|---|---|---|---|---|"
+def discrepancy_rows(claims, numbers, verdicts):
+    """Where the article and we differ, and why, in ten words."""
+    yield "| statement | article | here | likely cause |"
+    yield "|---|---|---|---|"
     for id, c in claims.items():
         if verdicts[id]["verdict"] == "discrepant":
-            ours = numbers[id].shown if id in numbers else verdicts[id]["found"]
-            yield f"| `{id}` | {c['printed']} | {ours} | {said(c['reason'], numbers)} | {see(id, claims, costs, alone)} |"
+            ours = numbers[id].shown_in_prose if id in numbers else verdicts[id]["found"]
+            yield f"| {c['quantity']} | {c['printed']} | {ours} | {c['cause']} |"
 
 
 def found_rows(findings, numbers):
-    """The findings that have a figure, as the first page tells them."""
-    return [f"- {in_plain(row['sentence'], numbers)} ({command_of(row['figure'])})" for row in findings.values() if row["figure"]]
+    """The findings of the first page."""
+    return [f"- {in_plain(row['sentence'], numbers)} ({command_of(row['figure'])})" for row in findings.values() if row["front"]]
 
 
 def tally_rows(claims, verdicts):
@@ -89,19 +78,17 @@ def tally_rows(claims, verdicts):
             *(f"| {word} | {said.count(word)} | {text} |" for word, text in meanings().items() if word in said)]
 
 
-def index_rows(root, claims, figures):
-    """Every chapter with its figures, how many statements it answers, and the lines of tests/article.cpp that assert
-    printed numbers of them."""
-    tests = article_tests(root)
-    yield "| section | chapter | figures | statements | tests of printed numbers |"
-    yield "|---|---|---|---|---|"
+def index_rows(root, figures):
+    """Every chapter with its figures, and the first line of tests/article.cpp that asserts a number of it."""
+    claims, tests = read_claims(root), article_tests(root)
+    yield "| section | chapter | figures | tests |"
+    yield "|---|---|---|---|"
     for program in programs_of(root):
-        answered = [id for id, claim in claims.items() if program_of(claim) == program]
-        lines = sorted({tests[id] for id in answered if id in tests})
-        section = re.match(r"/\*\*\n# (\w[\w.]*)", ecsv.text_of(Path(root) / f"src/{program}.cpp"))[1]
+        lines = sorted(tests[id] for id, claim in claims.items() if program_of(claim) == program and id in tests)
+        section, title = re.match(r"/\*\*\n# (\w[\w.]*):? (.*)", ecsv.text_of(Path(root) / f"src/{program}.cpp")).groups()
         shown = ", ".join(id.lstrip("0") for id, row in figures.items() if row["program"] == program)
-        links = ", ".join(f"[line {line}](tests/article.cpp#L{line})" for line in lines)
-        yield f"| {section} | [`{program}`](src/{program}.cpp) | {shown} | {len(answered) or ''} | {links} |"
+        link = f"[from line {lines[0]}](tests/article.cpp#L{lines[0]})" if lines else ""
+        yield f"| {section} | [{title}](src/{program}.cpp) | {shown} | {link} |"
 
 
 def command_of(figure):
@@ -109,31 +96,13 @@ def command_of(figure):
     return "make " + (figure if figure.startswith("x") else "fig" + figure)
 
 
-def gallery_rows(figures):
-    """Every figure small with its number, GALLERY in a row; a picture leads to the chapter that makes it."""
-    cells = [f' [<img src="figures/gallery/{Path(f["script"]).stem}.png" width="140" alt="{f["caption"]}" title="{f["caption"]}">]'
-             f"(src/{f['program']}.cpp)<br>{id} |" for id, f in figures.items()]
-    return ["|" + " |" * GALLERY, "|" + "---|" * GALLERY] + ["|" + "".join(cells[i:i + GALLERY])
-                                                              for i in range(0, len(cells), GALLERY)]
-
-
-def minute_rows(root):
-    """How long the commands take; None where nobody has measured it."""
-    if not (path := Path(root) / "tools/bench/minutes.ecsv").exists():
-        return None
-    rows = ecsv.read(path, ("command", "seconds", "what")).rows
-    return ["| | | about |", "|---|---|---|",
-            *(f"| `{row['command']}` | {row['what']} | {max(1, round(row['seconds'] / 60))} min |" for row in rows)]
-
-
-def generated_tables(root, claims, numbers, costs):
-    """Every table that a page may show, by the name in its marks."""
+def generated_tables(root, claims, numbers):
+    """Every table that the page may show, by the name in its marks."""
     judged, verdicts = Path(root) == article(root), read_verdicts(root)
-    figures = read_figures(root)
-    return {"gallery": gallery_rows(figures), "index": list(index_rows(root, claims, figures)) if judged else None, "found": found_rows(read_findings(root), numbers),
-            "modules": modules.drawing(root), "minutes": minute_rows(root),
+    return {"found": found_rows(read_findings(root), numbers),
+            "index": list(index_rows(root, read_figures(root))) if judged else None,
             "summary": tally_rows(claims, verdicts) if judged else None,
-            "discrepant": list(discrepancy_rows(claims, numbers, verdicts, costs, read_commands(root))) if judged else None}
+            "discrepant": list(discrepancy_rows(claims, numbers, verdicts)) if judged else None}
 
 
 def fresh_page(text, tables):
@@ -156,7 +125,7 @@ def fresh_page(text, tables):
 
 
 def read_figures(root):
-    return ecsv.read(Path(root) / "figures/figures.ecsv", ("id", "program", "script", "data")).by("id", "figures")
+    return ecsv.read(Path(root) / "figures/figures.ecsv", ("id", "program", "script", "data", "caption", "details")).by("id", "figures")
 
 
 def fresh_texts(root, measured):
@@ -174,14 +143,10 @@ def fresh_texts(root, measured):
 
     for path in sources(root):
         yield fresh(path, lambda text: with_numbers(text, numbers))
-    costs = renewed_costs(root, measured)
-    yield root / "paper/costs.ecsv", costs_text(costs)
-    tables = generated_tables(root, claims, numbers, costs)
-    for path in (root / name for name in PAGES if (root / name).exists()):
-        yield fresh(path, lambda text: fresh_page(with_marked_numbers(text, numbers), tables))
-    if root == article(root):
-        yield from metadata.generated(root)
-        yield root / "codecheck.yml", codecheck.text(root)
+    yield root / "paper/costs.ecsv", costs_text(renewed_costs(root, measured))
+    tables = generated_tables(root, claims, numbers)
+    if (root / PAGE).exists():
+        yield fresh(root / PAGE, lambda text: fresh_page(with_marked_numbers(text, numbers), tables))
 
 
 def renew(root, costs, check=False):
