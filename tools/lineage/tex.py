@@ -142,7 +142,7 @@ def marked(words):
     """Words between formulas: emphasis, code and bound numbers of Markdown in TeX. Fault for any other mark."""
     def piece(m):
         if m["odd"]:
-            raise ecsv.Fault(f"a mark that is not known to tools/lineage/tex.py: {m.string[m.start():][:40]}")
+            raise ecsv.Fault(f"a mark that tools/lineage/tex.py does not know: {m.string[m.start():][:40]}")
         if m["num"]:
             return rf"\num{{{m['num']}}}"
         kind = "textbf" if m["bold"] else "emph" if m["emph"] else "texttt"
