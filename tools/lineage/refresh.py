@@ -62,8 +62,9 @@ def discrepancy_rows(claims, numbers, verdicts):
     yield "|---|---|---|---|"
     for id, c in claims.items():
         if verdicts[id]["verdict"] == "discrepant":
-            ours = numbers[id].shown_in_prose if id in numbers else verdicts[id]["found"]
-            yield f"| {c['quantity']} | {c['printed']} | {ours} | {c['cause']} |"
+            unit = printed(c).removeprefix(c["printed"])
+            ours = numbers[id].shown_in_prose + unit if id in numbers else verdicts[id]["found"]
+            yield f"| {c['quantity']} | {printed(c)} | {ours} | {c['cause']} |"
 
 
 def found_rows(findings, numbers):
@@ -71,11 +72,14 @@ def found_rows(findings, numbers):
     return [f"- {in_plain(row['sentence'], numbers)} ({command_of(row['figure'])})" for row in findings.values() if row["front"]]
 
 
-def tally_rows(claims, verdicts):
-    """How many statements have each verdict, and what it means."""
+TOLD = {"reproduced, assuming": "reproduced under an assumption", "holds": "true as stated", "quantified": "quantified without a verdict",
+        "within its own accuracy": "within the article's own accuracy", "follows": "following from another row"}
+
+
+def tally(claims, verdicts):
+    """How many statements have each verdict, in a line."""
     said = [verdicts[id]["verdict"] for id in claims]
-    return ["| verdict | statements | meaning |", "|---|---|---|",
-            *(f"| {word} | {said.count(word)} | {text} |" for word, text in meanings().items() if word in said)]
+    return [f"{len(said)} statements: " + ", ".join(f"{said.count(word)} {TOLD.get(word, word)}" for word in meanings() if word in said) + "."]
 
 
 def index_rows(root, figures):
@@ -86,8 +90,9 @@ def index_rows(root, figures):
     for program in programs_of(root):
         lines = sorted(tests[id] for id, claim in claims.items() if program_of(claim) == program and id in tests)
         section, title = re.match(r"/\*\*\n# (\w[\w.]*):? (.*)", ecsv.text_of(Path(root) / f"src/{program}.cpp")).groups()
+        title = title[0].upper() + title[1:]
         shown = ", ".join(id.lstrip("0") for id, row in figures.items() if row["program"] == program)
-        link = f"[from line {lines[0]}](tests/article.cpp#L{lines[0]})" if lines else ""
+        link = f"[line {lines[0]}](tests/article.cpp#L{lines[0]})" if lines else ""
         yield f"| {section} | [{title}](src/{program}.cpp) | {shown} | {link} |"
 
 
@@ -101,7 +106,7 @@ def generated_tables(root, claims, numbers):
     judged, verdicts = Path(root) == article(root), read_verdicts(root)
     return {"found": found_rows(read_findings(root), numbers),
             "index": list(index_rows(root, read_figures(root))) if judged else None,
-            "summary": tally_rows(claims, verdicts) if judged else None,
+            "summary": tally(claims, verdicts) if judged else None,
             "discrepant": list(discrepancy_rows(claims, numbers, verdicts)) if judged else None}
 
 
