@@ -423,7 +423,8 @@ class Book:
             old.unlink()
         pages = {s.page: self.source_page(s) for s in self.sources} | {f"fig-{id}": self.figure_page(id) for id in self.figures}
         pages |= {f"numbers-{s.stem}": self.numbers_page(s.stem) for s in self.chapters}
-        heads = dict(zip(LISTS, re.split(r"\n(?=# )", ecsv.text_of(HERE / "lists.md"))))
+        heads = dict(zip(LISTS[1:], re.split(r"\n(?=# )", ecsv.text_of(HERE / "lists.md"))))
+        heads["published"] = ecsv.text_of(HERE / "published.md")
         lists = {name: heads.get(name, "") + getattr(self, f"{name}_page")() for name in LISTS}
         lists |= {"data": self.data_page(), "machines": self.machines_page()}
         lists |= {name: ecsv.text_of(folder / f"{name}.md") + live.SCRIPT for folder, name in self.lives}

@@ -41,7 +41,7 @@ class Refreshing(Scratch):
         self.assertEqual(self.lineage("refresh", "--check")[0], 1)
         self.assertEqual(self.lineage("refresh")[0], 0)
         self.assertIn("It is [1.000](num:a.one).", self.read("src/sec1_demo.cpp"))
-        self.assertIn("| one | 1.02 | 1.000 | their ruler |", self.read("README.md"))
+        self.assertIn("| one | 1.02 | 1.000 ± 0.001 | their ruler |", self.read("README.md"))
         self.assertEqual(self.lineage("refresh", "--check"), (0, "", ""))
         self.write("build/report/cost/sec1_demo", "9.1\n")
         self.assertIn("renewed", self.lineage("refresh")[1])

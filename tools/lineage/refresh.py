@@ -58,12 +58,11 @@ def printed(claim):
 
 def discrepancy_rows(claims, numbers, verdicts):
     """Where the article and we differ, and why, in ten words."""
-    yield "| statement | article | here | likely cause |"
+    yield "| statement | article | here | possible cause |"
     yield "|---|---|---|---|"
     for id, c in claims.items():
         if verdicts[id]["verdict"] == "discrepant":
-            unit = printed(c).removeprefix(c["printed"])
-            ours = numbers[id].shown_in_prose + unit if id in numbers else verdicts[id]["found"]
+            ours = numbers[id].shown_in_table if id in numbers else verdicts[id]["found"]
             yield f"| {c['quantity']} | {printed(c)} | {ours} | {c['cause']} |"
 
 
@@ -72,14 +71,20 @@ def found_rows(findings, numbers):
     return [f"- {in_plain(row['sentence'], numbers)} ({command_of(row['figure'])})" for row in findings.values() if row["front"]]
 
 
-TOLD = {"reproduced, assuming": "reproduced under an assumption", "holds": "true as stated", "quantified": "quantified without a verdict",
-        "within its own accuracy": "within the article's own accuracy", "follows": "following from another row"}
-
-
 def tally(claims, verdicts):
-    """How many statements have each verdict, in a line."""
-    said = [verdicts[id]["verdict"] for id in claims]
-    return [f"{len(said)} statements: " + ", ".join(f"{said.count(word)} {TOLD.get(word, word)}" for word in meanings() if word in said) + "."]
+    """How many statements hold, and the ids of those that neither hold nor are in the table of the discrepant ones."""
+    of = {word: [id for id in claims if verdicts[id]["verdict"] == word] for word in meanings()}
+    count = {word: len(ids) for word, ids in of.items()}
+    hold, open_ = count["reproduced"] + count["reproduced, assuming"] + count["holds"], count["quantified"]
+
+    def named(word):
+        return f"{count[word]} ({', '.join(f'`{id}`' for id in of[word])})"
+
+    return [f"Of {len(claims)} statements {len(claims) - open_} can be decided. {hold} hold: {count['reproduced']} numbers as printed, "
+            f"{count['reproduced, assuming']} under a natural condition that is not printed, and {count['holds']} statements. "
+            f"{named('within its own accuracy')} lies within the accuracy that the article prints, {named('follows')} follows from another "
+            f"number, and {count['discrepant']} are discrepant. The other {open_} are words without a number, or numbers whose method "
+            "is not printed; ours stand beside them."]
 
 
 def index_rows(root, figures):
