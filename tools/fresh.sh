@@ -99,7 +99,7 @@ git init -q "$around" && git -C "$around" -c user.name=x -c user.email=x@y commi
 git clone -q --no-hardlinks . "$around/$folder" || exit 1
 home="CDPATH=/home PYTHONSAFEPATH=1"
 # shellcheck disable=SC2016
-commands=$(sed -n '/^```sh$/,/^```$/s/^\(make [a-z]*\).*/\1/p; /^```$/q' README.md)
+commands=$(sed -n '/^```sh$/,/^```$/{ s/^\(make [a-z]*\).*/\1/p; /^```$/q; }' README.md)
 [ "$(echo "$commands" | wc -l)" = 2 ] || { echo "README.md does not begin with two commands" >&2; exit 1; }
 [ ! -d beyond ] || commands="$commands
 make beyond
