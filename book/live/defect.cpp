@@ -2,11 +2,14 @@
 # A defect in the browser
 
 A packet of an array of cantilevers meets beads of another radius at site 100: first the map of
-contact forces is drawn as it is computed, then two runs with different steps say where the energy
-is after 75 ms (scattering.hpp). */
+contact forces is drawn as it is computed, then runs with two steps, with the defect and without it, say
+where the energy is after 75 ms, as in sec36_cantilever_defect.cpp. */
+
+#include <array>
+#include <numeric>
 
 #include "page.hpp"
-#include "sec36/scattering.hpp"
+#include "sec3/array_impact.hpp"
 
 using namespace lattice;
 
@@ -36,6 +39,36 @@ void draw_map(const StruckArray& blow, const Request& r) {
   });
 }
 
+/// Fractions of the impact's energy at the end: sites 1 to 95, 96 to 104, and from 105 on.
+struct EnergyShares {
+  double reflected, near, transmitted;
+};
+
+EnergyShares shares(const StruckArray& blow, double radius, double step) {
+  const auto e = strike(EventCorrected{step}, blow.impact(radius, until, 1)).density;
+  const auto defect = e.begin() + std::ptrdiff_t(blow.array.defect);
+  const double all = blow.struck_velocity() * blow.struck_velocity() / 2;
+  return {std::accumulate(e.begin(), defect - 5, 0.0) / all,
+          std::accumulate(defect - 5, defect + 4, 0.0) / all,
+          std::accumulate(defect + 4, e.end(), 0.0) / all};
+}
+
+/**
+Only what passes the defect's place in an array without a defect arrives there; the net fractions refer to it. */
+void divide_energy(const StruckArray& blow, double radius) {
+  std::array<std::array<double, 7>, 2> found{};
+  for (std::size_t k : {0, 1}) {
+    const double step = k == 0 ? 0.1 : 0.05;
+    const auto [r, d, t] = shares(blow, radius, step);
+    const double before = shares(blow, 1, step).reflected, arriving = 1 - before;
+    found[k] = {r, d, t, (r - before) / arriving, d / arriving, t / arriving, r + d + t - 1};
+  }
+  const char* names[] = {"reflected",     "near",     "transmitted",
+                         "net_reflected", "net_near", "net_transmitted"};
+  for (std::size_t i = 0; i < 6; ++i) page::fact(names[i], compare(found[0][i], found[1][i]));
+  page::fact("budget", Estimate{found[1][6], std::abs(found[0][6])});
+}
+
 /**
 All that the page shows is computed in one call. */
 PAGE_REQUEST(Request)
@@ -43,8 +76,6 @@ PAGE_REQUEST(Request)
 extern "C" __attribute__((export_name("run"))) void run() {
   const StruckArray blow{{}, asked.velocity};
   draw_map(blow, asked);
-  const Fractions found = fractions(ScatteringSetup(blow, {0.1, 0.05}, until), asked.radius);
-  for (const auto& named : found.named()) page::fact(named.name, named.share);
-  page::fact("budget", found.budget);
+  divide_energy(blow, asked.radius);
   page::fact("mu", exact(blow.array.mu(asked.radius)));
 }

@@ -29,9 +29,11 @@ TEST_CASE("help and version", "[cli]") {
   CHECK(run.find("--contact {hertz|power} ") != std::string::npos);
   CHECK(matches(run, "such as -1/6").size() == 1);
   CHECK(help.find("(default: build/data/sec34_impact,") != std::string::npos);
+  // Wherever lines are broken
+  const std::string words = std::regex_replace(run, std::regex("\\s+"), " ");
   for (const char* shown : {"(default: 1.87)", "(default: quartic)", "(default: as many as needed)",
                             "(default: standard output)", "is nan; the column reason says why"})
-    CHECK(run.find(shown) != std::string::npos);
+    CHECK(words.find(shown) != std::string::npos);
   CHECK(run.find("A full run takes") == std::string::npos);
 }
 

@@ -57,7 +57,10 @@ inline void check_answers(const std::vector<std::pair<std::string, std::vector<A
     open.insert(command);
   }
   for (const auto& [offer, help] : offers())
-    if (offer.find(' ') != std::string::npos) CHECK(open.count(offer) == 1);
+    if (offer.find(' ') != std::string::npos) {
+      CAPTURE(offer);  // a new command has its quantities in the list above
+      CHECK(open.count(offer) == 1);
+    }
 }
 
 /// A quantity that does not exist is nan with its reason; an empty reason is for one that does.
