@@ -443,9 +443,9 @@ void check_by_gsl() {
 /**
 ## Try it
 
-**To change it.** Another well is a row of `wells`, for figure 19, or the second member of `Chain` in
-`followed`. Another observation of the packet is a line in the loop of `followed`, and a row of `SweepPoint::measure`.
-The figures read columns by name.
+**To change it.** Another anharmonicity in figure 19 is a row of `wells` and a curve in its script; another kind of well
+is the second member of `Chain` in `followed`. Another observation of the packet is a line in the loop of `followed`,
+and a row of `SweepPoint::measure`. The figures read columns by name.
 
 1. *Easy.* Where is the energy in a soft well? `build/bin/sec34_impact run --s -0.7 --velocity 0.9` gives
    `boundary_energy_fraction` = 0.76318 and `packet_energy_fraction` = 0.073459. Hint: with `--s 0` most of it travels.

@@ -81,24 +81,24 @@ def tally(claims, verdicts):
         return f"{count[word]} ({', '.join(f'`{id}`' for id in of[word])})"
 
     return [f"Of {len(claims)} statements {len(claims) - open_} can be decided. {hold} hold: {count['reproduced']} numbers as printed, "
-            f"{count['reproduced, assuming']} under a natural condition that is not printed, and {count['holds']} statements. "
-            f"{named('within its own accuracy')} lies within the accuracy that the article prints, {named('follows')} follows from another "
-            f"number, and {count['discrepant']} are discrepant. The other {open_} are words without a number, or numbers whose method "
-            "is not printed; ours stand beside them."]
+            f"{count['reproduced, assuming']} under a natural condition that the article does not state, and {count['holds']} assertions. "
+            f"{named('within its own accuracy')} is missed by no more than the accuracy that the article prints, {named('follows')} only because "
+            f"it is computed from another number, and {count['discrepant']} are discrepant. The other {open_} are words without a number, or numbers "
+            "whose method is not printed; ours stand beside them."]
 
 
 def index_rows(root, figures):
-    """Every chapter with its figures, and the first line of tests/article.cpp that asserts a number of it."""
+    """Every chapter, in the article's order, with its figures, and the first line of tests/article.cpp that asserts a number of it."""
     claims, tests = read_claims(root), article_tests(root)
-    yield "| section | chapter | figures | tests |"
-    yield "|---|---|---|---|"
+    rows = []
     for program in programs_of(root):
         lines = sorted(tests[id] for id, claim in claims.items() if program_of(claim) == program and id in tests)
         section, title = re.match(r"/\*\*\n# (\w[\w.]*):? (.*)", ecsv.text_of(Path(root) / f"src/{program}.cpp")).groups()
-        title = title[0].upper() + title[1:]
-        shown = ", ".join(id.lstrip("0") for id, row in figures.items() if row["program"] == program)
+        shown = [id for id, row in figures.items() if row["program"] == program]
         link = f"[line {lines[0]}](tests/article.cpp#L{lines[0]})" if lines else ""
-        yield f"| {section} | [{title}](src/{program}.cpp) | {shown} | {link} |"
+        rows.append((section, min(shown, default="x"), f"| {section} | [{title[0].upper() + title[1:]}](src/{program}.cpp) | "
+                     f"{', '.join(id.lstrip('0') for id in shown)} | {link} |"))
+    return ["| section | chapter | figures | tests |", "|---|---|---|---|", *(row for *_, row in sorted(rows))]
 
 
 def command_of(figure):
@@ -110,7 +110,7 @@ def generated_tables(root, claims, numbers):
     """Every table that the page may show, by the name in its marks."""
     judged, verdicts = Path(root) == article(root), read_verdicts(root)
     return {"found": found_rows(read_findings(root), numbers),
-            "index": list(index_rows(root, read_figures(root))) if judged else None,
+            "index": index_rows(root, read_figures(root)) if judged else None,
             "summary": tally(claims, verdicts) if judged else None,
             "discrepant": list(discrepancy_rows(claims, numbers, verdicts)) if judged else None}
 
