@@ -95,7 +95,7 @@ def index_rows(root, figures):
         lines = sorted(tests[id] for id, claim in claims.items() if program_of(claim) == program and id in tests)
         section, title = re.match(r"/\*\*\n# (\w[\w.]*):? (.*)", ecsv.text_of(Path(root) / f"src/{program}.cpp")).groups()
         shown = [id for id, row in figures.items() if row["program"] == program]
-        link = f"[line {lines[0]}](tests/article.cpp#L{lines[0]})" if lines else ""
+        link = f"[line\u00a0{lines[0]}](tests/article.cpp#L{lines[0]})" if lines else ""
         rows.append((section, min(shown, default="x"), f"| {section} | [{title[0].upper() + title[1:]}](src/{program}.cpp) | "
                      f"{', '.join(id.lstrip('0') for id in shown)} | {link} |"))
     return ["| section | chapter | figures | tests |", "|---|---|---|---|", *(row for *_, row in sorted(rows))]
