@@ -2,10 +2,10 @@
 /**
 # What is claimed, and whether it is so
 
-Programs compute and claim nothing. What the article prints stands in `paper/claims.ecsv`, one row a statement, with the
-tolerance that was set before anything was computed. Either a fact answers the row (`sec33_floquet.exchange_bond`), or
-conditions on facts decide it (`sec34_impact.slower_speed > 0; sec34_impact.slower_peak > 0`), each of which has to hold
-by more than the error. Our findings and the numbers of other authors are rows of the same form.
+Programs compute and claim nothing. What the article prints stands in `paper/claims.ecsv`, one row a statement, with its
+tolerance. Either a fact answers the row (`sec33_floquet.exchange_bond`), or conditions on facts decide it
+(`sec34_impact.slower_speed > 0; sec34_impact.slower_peak > 0`), each of which has to hold by more than the error. Our
+findings and the numbers of other authors are rows of the same form.
 
 | verdict | meaning |
 |---|---|
