@@ -398,8 +398,9 @@ double hidden_energy(double residual, double detuning) {
 
 /**
 Three checks support our value. The library's own comparison (breather.hpp) has to give the same value, or the run
-stops. Double precision, 64-bit and 113-bit mantissas agree. An independent program (`tests/second`), with another
-integrator and the area by quadrature, finds both at 1.1 to five digits. */
+stops. Double precision and a 64-bit mantissa differ from one of 113 bits by less than their errors
+(tests/lattice/orbits/breather.cpp). An independent program (`tests/second`), with another integrator and the area by
+quadrature, finds both at 1.1 to five digits. */
 void report_printed(Report& report, const BreatherPair& at_11) {
   BreatherPair library = at_11;
   measure_in<Wide>(library);

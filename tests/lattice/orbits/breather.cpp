@@ -2,12 +2,14 @@
 
 #include "lattice/orbits/breather.hpp"
 
+#include <limits>
 #include <numbers>
 
 #include "commands/one_barrier.hpp"
 #include "commands/one_breather.hpp"
 #include "lattice/algebra/eigenvalues.hpp"
 #include "lattice/model/potential_names.hpp"
+#include "lattice/quadruple_orbits/orbits.hpp"
 #include "support/check.hpp"
 #include "support/return_error.hpp"
 
@@ -326,8 +328,27 @@ TEST_CASE("bands end at eigenvalues of a ring", "[unit][chains]") {
   check_line(refusal<std::invalid_argument>(on_a_hill), "its rest state is unstable");
 }
 
+namespace {
+
+/// E_site - E_bond with a mantissa of 113 bits: double precision finds both orbits, the wider type adds digits.
+Quadruple wide_gap(double omega, double s, double tolerance) {
+  Quadruple energy[2];
+  for (int k : {0, 1}) {
+    const auto problem = problem_of(both_centres[k], omega, s);
+    NewtonRule<Quadruple> how;
+    how.events.tolerance = Quadruple(tolerance);
+    const auto orbit = newton(in_precision<Quadruple>(problem), find_breather(problem), how);
+    CHECK(orbit.residual() < 1e-27);
+    CHECK(double(orbit.error) < 20 * tolerance);
+    energy[k] = orbit.energy;
+  }
+  return energy[0] - energy[1];
+}
+
+}  // namespace
+
 TEST_CASE("barriers agree with an independent computation", "[published][periodic]") {
-  // Quadruple precision, another implementation of Newton's method: see the chapter's claims.
+  // By another implementation of Newton's method in quadruple precision; ours in this precision finds them too.
   const struct {
     double omega, s, expected;
   } rows[] = {{1.1, 0, 1.62422471641e-11},
@@ -340,10 +361,28 @@ TEST_CASE("barriers agree with an independent computation", "[published][periodi
     const auto site = find_breather(ps), bond = find_breather(pb);
     const auto gap = barrier(ps, site, bond);
     check_close(gap.equal_frequency, expected, 0, 1e-5);
+    check_close(double(wide_gap(omega, s, 1e-22)), expected, 0, 1e-5);
     auto moved = ps;
     moved.omega = gap.omega_site;
     check_close(newton(moved, site.x).area, bond.area, 0, 1e-10);
   }
+}
+
+TEST_CASE("the barrier at 1.1 with mantissas of 53, 64 and 113 bits", "[published][periodic]") {
+  static_assert(std::numeric_limits<Quadruple>::digits == 113);
+  const Quadruple fine = wide_gap(1.1, 0, 1e-27), coarse = wide_gap(1.1, 0, 1e-25);
+  const double gap(fine), error(magnitude<Quadruple>(fine - coarse));
+  CHECK(error < 1e-13 * gap);
+  check_close(gap, 1.62422471640638e-11, 0, 1e-14);
+  // The difference of the narrower types is within their errors, and these are small
+  BreatherPair pair{.s = 0, .omega = 1.1};
+  for (int k : {0, 1}) pair.orbit[k] = find_breather(pair.problem(k));
+  measure_in<double>(pair);
+  check_close(pair.equal_frequency.value, gap, pair.equal_frequency.error);
+  CHECK(pair.equal_frequency.error < 2e-5 * gap);
+  measure_in<Wide>(pair);
+  check_close(pair.equal_frequency.value, gap, pair.equal_frequency.error);
+  CHECK(pair.equal_frequency.error < 1e-8 * gap);
 }
 
 TEST_CASE("barriers of other wells and contacts", "[property][chains]") {
