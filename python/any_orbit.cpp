@@ -106,7 +106,9 @@ static void refuse_beyond(double most, double share, const char* what) {
 OrbitMultipliers multipliers_through(const Chain& chain, const State<double>& start,
                                      double period) {
   State<double> end = start;
-  flow(chain, end, period);
+  if (!is_accurate(try_flow(chain, end, period), {}))
+    throw std::invalid_argument(
+        "y, v and period: no periodic orbit; the motion from there cannot be followed");
   refuse_beyond(1e-2, largest_difference(end, start) / largest(start),
                 "after one period it misses its start by");
   const auto moves = [](double v) { return v != 0; };

@@ -184,6 +184,7 @@ class Refusals(unittest.TestCase):
         chain, rest = lattice.Chain(5, well="quartic", s=1), np.zeros(5)
         self.refused(("shrinks to rest", lambda: chain.orbit(rest, 5)), ("period: -5", lambda: chain.orbit(np.ones(5), -5)),
                      ("misses its start", lambda: chain.multipliers(np.eye(5)[2], rest, 5)),
+                     ("cannot be followed", lambda: lattice.Chain(5, well="quartic", s=-1).multipliers(rest + 1.1, rest, 5)),
                      (r"\(5,\), one number per site", lambda: chain.multipliers(np.zeros((2, 5)), np.zeros((2, 5)), 5)),
                      ("no number of sites", lambda: lattice.Chain().orbit([1], 5)), kind=(ValueError, RuntimeError))
 

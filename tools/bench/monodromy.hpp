@@ -51,7 +51,7 @@ Tangent<T> event_driven(std::size_t sites, T tolerance, double* evaluations = nu
   Tangent<T> m(sites, 2 * sites);
   EventTolerance<T> rule;
   if (tolerance > T(0)) rule.tolerance = tolerance;
-  const auto report = flow(cradle(sites), s, T(period), rule, &m);
+  const auto report = try_flow(cradle(sites), s, T(period), rule, &m);
   if (evaluations) *evaluations = double(report.evaluations);
   return m;
 }

@@ -51,7 +51,7 @@ struct Held {
                       Tangent<T>* tangent) const {
     const Shooting<T> there = at(x);
     State<T> z = start(x);
-    report = flow(there.chain, z, there.period() / T(2), rule, tangent);
+    report = try_flow(there.chain, z, there.period() / T(2), rule, tangent);
     return z;
   }
 };

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -399,11 +400,44 @@ class EventIntegrator {
   FlowReport<T> flow_;
 };
 
+/// The error that a flow of so many steps may have.
+template <class T>
+T allowed_error(const FlowReport<T>& report, const EventTolerance<T>& rule) {
+  const T tolerance = std::max(rule.tolerance, T(16) * std::numeric_limits<T>::epsilon());
+  return tolerance * T(double(report.steps + 1));
+}
+
+/// What is wrong with a flow, in one line.
+template <class T>
+std::string fault_of(const FlowReport<T>& report, const EventTolerance<T>& rule) {
+  if (!(report.error <= T(1))) return "the motion runs away: no step is short enough to follow it";
+  if (report.missed_events > 0)
+    return "the flow missed " + std::to_string(report.missed_events) +
+           " openings or closings of contacts";
+  return number_label("the flow has an error of", double(report.error)) +
+         number_label(" (allowed:", double(allowed_error(report, rule))) + ")";
+}
+
 }  // namespace
 
 template <class T>
+bool is_accurate(const FlowReport<T>& report, const EventTolerance<T>& rule) {
+  return report.missed_events == 0 && report.error <= allowed_error(report, rule);
+}
+
+// What only wants the end is spared the question
+template <class T>
 FlowReport<T> flow(const Chain& chain, State<T>& state, std::type_identity_t<T> duration,
                    const EventTolerance<T>& rule, Tangent<T>* tangent) {
+  const FlowReport<T> report = try_flow(chain, state, duration, rule, tangent);
+  if (!is_accurate(report, rule)) throw FlowFailed(fault_of(report, rule));
+  return report;
+}
+
+// From event to event; energy, area and time are added at the end
+template <class T>
+FlowReport<T> try_flow(const Chain& chain, State<T>& state, std::type_identity_t<T> duration,
+                       const EventTolerance<T>& rule, Tangent<T>* tangent) {
   const T before = energy(chain, state);
   EventIntegrator<T> integrator(chain, state, duration, rule, tangent);
   FlowReport<T> result = integrator.run();
@@ -417,8 +451,12 @@ FlowReport<T> flow(const Chain& chain, State<T>& state, std::type_identity_t<T> 
   return result;
 }
 
-#define LATTICE_INSTANCES(T) \
-  template FlowReport<T> flow<T>(const Chain&, State<T>&, T, const EventTolerance<T>&, Tangent<T>*);
+#define LATTICE_INSTANCES(T)                                                               \
+  template bool is_accurate<T>(const FlowReport<T>&, const EventTolerance<T>&);            \
+  template FlowReport<T> flow<T>(const Chain&, State<T>&, T, const EventTolerance<T>&,     \
+                                 Tangent<T>*);                                             \
+  template FlowReport<T> try_flow<T>(const Chain&, State<T>&, T, const EventTolerance<T>&, \
+                                     Tangent<T>*);
 #include "lattice/model/instances.hpp"
 
 }  // namespace lattice

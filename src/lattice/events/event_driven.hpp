@@ -13,6 +13,7 @@ that the detection missed shows at the end of the segment as an overlap with the
 
 #include <algorithm>
 #include <cstddef>
+#include <stdexcept>
 #include <type_traits>
 
 #include "lattice/events/location.hpp"
@@ -40,10 +41,28 @@ T largest_difference(const State<T>& a, const State<T>& b) {
   return most;
 }
 
+/// Whether a flow is good enough for an orbit: every step met the tolerance, and no contact that matters opened or
+/// closed in the middle of one.
+template <class T>
+bool is_accurate(const FlowReport<T>& report, const EventTolerance<T>& rule);
+
+/// Its message says that the motion ran away, how many events were missed, or which error was made and which is allowed.
+struct FlowFailed : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// Advances `state` by `duration` and replaces `tangent`, if there is one, by its image under the derivative of the
-/// flow. A runaway raises no exception: it shows in the `error` of what is returned.
+/// flow. Throws FlowFailed unless the result is accurate.
 template <class T>
 FlowReport<T> flow(const Chain& chain, State<T>& state, std::type_identity_t<T> duration,
                    const EventTolerance<T>& rule = {}, Tangent<T>* tangent = nullptr);
+
+/// The same without an exception, as Newton's method needs it: a runaway and missed events only show in what is
+/// returned.
+template <class T>
+[[nodiscard]] FlowReport<T> try_flow(const Chain& chain, State<T>& state,
+                                     std::type_identity_t<T> duration,
+                                     const EventTolerance<T>& rule = {},
+                                     Tangent<T>* tangent = nullptr);
 
 }  // namespace lattice

@@ -39,7 +39,7 @@ Matrix<T> monodromy(const Chain& chain, const State<T>& start,
   const Progress progress("linearised flow");
   State<T> end = start;
   Tangent<T> tangent(chain.sites, 2 * chain.sites);
-  if (!is_accurate(flow(chain, end, duration, rule, &tangent), rule))
+  if (!is_accurate(try_flow(chain, end, duration, rule, &tangent), rule))
     throw NewtonFailed("the flow is not accurate enough for multipliers", {});
   const auto n = Eigen::Index(2 * chain.sites);
   Matrix<T> map = Eigen::Map<Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(

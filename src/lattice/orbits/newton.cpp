@@ -57,12 +57,6 @@ Vector<T> solve_scaled(Matrix<T> matrix, Vector<T> right, const Sizes<T>& size, 
   return solve_system<T>(matrix, right, rank).cwiseProduct(size.unknown);
 }
 
-template <class T>
-bool is_accurate(const FlowReport<T>& flow, const EventTolerance<T>& rule) {
-  const T tolerance = std::max(rule.tolerance, T(16) * std::numeric_limits<T>::epsilon());
-  return flow.missed_events == 0 && flow.error <= tolerance * T(double(flow.steps + 1));
-}
-
 namespace {
 
 /// The exception that names the equations and what went wrong.
@@ -158,7 +152,6 @@ Solution<T> newton(const Equations<T>& equations, Vector<T> x, const NewtonRule<
   template T sup<T>(const Vector<T>&);                                                 \
   template Vector<T> solve_system<T>(const Matrix<T>&, const Vector<T>&, double);      \
   template Vector<T> solve_scaled<T>(Matrix<T>, Vector<T>, const Sizes<T>&, double);   \
-  template bool is_accurate<T>(const FlowReport<T>&, const EventTolerance<T>&);        \
   template Solution<T> newton<T>(const Equations<T>&, Vector<T>, const NewtonRule<T>&, \
                                  const Matrix<T>*);
 #include "lattice/model/instances.hpp"

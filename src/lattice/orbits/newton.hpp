@@ -125,11 +125,6 @@ struct NewtonRule {
   T converged_below() const { return T(scaled ? 65536 : 64) * events.tolerance; }
 };
 
-/// Whether the flow is good enough for an orbit: every step met the tolerance, and no contact that matters opened or
-/// closed in the middle of one.
-template <class T>
-bool is_accurate(const FlowReport<T>& flow, const EventTolerance<T>& rule);
-
 /// Where the iteration ended: unknowns, the evaluation there, and all iterations.
 template <class T>
 struct Solution {

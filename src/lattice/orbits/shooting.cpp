@@ -133,7 +133,7 @@ Evaluation<T> Shooting<T>::evaluate(const Vector<T>& x, const EventTolerance<T>&
   Tangent<T> tangent = first;
   Evaluation<T> out;
   out.flow =
-      flow(chain, z, period(x) / T(symmetry.parts), rule, with_jacobian ? &tangent : nullptr);
+      try_flow(chain, z, period(x) / T(symmetry.parts), rule, with_jacobian ? &tangent : nullptr);
   State<T> rate(chain.sites);
   rate.y = z.v;
   rate.v = accelerations(chain, z.y);
