@@ -67,9 +67,11 @@ struct Hertz {
 /**
 If neighbours are pressed together by $d$ at rest, small motions leave the contacts closed, and the potential is that of
 Eq. (33): $V(r) = \frac25 (d-r)_+^{5/2} + d^{3/2} r - \frac25 d^{5/2}$. The linear term subtracts the constant force of
-the precompression, which cancels on every bead inside the chain, so that $V(0) = V'(0) = 0$. */
+the precompression, which cancels on every bead inside the chain, so that $V(0) = V'(0) = 0$. Ahead of a front the
+displacements fall as fast as between uncompressed beads, and a displacement up to the `floor` exerts no force. */
 struct CompressedHertz {
-  double d = 0;  ///< compression at rest, not negative
+  double d = 0;          ///< compression at rest, not negative
+  double floor = 1e-60;  ///< the largest change of the distance that counts as none
   static constexpr const char* name = "hertz";
   static constexpr auto parameters() {
     return std::array{Parameter<CompressedHertz>{
@@ -94,11 +96,13 @@ struct CompressedHertz {
     const T w = sqrt(x), s = r / (w + p);
     return T(2) / T(5) * s * s * (x * (w + T(2) * p) + T(d) * (T(3) * w + T(3) / T(2) * p));
   }
+  /// $w^3 - p^3$ has the factor $w-p$.
   template <class T>
   T force(T r) const {
-    using std::sqrt;
-    const T x = overlap(r);
-    return x * sqrt(x) - T(d) * sqrt(T(d));
+    using std::abs, std::sqrt;
+    const T x = overlap(r), p = sqrt(T(d)), w = sqrt(x);
+    const T push = d > 0 ? -r * ((x + w * p + T(d)) / (w + p)) : x * w;
+    return x > T(0) ? abs(r) > T(floor) ? push : T(0) : -(T(d) * p);
   }
   template <class T>
   T stiffness(T r) const {
@@ -117,6 +121,7 @@ square root of the other laws is used instead. */
 struct PowerContact {
   double exponent = 1.5;  ///< alpha, at least one
   double d = 0;           ///< compression at rest, not negative
+  double floor = 1e-60;   ///< the largest change of the distance that counts as none
   static constexpr const char* name = "power";
   static constexpr auto parameters() {
     using P = Parameter<PowerContact>;
@@ -136,23 +141,32 @@ struct PowerContact {
     return x > T(0) ? x : T(0);
   }
 
-  /// That of a small r is summed by its powers from r^2 on, since what is before them cancels.
+  /// (1 - u)^p without its terms below u^from, which cancel where `u` is small; |u| < 1/8.
+  template <class T>
+  static T binomial_rest(T u, T p, int from) {
+    T term(1), sum(0);
+    for (int k = 1; k <= from || sum + term != sum; ++k) {
+      if (k > from) sum += term;
+      term *= (T(k - 1) - p) / T(k) * u;
+    }
+    return sum;
+  }
   template <class T>
   T energy(T r) const {
     using std::abs;
     if (exponent == 1.5) return CompressedHertz{d}.energy(r);
     const T x = overlap(r), rest = power(T(d)), more = T(exponent) + T(1);
-    if (!(abs(r) < T(d) / T(8))) return (x * power(x) - T(d) * rest) / more + rest * r;
-    T sum(0), term = T(exponent) / T(2) * rest * r * (r / T(d));
-    for (int k = 2; sum + term != sum; ++k) {
-      sum += term;
-      term *= (T(k) - more) / T(k + 1) * (r / T(d));
-    }
-    return sum;
+    if (abs(r) < T(d) / T(8)) return rest * T(d) / more * binomial_rest(r / T(d), more, 2);
+    return (x * power(x) - T(d) * rest) / more + rest * r;
   }
   template <class T>
   T force(T r) const {
-    return power(overlap(r)) - power(T(d));
+    using std::abs;
+    if (!(abs(r) > T(floor))) return T(0);
+    if (exponent == 1.5) return CompressedHertz{d, floor}.force(r);
+    const T rest = power(T(d));
+    if (abs(r) < T(d) / T(8)) return rest * binomial_rest(r / T(d), T(exponent), 1);
+    return power(overlap(r)) - rest;
   }
 
   /// An open contact has none, which needs saying for alpha = 1: the formula would give 0^0.
@@ -199,12 +213,12 @@ struct Contact : OneOf<OwnContact, Hertz, CompressedHertz, PowerContact> {
 /// The same law by its simplest type: without precompression the 3/2 law is plain `Hertz`, with the
 /// same bits, and `PowerContact` with exponent 3/2 is one of the two laws of Hertz.
 inline Contact simplest(const Contact& contact) {
-  const auto hertz = [](double d) {
-    return d == 0 ? Contact{Hertz{}} : Contact{CompressedHertz{d}};
+  const auto hertz = [](double d, double floor) {
+    return d == 0 ? Contact{Hertz{floor}} : Contact{CompressedHertz{d, floor}};
   };
-  if (const auto* c = std::get_if<CompressedHertz>(&contact)) return hertz(c->d);
+  if (const auto* c = std::get_if<CompressedHertz>(&contact)) return hertz(c->d, c->floor);
   if (const auto* c = std::get_if<PowerContact>(&contact); c && c->exponent == 1.5)
-    return hertz(c->d);
+    return hertz(c->d, c->floor);
   return contact;
 }
 

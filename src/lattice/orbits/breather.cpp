@@ -113,8 +113,13 @@ Fitted fit_chain(Centre centre, double omega, const Well& well, std::size_t site
 }
 
 Contact bare(const Contact& contact) {
-  const Contact simple = simplest(contact);
-  return std::holds_alternative<Hertz>(simple) ? Contact{Hertz{.floor = 0}} : simple;
+  Contact simple = simplest(contact);
+  std::visit(
+      [](auto& c) {
+        if constexpr (requires { c.floor; }) c.floor = 0;
+      },
+      static_cast<Contact::List&>(simple));
+  return simple;
 }
 
 Chain between(const Chain& a, const Chain& b, double part) {

@@ -113,9 +113,12 @@ TEST_CASE("wells and contacts by hand", "[unit][potential]") {
   CHECK(Hertz{}.force(-1e-61) == 0);  // below the floor
   CHECK(Hertz{.floor = 0}.force(-1e-61) > 0);
   CHECK(CompressedHertz{0.25}.force(0.3) == -0.125);  // open: only the compression is missing
+  CHECK(CompressedHertz{0.25}.force(-1e-61) == 0);
+  check_close(CompressedHertz{0.25, 0}.force(-1e-61), 0.75e-61, 0, 1e-15);
 }
 
-TEST_CASE("little strains of a compressed contact have an energy too", "[unit][potential]") {
+TEST_CASE("little strains of a compressed contact have an energy and a force too",
+          "[unit][potential]") {
   for (double alpha : {1.0, 1.2, 1.5, 2.0, 7.3})
     for (double d : {1e-3, 0.5, 10.0}) {
       CAPTURE(alpha, d);
@@ -124,11 +127,17 @@ TEST_CASE("little strains of a compressed contact have an energy too", "[unit][p
                      energy = alpha / 2 * std::pow(d, alpha + 1) * u * u * few;
         check_close(PowerContact{alpha, d}.energy(u * d), energy, 0, 3e-14);
         if (alpha == 1.5) check_close(CompressedHertz{d}.energy(u * d), energy, 0, 3e-14);
+        const long double power = std::pow((long double)d, (long double)alpha),
+                          force = power * std::expm1(alpha * std::log1p(-(long double)u));
+        check_close(PowerContact{alpha, d}.force(u * d), double(force), 0, 2e-15);
+        if (alpha == 1.5) check_close(CompressedHertz{d}.force(u * d), double(force), 0, 2e-15);
       }
       for (double u : {-2.0, -0.126, -0.124, 0.01, 0.124, 0.126, 1.0, 3.0}) {
         const long double x = std::max(1 - u, 0.0), more = alpha + 1;
         check_close(PowerContact{alpha, d}.energy(u * d) / std::pow(d, alpha + 1),
                     double((std::pow(x, more) - 1) / more + u), 1e-16, 2e-13);
+        check_close(PowerContact{alpha, d}.force(u * d) / std::pow(d, alpha),
+                    double(std::pow(x, (long double)alpha) - 1), 1e-16, 4e-15);
       }
     }
 }
