@@ -242,7 +242,7 @@ State<double> end_of(const DpsRun& run) {
   return dps_state(run.A.back(), eps, t_end);
 }
 
-void report_figures(Report& report, const TwoRuns<DpsRun>& dps, const TwoRuns<ChainRun>& chain) {
+void report_figures(Report& report, const TwoRuns<DpsRun>& dps, const Refined<ChainRun>& chain) {
   const auto &coarse = chain.coarse, &fine = chain.fine;
   Table& profiles =
       report.table("impact_profiles",
@@ -304,7 +304,7 @@ LastSite over_last_site(const ChainRun& run) {
   return out;
 }
 
-void report_packet(Report& report, const TwoRuns<DpsRun>& dps, const TwoRuns<ChainRun>& chain) {
+void report_packet(Report& report, const TwoRuns<DpsRun>& dps, const Refined<ChainRun>& chain) {
   // How fast it is, and how much faster the DpS packet
   const Estimate speed = chain.of([](const ChainRun&run) { return packet_speed(run.path); }),
                  dps_speed = speed_of(dps);
@@ -387,7 +387,7 @@ Heights heights_at_instants(const EventCorrected& method, double dps_tolerance) 
   return out;
 }
 
-void report_heights(Report& report, const TwoRuns<DpsRun>& dps, const TwoRuns<ChainRun>& chain,
+void report_heights(Report& report, const TwoRuns<DpsRun>& dps, const Refined<ChainRun>& chain,
                     const Resolution& at) {
   report.facts.add("height_dps", dps.of([](const DpsRun& run) { return height(end_of(run)); }));
   report.facts.add("height_lattice", chain.of([](const ChainRun& run) { return height(run.end); }));

@@ -116,7 +116,7 @@ Verdict stands(const std::string& statement, const Bounds& all) {
 
 /// The size of a number whose sign the article does not print.
 Estimate size_of(const Estimate& e) {
-  return {std::abs(e.value), e.error, e.is_exact};
+  return e.is_exact ? exact(std::abs(e.value)) : Estimate{std::abs(e.value), e.error};
 }
 
 /// Both breathers of a frequency, with what their comparison gives at two tolerances.
@@ -159,7 +159,7 @@ TEST_CASE("a number agrees with the print, differs from it, or is not known well
   CHECK_FALSE(agrees({1.01, 1e-3}, -1, Rel{0.02}));
   CHECK(agrees({0.3, 0.1}, 1, AtMost{}));
   CHECK_FALSE(agrees({3e-5, 1e-7}, 1, Factor{10}));
-  for (const Estimate& unknown : {Estimate{1, 0}, {1, std::nan("")}, {std::nan(""), 1}}) {
+  for (const Estimate& unknown : {Estimate{1, std::nan("")}, {std::nan(""), 1}}) {
     CHECK_FALSE(agrees(unknown, 1, Abs{0.1}));
     CHECK_FALSE(differs(unknown, 2, Abs{0.1}, ""));
   }

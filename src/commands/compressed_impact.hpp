@@ -39,33 +39,35 @@ struct CompressedImpact {
         on_long_chain({velocity, {.well = well, .contact = CompressedHertz{d}}, time});
     const auto runs =
         refined(tolerance, [&](const EventCorrected& method) { return strike(method, impact); });
-    const ImpactRun &coarse = runs.coarse, &fine = runs.fine;
-    const PacketSample a = packet_sample(time, coarse.density),
-                       b = packet_sample(time, fine.density);
-    const Snapshot rough = snapshot(impact.chain, coarse.end),
-                   best = snapshot(impact.chain, fine.end);
+    const auto packet = [&](auto of) {
+      return runs.of([&](const ImpactRun& run) { return of(packet_sample(time, run.density)); });
+    };
+    const auto envelope = [&](auto of) {
+      return runs.of([&](const ImpactRun& run) { return of(snapshot(impact.chain, run.end)); });
+    };
     const auto width = [](const Snapshot& shot) {
       return shot.reach() < envelope_half_width ? shot.sech.width : std::nan("");
     };
 
     // Where it is, its form, and how far the run can be trusted
     Answers q{"a --time at which one packet stands out"};
-    q.add("centre", compare(a.centre, b.centre), "site",
+    q.add("centre", packet([](const PacketSample& p) { return p.centre; }), "site",
           "energy centre, at the end of the run, of the packet with the most energy");
-    q.add("width", compare(width(rough), width(best)), "site",
+    q.add("width", envelope(width), "site",
           "width w of the sech((n - n_0)/w) fitted to the envelope of its velocities",
           "no sech fits: the centre or the width of the best one lies beyond the " +
               std::to_string(2 * envelope_half_width + 1) + " sites of the fit");
     q.add_small(
-        "residual", compare(rough.sech.residual, best.sech.residual), "",
+        "residual", envelope([](const Snapshot& shot) { return shot.sech.residual; }), "",
         "root-mean-square difference between envelope and fit, relative to the height of the fit");
     q.add(
-        "energy_fraction", compare(a.share, b.share), "",
+        "energy_fraction", packet([](const PacketSample& p) { return p.share; }), "",
         "energy within twenty sites of the packet's peak divided by that of the chain, at the end");
-    q.add_small("boundary_energy_fraction", compare(a.boundary, b.boundary), "",
+    q.add_small("boundary_energy_fraction",
+                packet([](const PacketSample& p) { return p.boundary; }), "",
                 "energy of the first five sites divided by that of the chain, at the end");
-    q.add_small("energy_drift", compare(coarse.run.energy_drift, fine.run.energy_drift), "",
-                "largest relative change of the chain's energy during the run");
+    q.add_small("energy_drift", runs.of([](const ImpactRun& run) { return run.run.energy_drift; }),
+                "", "largest relative change of the chain's energy during the run");
     return q.table;
   }
 };

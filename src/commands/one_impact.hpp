@@ -82,9 +82,7 @@ struct OneImpact {
   Table quantities(const Found& found) const {
     const auto& [whole, runs] = found;
     const double to = way_end(whole.chain.sites), none = std::nan("");
-    const auto both = [&coarse = runs.coarse, &fine = runs.fine](auto of) {
-      return compare(of(coarse), of(fine));
-    };
+    const auto both = [&runs = runs](auto of) { return runs.of(of); };
     // Two runs whose end states differ may agree on a number by chance. The finer one is better by a factor of twenty
     const auto at_end = [&](auto of) {
       Estimate e = both(of);
@@ -103,7 +101,7 @@ struct OneImpact {
     };
     // The foremost packet
     q.add(
-        "speed", compare(line(runs.coarse).estimate(), line(runs.fine).estimate()),
+        "speed", both([&](const ImpactRun& out) { return line(out).estimate(); }),
         "site per unit of time",
         "speed of the foremost packet, fitted between site 20 and twenty sites before the far end",
         still);

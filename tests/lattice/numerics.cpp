@@ -34,6 +34,23 @@ TEST_CASE("estimates are never without an error unless they are exact", "[unit][
   CHECK_FALSE(compare(3, 4).is_exact);
   CHECK(compare(3, 4).error == 1);
   check_close(compare(Estimate{1, 0.1}, Estimate{1.5, 0.2}).error, 0.7, 1e-15);
+  // Nor can one be written: a double is known to its last digit
+  for (double x : {3.0, -1e-30, 0.0}) CHECK(Estimate{x, 0}.error >= 1e-16 * std::abs(x));
+  CHECK(Estimate{0, 0}.error > 0);
+  CHECK(Estimate{1, 1e-30}.error > 1e-16);
+  CHECK(Estimate{1, 0.5}.error == 0.5);
+  CHECK(std::isnan(Estimate{1, std::nan("")}.error));
+  CHECK((exact(3).error == 0 && quotient(exact(3), exact(4)).is_exact));
+}
+
+TEST_CASE("two resolutions that agree by chance have the error of the step before",
+          "[unit][accuracy]") {
+  const Estimate before = compare(1.0, 1.064), last = compare(1.064, 1.064 + 1e-9);
+  check_close(after_halving(before, last).error, 0.001, 1e-9);
+  CHECK(after_halving(before, last, 2).error > 0.03);
+  CHECK(after_halving(last, before).error == before.error);
+  CHECK(after_halving(before, exact(2)).is_exact);
+  CHECK(after_halving({1, std::nan("")}, last).error == last.error);
 }
 
 TEST_CASE("a curve that is no line is found out although its fit is good", "[unit][accuracy]") {

@@ -58,7 +58,7 @@ static void refuse_moving_end(const Impact& impact, ImpactRun& run) {
 void follow(const Method& method, const Impact& impact, ImpactRun& run, double time,
             const ImpactLook& watch) {
   const bool strongest = impact.packet == WhichPacket::strongest;
-  const std::size_t each = impact.denser ? std::size_t(1) << method.halvings : 1;
+  const std::size_t each = impact.denser ? std::size_t(1) << std::max(method.halvings, 0) : 1;
   std::size_t k = 0;
   const auto look = [&](const State<double>& now) {
     run.density = energy_density(impact.chain, now);

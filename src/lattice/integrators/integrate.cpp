@@ -36,10 +36,12 @@ TimeGrid time_grid(double duration, double sample, double step) {
   return p;
 }
 
-// The step is halved, and the samples with it if they are to become denser
+// The step is halved, and the samples with it if they are to become denser; doubled are both, since no step is longer than
+// the distance of two samples
 TimeGrid time_grid(const Method& method, double duration, Every every) {
-  TimeGrid grid = time_grid(duration, every.time, method.step);
-  (every.denser ? grid.samples : grid.steps) <<= method.halvings;
+  const double longer = std::ldexp(1, std::max(-method.halvings, 0));
+  TimeGrid grid = time_grid(duration, longer * every.time, longer * method.step);
+  (every.denser ? grid.samples : grid.steps) <<= std::max(method.halvings, 0);
   return grid;
 }
 

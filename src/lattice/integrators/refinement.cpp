@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 namespace lattice {
 
@@ -36,19 +37,28 @@ EventCorrected method_for(double tolerance, double step, int halvings) {
   return method;
 }
 
-bool hopeless(double error, double tolerance, int halvings) {
-  const int left = usual_halvings - halvings;
-  return halvings >= 3 && std::isfinite(error) && std::ldexp(error, -6 * left) > tolerance;
+bool hopeless(double error, double tolerance, int halvings, int left) {
+  return halvings >= 3 && std::isfinite(error) && error * std::pow(largest_gain, -left) > tolerance;
 }
 
-static constexpr const char* hopeless_advice =
-    ", and smaller steps will not help: the motion is too erratic for so long a run; take a "
-    "shorter run or a larger tolerance";
+bool run_holds(const Run& run) {
+  return !run.escaped() && run.energy_defect <= largest_defect;
+}
 
-// What a run with a shorter step would cost: seven halvings of one that holds, but many more of one that ends soon
-static bool is_last(int k, const Run& run, int held) {
-  if (k >= most_halvings) return true;
-  return run.escaped() ? k >= usual_halvings && run.steps > many_steps : held >= usual_halvings;
+static const char* hopeless_advice(double error) {
+  return error < 1e-6 ? ", and smaller steps will not help: rounding leaves no more digits; take a "
+                        "larger tolerance"
+                      : ", and smaller steps will not help: the motion is too erratic for so long "
+                        "a run; take a shorter run or a larger tolerance";
+}
+
+// How many halvings are left after the k-th: seven of a run that holds, and more where a run costs little or ends soon
+static int halvings_left(int k, const Run& run, int held) {
+  const int most = most_halvings - k;
+  if (run.escaped()) return k >= usual_halvings && run.steps > many_steps ? 0 : most;
+  const int usual = usual_halvings - std::max(held, held < 0 ? k : 0);
+  const int cheap = run.work > 0 ? int(std::floor(std::log2(little_work / run.work))) : 0;
+  return std::min(most, std::max({usual, cheap, 0}));
 }
 
 // More is due to steps that are too long, or to forces that are wrong
@@ -67,8 +77,8 @@ static void assert_conserved(const Run& run, double tolerance) {
   std::ostringstream text;
   text << "the energy drifts by " << run.energy_defect
        << ", also with half the step (allowed: " << allowed_defect(tolerance)
-       << "): a force may not be minus the derivative of its energy; a larger tolerance allows "
-          "more drift";
+       << "): a force may not be minus the derivative of its energy, or the motion is lost in the "
+          "rounding of larger displacements; a larger tolerance allows more drift";
   throw RefinementFailed(text.str());
 }
 
@@ -87,16 +97,24 @@ EventCorrected Attempts::method() const {
   return next;
 }
 
-// The history begins anew where a run ends early
+EventCorrected Attempts::method_before() const {
+  return method_for(tolerance_, largest_step, -1);
+}
+
+// Steps that are too long for a chain lose its energy, whether or not the run ends early. The history begins anew with
+// the last of them
 void Attempts::enter(const Run& run) {
   const int k = runs_++;
-  held_ = run.broken() ? -1 : held_ + 1;
-  spent_ = is_last(k, run, held_);
-  if (run.escaped()) history.clear();
+  const bool lossy = !run.escaped() && !run_holds(run);
+  held_ = run.broken() || lossy ? -1 : held_ + 1;
+  left_ = halvings_left(k, run, held_);
+  if (run.escaped() || lossy) history.clear();
   if (k == 0 && held_ == 0) return;
   std::ostringstream text;
   text << (history.empty() ? "" : ", ") << "step " << std::ldexp(largest_step, -k) << ": ";
-  if (held_ < 0)
+  if (lossy)
+    text << "changes the energy by " << run.energy_defect;
+  else if (held_ < 0)
     text << "fails at t = " << run.escape_time;
   else if (held_ == 0)
     text << "succeeds";
@@ -105,14 +123,27 @@ void Attempts::enter(const Run& run) {
   history += text.str();
 }
 
-bool Attempts::agree(const Run& coarse, const Run& fine, const std::function<double()>& differ) {
+// By chance two runs can agree better than their steps allow; the run before them tells
+bool Attempts::agree(const Run& coarse, const Run& fine, const std::function<double()>& differ,
+                     const std::function<double()>& before) {
   const bool early = coarse.escaped() || fine.escaped();
-  error = early ? escape_difference(coarse, fine)
-                : std::max(differ(), defect_difference(coarse, fine, tolerance_));
-  const bool good = error <= (early ? std::max(tolerance_, escape_tolerance) : tolerance_);
+  const double tolerance = early ? std::max(tolerance_, escape_tolerance) : tolerance_;
+  const double last = difference_, before_last = std::exchange(last_, last);
+  difference_ = early ? escape_difference(coarse, fine)
+                      : std::max(differ(), defect_difference(coarse, fine, tolerance_));
+  error = difference_;
+  bool known = true;
+  if (!early && error <= tolerance) {
+    const double earlier = held_ > 0 ? last : runs_ == 1 && before ? before() : runs_ > 1 ? NAN : 0;
+    known = !std::isnan(earlier) || !run_holds(fine);
+    if (held_ > 1) gain = std::clamp(before_last / last, 1.0, largest_gain);
+    if (std::isfinite(earlier)) error = std::max(error, earlier / gain);
+  }
+  const bool good = error <= tolerance && (known || left_ == 0);
   enter(fine);
-  const bool vain = !good && !spent_ && !early && hopeless(error, tolerance_, held_);
-  if (!good && !spent_ && !vain) return false;
+  const bool spent = left_ == 0;
+  const bool vain = !good && !spent && !early && hopeless(error, tolerance_, held_, left_);
+  if (!good && !spent && !vain) return false;
   // The last two: is it a result?
   if (fine.broken())
     throw RefinementFailed("no step is short enough (" + history +
@@ -121,7 +152,7 @@ bool Attempts::agree(const Run& coarse, const Run& fine, const std::function<dou
   if (!good)
     throw RefinementFailed("the " + (fine.escaped() ? "times of escape" : named_) +
                            " of two resolutions differ by more than the tolerance (" + history +
-                           ")" + (vain ? hopeless_advice : ""));
+                           ")" + (vain ? hopeless_advice(error) : ""));
   if (fine.escaped()) refuse_escape(fine);
   assert_conserved(fine, tolerance_);
   return true;
@@ -161,8 +192,8 @@ Run evolve(const Converged& stated, const Chain& chain, State<double>& state, do
     return out;
   });
   Run run = evolve(runs.method, chain, state, duration, every, look);
-  // What two runs agree on beyond rounding nobody knows
-  if (runs.error > 0) run.error = std::max(runs.error, std::numeric_limits<double>::epsilon());
+  // What two runs agree on beyond some roundings nobody knows
+  if (runs.error > 0) run.error = std::max(runs.error, 4 * std::numeric_limits<double>::epsilon());
   return run;
 }
 

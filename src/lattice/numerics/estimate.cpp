@@ -7,10 +7,7 @@
 namespace lattice {
 
 Estimate compare(double coarse, double fine) {
-  const double rounding = std::numeric_limits<double>::epsilon() * std::abs(fine);
-  const double least = std::max(rounding, std::numeric_limits<double>::min());
-  const double apart = std::abs(fine - coarse);
-  return {fine, apart > least ? apart : std::isnan(apart) ? apart : least};
+  return {fine, std::abs(fine - coarse)};
 }
 
 Estimate compare(const Estimate& coarse, const Estimate& fine) {
@@ -19,14 +16,21 @@ Estimate compare(const Estimate& coarse, const Estimate& fine) {
   return both;
 }
 
+Estimate after_halving(const Estimate& before, Estimate last, double gain) {
+  const double least = before.error / gain;
+  if (!last.is_exact && std::isfinite(least)) last.error = std::max(last.error, least);
+  return last;
+}
+
 Estimate quotient(const Estimate& a, const Estimate& b) {
   const double ratio = a.value / b.value;
-  return {ratio, (a.error + std::abs(ratio) * b.error) / std::abs(b.value),
-          a.is_exact && b.is_exact};
+  if (a.is_exact && b.is_exact) return exact(ratio);
+  return {ratio, (a.error + std::abs(ratio) * b.error) / std::abs(b.value)};
 }
 
 Estimate relative_distance(const Estimate& e, double expected) {
-  return {std::abs(e.value / expected - 1), e.error / std::abs(expected), e.is_exact};
+  const double apart = std::abs(e.value / expected - 1);
+  return e.is_exact ? exact(apart) : Estimate{apart, e.error / std::abs(expected)};
 }
 
 // What is not a number comes out of either, so that it cannot hide among the members of which the worst is taken
