@@ -6,8 +6,8 @@
 
 #include "commands/multipliers.hpp"
 #include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/events/overlap.hpp"
 #include "lattice/numerics/progress.hpp"
-#include "lattice/orbits/breather_pairs.hpp"
 #include "lattice/orbits/floquet.hpp"
 
 namespace lattice {
@@ -15,15 +15,85 @@ namespace {
 
 using Multiplier = std::complex<double>;
 
+/// Singular values below this part of the largest one belong to directions in which the orbit may be moved: a shift in
+/// time, and one of a chain without wells.
+constexpr double free_below = 1e-9;
+
+/// The rule for orbits of which the equations determine all but such a shift.
+template <class T>
+NewtonRule<T> shortest_step(int coarser = 0) {
+  NewtonRule<T> how = rule<T>(coarser);
+  how.rank = free_below, how.scale = 1;
+  return how;
+}
+
+/// Throws std::invalid_argument if a state would move by less than its positions are rounded.
+void refuse_equilibrium(const Shooting<double>& problem, const State<double>& start) {
+  double most = 0;
+  for (double y : start.y) most = std::max(most, std::abs(y));
+  if (reach(problem.chain, start, problem.omega) <=
+      64 * std::numeric_limits<double>::epsilon() * most)
+    throw std::invalid_argument("y: nothing moves, and an equilibrium is no periodic orbit");
+}
+
 /// The orbit of this symmetry near `guess`, with steps that are halved until they help.
-Fitted near_guess(const Chain& chain, Symmetry symmetry, const State<double>& guess, double period,
-                  double rank) {
+Fitted near_guess(const Chain& chain, Symmetry symmetry, const State<double>& guess,
+                  double period) {
   symmetry.decays = false;  // nothing is known of its tail, if it has one
   Shooting<double> problem{chain, std::move(symmetry), 2 * pi<double>() / period};
-  NewtonRule<double> how = rule<double>(0);
-  how.damped = true, how.rank = rank;
+  refuse_equilibrium(problem, guess);
+  NewtonRule<double> how = shortest_step<double>();
+  how.damped = true;
   Orbit<double> orbit = newton(problem, problem.reduce(guess), how);
   return {std::move(problem), std::move(orbit)};
+}
+
+/// The problem in extended precision; a frequency in double precision would change the last digit of the period.
+Shooting<Wide> with_period(const Shooting<double>& problem, double period) {
+  Shooting<Wide> out = in_precision<Wide>(problem);
+  out.omega = 2 * pi<Wide>() / Wide(period);
+  return out;
+}
+
+/// Half the distance between the extreme positions of the bead that moves most, from `parts` segments of `duration`; on
+/// each the position is a cubic.
+template <class T>
+T half_range(const Chain& chain, const State<T>& start, const T& duration, int parts) {
+  State<T> before = start;
+  std::vector<T> low = start.y, high = start.y;
+  const auto enter = [&](std::size_t n, const T& y) {
+    low[n] = std::min(low[n], y), high[n] = std::max(high[n], y);
+  };
+  for (int k = 0; k < parts; ++k) {
+    State<T> now = before;
+    const T dt = duration / T(parts);
+    flow(chain, now, dt);
+    for (std::size_t n = 0; n < chain.sites; ++n) {
+      enter(n, now.y[n]);
+      if (!(before.v[n] * now.v[n] < T(0))) continue;
+      const Arc<T> arc{before.y[n], before.v[n], now.y[n], now.v[n], dt};
+      const auto rising = [&](const T& s) { return arc.slope(s) * before.v[n] > T(0); };
+      enter(n, arc.value(Arc<T>::last(T(1), rising)));
+    }
+    before = now;
+  }
+  T most(0);
+  for (std::size_t n = 0; n < chain.sites; ++n) most = std::max(most, T(high[n] - low[n]));
+  return most / T(2);
+}
+
+/// How many times an orbit repeats itself in its period, counted in prime factors below a hundred.
+int repeats_of(const Chain& chain, const State<double>& start, double period, double amplitude) {
+  int repeats = 1;
+  for (int prime : {2,  3,  5,  7,  11, 13, 17, 19, 23, 29, 31, 37, 41,
+                    43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89, 97})
+    for (;;) {
+      State<double> end = start;
+      flow(chain, end, period / (repeats * prime));
+      if (largest_difference(end, start) > 1e-7 * amplitude) break;
+      repeats *= prime;
+    }
+  return repeats;
 }
 
 /**
@@ -56,10 +126,9 @@ std::vector<Multiplier> beside_phase(const Chain& chain, const State<T>& start, 
 }
 
 /// The multipliers of an orbit that is nowhere at rest: the error of each is its distance from that in less precision.
-OrbitMultipliers in_motion(const Fitted& found) {
-  NewtonRule<Wide> how = rule<Wide>(0);
-  how.rank = 1e-9;
-  const Orbit<Wide> wide = newton(in_precision<Wide>(found.problem), found.orbit, how);
+OrbitMultipliers in_motion(const Fitted& found, double period) {
+  const NewtonRule<Wide> how = shortest_step<Wide>();
+  const Orbit<Wide> wide = newton(with_period(found.problem, period), found.orbit, how);
   std::vector<Multiplier> coarse = beside_phase(found.problem.chain, found.orbit.start,
                                                 found.orbit.period(), rule<double>(0).events);
   OrbitMultipliers out{{{1, 0}, {1, 0}}, exact(1)};
@@ -80,47 +149,65 @@ OrbitMultipliers in_motion(const Fitted& found) {
   return out;
 }
 
-}  // namespace
-
-Fitted orbit_from_rest(const Chain& chain, const State<double>& guess, double period) {
-  return near_guess(chain, even_in_time(chain.sites), guess, period, 0);
-}
-
-std::vector<Estimate> positions_of(const Fitted& found) {
-  const Orbit<Wide> wide = newton(in_precision<Wide>(found.problem), found.orbit, rule<Wide>(0));
-  std::vector<Estimate> out;
-  for (std::size_t n = 0; n < wide.start.y.size(); ++n)
-    out.push_back(compare(found.orbit.start.y[n], double(wide.start.y[n])));
-  return out;
-}
-
 /// Throws std::invalid_argument if `share` of the amplitude is too much.
-static void refuse_beyond(double most, double share, const char* what) {
+void refuse_beyond(double most, double share, const char* what) {
   if (share < most) return;
   throw std::invalid_argument(
       number_label(std::string("y, v and period: no periodic orbit; ") + what, share) +
       number_label(" of the amplitude (allowed:", most) + ")");
 }
 
+}  // namespace
+
+RestingOrbit orbit_from_rest(const Chain& chain, const State<double>& guess, double period) {
+  const Fitted found = near_guess(chain, even_in_time(chain.sites), guess, period);
+  const auto& [problem, orbit] = found;
+  const Shooting<Wide> wider = with_period(problem, period);
+  RestingOrbit out{{found, newton(wider, orbit, shortest_step<Wide>()), {}}, {}, 1};
+  for (std::size_t n = 0; n < chain.sites; ++n)
+    out.y.push_back(compare(orbit.start.y[n], double(out.wide.start.y[n])));
+  // Half a period shows all positions
+  constexpr int parts = 64;
+  const Wide wide = half_range(chain, out.wide.start, out.wide.period() / Wide(2), 2 * parts);
+  out.amplitude = compare(half_range(chain, orbit.start, orbit.period() / 2, parts), double(wide));
+  out.repeats = repeats_of(chain, orbit.start, orbit.period(), out.amplitude.value);
+  return out;
+}
+
+Table RestingOrbit::quantities() const {
+  Answers q;
+  add_orbit(q, *this, amplitude,
+            "half the distance between the extreme positions of the bead that moves most");
+  q.add(
+      "repeats", exact(repeats), "",
+      "how many times the motion repeats itself in the given period; 1 if that is the minimal one");
+  return q.table;
+}
+
 // Half a period is enough, and tells more digits, where the orbit begins at rest
 OrbitMultipliers multipliers_through(const Chain& chain, const State<double>& start,
                                      double period) {
+  const auto moves = [](double v) { return v != 0; };
+  const bool rests = std::none_of(start.v.begin(), start.v.end(), moves);
+  const bool ring = chain.ends == Ends::periodic;
+  const Symmetry symmetry = rests ? even_in_time(chain.sites) : travelling(chain.sites, 0, ring);
+  // Distances are relative to the motion
+  refuse_equilibrium({chain, symmetry, 2 * pi<double>() / period}, start);
   State<double> end = start;
   if (!is_accurate(try_flow(chain, end, period), {}))
     throw std::invalid_argument(
         "y, v and period: no periodic orbit; the motion from there cannot be followed");
-  refuse_beyond(1e-2, largest_difference(end, start) / largest(start),
+  const double range = half_range(chain, start, period, 64);
+  double size = range;
+  for (double v : start.v) size = std::max(size, std::abs(v));
+  refuse_beyond(0.1, largest_difference(end, start) / size,
                 "after one period it misses its start by");
-  const auto moves = [](double v) { return v != 0; };
-  const bool rests = std::none_of(start.v.begin(), start.v.end(), moves);
-  const bool ring = chain.ends == Ends::periodic;
-  const Fitted found =
-      rests ? orbit_from_rest(chain, start, period)
-            : near_guess(chain, travelling(chain.sites, 0, ring), start, period, 1e-9);
-  refuse_beyond(1e-3, largest_difference(found.orbit.start, start) / largest(start),
-                "the nearest one found begins at a distance of");
-  if (!rests) return in_motion(found);
-  const Spectrum all = spectrum<Wide>(found.problem, found.orbit);
+  const Fitted found = near_guess(chain, symmetry, start, period);
+  const double apart = largest_difference(found.orbit.start, start) / size;
+  refuse_beyond(1e-3, apart, "the nearest one found begins at a distance of");
+  if (!rests) return in_motion(found, period);
+  const Spectrum all = spectrum<Wide>(with_period(found.problem, period), found.orbit,
+                                      pairs_by_library<Wide>, free_below);
   return {multipliers_of(all), all.largest_modulus()};
 }
 

@@ -10,16 +10,23 @@ and `Chain.multipliers`. */
 #include <utility>
 #include <vector>
 
-#include "lattice/numerics/estimate.hpp"
-#include "lattice/orbits/breather.hpp"
+#include "commands/one_breather.hpp"
 
 namespace lattice {
 
-/// The orbit of this period near one that is at rest at the positions of `guess`; it is even in time. Throws NewtonFailed.
-Fitted orbit_from_rest(const Chain& chain, const State<double>& guess, double period);
+/// An orbit that begins at rest. Far from y = 0, and where a shift of the whole chain costs nothing, its amplitude is that
+/// of the motion: half the distance between the two extreme positions of the bead that moves most.
+struct RestingOrbit : FoundOrbit {
+  Estimate amplitude;
+  int repeats;  ///< how many times the motion repeats itself in the given period
 
-/// Its positions at t = 0, from a wider number type; the error is the distance of those in double precision.
-std::vector<Estimate> positions_of(const Fitted& found);
+  Table quantities() const;
+};
+
+/// The orbit of this period near one that is at rest at the positions of `guess`; it is even in time. Where several are
+/// equally near, as with a shift of a chain without wells, the shortest step leads there. Throws NewtonFailed, and
+/// std::invalid_argument if nothing moves.
+RestingOrbit orbit_from_rest(const Chain& chain, const State<double>& guess, double period);
 
 /// All multipliers with their errors, the two of the time-translation pair first, then by their distance from +1.
 struct OrbitMultipliers {
@@ -28,7 +35,7 @@ struct OrbitMultipliers {
 };
 
 /// The multipliers of the orbit nearest to `start`, in two precisions. Throws std::invalid_argument where none passes
-/// within a thousandth of the amplitude, NewtonFailed.
+/// within a thousandth of the amplitude or nothing moves, NewtonFailed.
 OrbitMultipliers multipliers_through(const Chain& chain, const State<double>& start, double period);
 
 }  // namespace lattice

@@ -194,8 +194,8 @@ A chain of one's own has periodic orbits of its own. */
 py::tuple orbit_of(const Chain& chain, const Numbers& y, double period) {
   const State<double> guess = state_of(chain, y.data(), std::vector<double>(chain.sites).data());
   const auto [table, positions] = at_work([&] {
-    const Fitted found = orbit_from_rest(chain, guess, period);
-    return std::pair{OneBreather{}.quantities(found), positions_of(found)};
+    const RestingOrbit found = orbit_from_rest(chain, guess, period);
+    return std::pair{found.quantities(), found.y};
   });
   std::vector<double> places, errors;
   for (const Estimate& one : positions) places.push_back(one.value), errors.push_back(one.error);

@@ -400,11 +400,15 @@ class Chain(_lattice.Chain):
         """A periodic orbit of the given period, even in time, near a guess of your own: at t = 0 at rest at the positions `y`
         (an array of `sites` numbers). Any wells, contacts, masses and ends; found by Newton's method as in `breather`.
 
-        Returns a Result with the quantities amplitude, energy (Eq. (6)), area (2 pi times the action), residual and iterations
-        of `breather`, and the arrays y and y_error, the positions at t = 0. Errors are differences from extended precision.
-        Near a bifurcation, or from a distant guess, Newton's method may find a different orbit: compare y with the guess.
+        Returns a Result with the quantities amplitude (half the distance between the extreme positions of the bead that moves
+        most), energy (Eq. (6)), area (2 pi times the action), residual and iterations as in `breather`, and repeats (how many
+        times the motion repeats itself in the given period; 1 if that is the minimal one), and the arrays y and y_error, the
+        positions at t = 0. Errors are differences from extended precision. Near a bifurcation, or from a distant guess,
+        Newton's method may find a different orbit: compare y with the guess. Where a shift of the whole chain costs nothing,
+        the orbit is the one nearest to the guess.
 
-        RuntimeError: Newton's method fails (the message has its history), shrinks to rest, or leaves the guess far behind."""
+        ValueError: nothing moves. RuntimeError: Newton's method fails (the message has its history), shrinks to rest, or
+        leaves the guess far behind."""
         found, y, y_error = super().orbit(*self._orbit(period, y=y))
         return Result(_estimates(found), y=y, y_error=y_error)
 
@@ -417,7 +421,8 @@ class Chain(_lattice.Chain):
         first two are the time-translation pair, exactly +1, followed by those next to +1. Errors are differences of two
         tolerances or precisions.
 
-        ValueError: no periodic orbit passes within a thousandth of the amplitude. RuntimeError: Newton's method fails."""
+        ValueError: no periodic orbit passes within a thousandth of the amplitude, or nothing moves. RuntimeError: Newton's
+        method fails."""
         modulus, error, found = super().multipliers(*self._orbit(period, y=y, v=v))
         numbers, errors = zip(*found)
         known = {"largest_modulus": Estimate(modulus, error, meaning="largest modulus of all multipliers; the orbit is "
@@ -491,8 +496,9 @@ def breather(chain=None, **options):
 
     Returns a Result with the quantities of `sec32_newton_breathers breather`: amplitude, energy (Eq. (6)), area (the
     integral of twice the kinetic energy over a period, 2 pi times the action), residual (distance after a period, relative
-    to the amplitude) and iterations; the arrays n and y, one entry per bead: site (from the centre) and position at t = 0,
-    when all beads are at rest; and the `chain`. Errors are differences from extended precision.
+    to the amplitude) and iterations; the arrays n, y and y_error, one entry per bead: site (from the centre), position at
+    t = 0, when all beads are at rest, and its error; and the `chain`. Errors are differences of two precisions, those of
+    positions of two tolerances.
 
     RuntimeError: Newton's method fails, the branch from omega = 1 does not reach `omega`, or the continuation stops."""
     _given(chain, options, _DASHED)
@@ -544,12 +550,15 @@ def dps(**options):
 
     Returns a Result with the quantities of `sec31_dps_limit impact`: centre (site, from one), speed (sites per unit of
     slow time), amplitude, norm_window (fraction of the norm in the packet) and residual_boundary (fraction left on the
-    first ten sites); the arrays n and amplitude_n, one entry per site: site (from one) and complex amplitude A_n at the
-    end; and tau, track_centre, track_energy and track_peak, one entry per sample, which follow the packet in |A_n|^2. The
-    results hold for every epsilon. Errors are differences of two tolerances."""
+    first ten sites); the arrays n, amplitude_n and amplitude_error, one entry per site: site (from one), complex amplitude
+    A_n at the end and its error; and tau, track_centre, track_energy and track_peak, one entry per sample, which follow the
+    packet in |A_n|^2. The results hold for every epsilon. Errors are differences of two tolerances.
+
+    RuntimeError: the motion is too erratic for so long a run."""
     found, end, track = _lattice.dps(_words("dps", options))
     path = {"tau": track["t"]} | {f"track_{name}": track[name] for name in ("centre", "energy", "peak")}
-    return Result(_estimates(found), n=end["n"], amplitude_n=end["real"] + 1j * end["imag"], **path)
+    return Result(_estimates(found), n=end["n"], amplitude_n=end["real"] + 1j * end["imag"],
+                  amplitude_error=end["error"], **path)
 
 
 def set_threads(count=0):

@@ -23,13 +23,19 @@ Pairs<T> pairs_by_library(const Chain& chain, const Orbit<T>& orbit,
 template <class T>
 Spectrum spectrum(const Shooting<double>& problem, const Orbit<double>& orbit,
                   PairsOf<T>* pairs_of_orbit) {
-  const auto in_t = in_precision<T>(problem);
+  return spectrum<T>(in_precision<T>(problem), orbit, pairs_of_orbit, 0);
+}
+
+template <class T>
+Spectrum spectrum(const Shooting<T>& in_t, const Orbit<double>& orbit, PairsOf<T>* pairs_of_orbit,
+                  double rank) {
   Progress progress("tolerances", 2);
   const auto pairs = [&](int coarser) {
     Orbit<double> guess = orbit;
     // Slightly off the orbit, so that the coarser run has to find it for itself
     if (coarser) guess.x *= 1.000001;
-    const auto how = rule<T>(coarser);
+    auto how = rule<T>(coarser);
+    how.rank = rank, how.scale = rank > 0 ? 1 : 0;
     return pairs_of_orbit(in_t.chain, newton(in_t, guess, how), how.events);
   };
   const Pairs<T> fine = pairs(0);
@@ -136,6 +142,7 @@ Exchange exchange(Centre centre, const Cut& cut, double low, double high, Orbit<
 #define LATTICE_INSTANCES(T)                                                                      \
   template Pairs<T> pairs_by_library<T>(const Chain&, const Orbit<T>&, const EventTolerance<T>&); \
   template Spectrum spectrum<T>(const Shooting<double>&, const Orbit<double>&, PairsOf<T>*);      \
+  template Spectrum spectrum<T>(const Shooting<T>&, const Orbit<double>&, PairsOf<T>*, double);   \
   template Exchange refined_zero<T>(Centre, const Cut&, Exchange);                                \
   template Exchange exchange<T>(Centre, const Cut&, double, double, Orbit<double>);
 #include "lattice/model/instances.hpp"

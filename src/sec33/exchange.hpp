@@ -58,6 +58,10 @@ Pairs<T> pairs_by_library(const Chain& chain, const Orbit<T>& orbit,
 template <class T>
 Spectrum spectrum(const Shooting<double>& problem, const Orbit<double>& orbit,
                   PairsOf<T>* pairs_of_orbit = pairs_by_library<T>);
+/// The same for a problem in type T; `rank` is that of Newton's rule.
+template <class T>
+Spectrum spectrum(const Shooting<T>& problem, const Orbit<double>& orbit,
+                  PairsOf<T>* pairs_of_orbit, double rank);
 
 /// How many pairs but the first leave the unit circle by more than their error.
 int off_circle(const std::vector<Pair>& pairs);

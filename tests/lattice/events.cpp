@@ -117,6 +117,23 @@ TEST_CASE("a flow that is not accurate throws, and is reported by try_flow", "[u
   CHECK_FALSE(is_accurate(missed, {}));
 }
 
+TEST_CASE("beads that move alike touch by roundings, which are no events", "[property][events]") {
+  const Chain chain{3, Quartic{1}};
+  for (double apart : {0.0, 1e-15, -3e-15}) {
+    State<double> s(3);
+    s.y = {0.7, 0.7 + apart, 0.7};
+    const FlowReport<double> report = flow(chain, s, 2.7);
+    CHECK(report.contact_events == 0);
+    CHECK(report.missed_events == 0);
+    CHECK(report.evaluations < 2000);
+    // One bead alone moves as they do
+    State<double> one(1);
+    one.y = {0.7};
+    flow(Chain{1, Quartic{1}}, one, 2.7);
+    for (std::size_t n = 0; n < 3; ++n) check_close(s.y[n], one.y[0], 1e-13);
+  }
+}
+
 TEST_CASE("tiny contacts in a tail are neither missed nor looped on", "[property][events]") {
   const Chain chain{12, {}, Hertz{.floor = 0}};
   State<double> s(12);

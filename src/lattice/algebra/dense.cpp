@@ -4,6 +4,8 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
+#include <algorithm>
+
 namespace lattice {
 
 template <class T>
@@ -12,9 +14,13 @@ Vector<T> solve_square(const Matrix<T>& matrix, const Vector<T>& right) {
 }
 
 template <class T>
-Vector<T> shortest_solution(const Matrix<T>& matrix, const Vector<T>& right, double rank) {
+Vector<T> shortest_solution(const Matrix<T>& matrix, const Vector<T>& right, double rank,
+                            double scale) {
   Eigen::CompleteOrthogonalDecomposition<Matrix<T>> shortest;
-  if (rank > 0) shortest.setThreshold(T(rank));
+  if (rank > 0) {
+    const T largest = matrix.colwise().norm().maxCoeff();
+    shortest.setThreshold(T(rank) * std::max(T(1), T(scale) / largest));
+  }
   return shortest.compute(matrix).solve(right);
 }
 
@@ -22,10 +28,11 @@ Vector<T> shortest_solution(const Matrix<T>& matrix, const Vector<T>& right, dou
 #ifdef LATTICE_LONG
 template Vector<long double> solve_square(const Matrix<long double>&, const Vector<long double>&);
 template Vector<long double> shortest_solution(const Matrix<long double>&,
-                                               const Vector<long double>&, double);
+                                               const Vector<long double>&, double, double);
 #else
 template Vector<double> solve_square(const Matrix<double>&, const Vector<double>&);
-template Vector<double> shortest_solution(const Matrix<double>&, const Vector<double>&, double);
+template Vector<double> shortest_solution(const Matrix<double>&, const Vector<double>&, double,
+                                          double);
 
 Vector<double> least_squares(const Matrix<double>& matrix, const Vector<double>& right) {
   return matrix.colPivHouseholderQr().solve(right);

@@ -24,10 +24,11 @@ Vector<T> solve_square(const Matrix<T>& matrix, const Vector<T>& right);
 /// The x for which the norm of matrix * x - right is least; the columns of `matrix` are independent.
 Vector<double> least_squares(const Matrix<double>& matrix, const Vector<double>& right);
 
-/// The shortest x for which the norm of matrix * x - right is least. A direction counts as free if its
-/// singular value, relative to the largest, is below `rank`; zero stands for the rounding errors.
+/// The shortest x for which the norm of matrix * x - right is least. A direction counts as free if its singular value,
+/// relative to the largest or to `scale` if that is more, is below `rank`; zero stands for the rounding errors.
 template <class T>
-Vector<T> shortest_solution(const Matrix<T>& matrix, const Vector<T>& right, double rank = 0);
+Vector<T> shortest_solution(const Matrix<T>& matrix, const Vector<T>& right, double rank = 0,
+                            double scale = 0);
 
 /// How unequally a matrix changes what it multiplies.
 struct Softness {

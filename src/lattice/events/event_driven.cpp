@@ -226,6 +226,7 @@ class EventIntegrator {
         z_(state.y),
         side_(chain.sites + 1, 0),
         at_extremum_(chain.sites + 1, 0),
+        largest_(std::max(largest(state), T(chain.contact.opening()))),
         thresholds_(rule, largest(state), tangent != nullptr),
         segments_(chain, rule, largest(state)) {
     z_.insert(z_.end(), state.v.begin(), state.v.end());
@@ -293,7 +294,7 @@ class EventIntegrator {
     const Overlap<T> o = overlap(before, {}, i), p = overlap(now, {}, i);
     const T size = std::max({magnitude(o.x), magnitude(o.u), magnitude(p.x), magnitude(p.u)});
     const T side = T(side_[i]);
-    if (side_[i] == 0 || size <= thresholds_.floor) {
+    if (side_[i] == 0 || is_faint(now, i, size)) {
       if (p.x != T(0)) side_[i] = sign_of(p.x);
       return;
     }
@@ -347,8 +348,7 @@ class EventIntegrator {
     for (std::size_t i = 0; i <= chain_.sites; ++i) {
       const Overlap<T> o = overlap(z, a, i);
       const bool aimed = target.crosses && i == target.bond, wrong = T(side_[i]) * o.x < T(0);
-      if (!(aimed || wrong) || std::max(magnitude(o.x), magnitude(o.u)) <= thresholds_.floor)
-        continue;
+      if (!(aimed || wrong) || is_faint(z, i, std::max(magnitude(o.x), magnitude(o.u)))) continue;
       const T shift = o.leaves(side_[i]);
       if (reachable(shift) && (!first.crosses || shift < first.ahead)) first = {shift, i, true};
     }
@@ -371,20 +371,35 @@ class EventIntegrator {
     if (target.ahead > search_step_ / T(100))
       std::fill(at_extremum_.begin(), at_extremum_.end(), 0);
     if (target.bond != ContactEvent<T>::none && !target.crosses) at_extremum_[target.bond] = 1;
-    for (std::size_t i = 0; i <= chain_.sites; ++i) update_side(overlap(z_, a, i), side_[i]);
+    for (std::size_t i = 0; i <= chain_.sites; ++i) {
+      const Overlap<T> o = overlap(z_, a, i);
+      update_side(o, is_faint(z_, i, std::max(magnitude(o.x), magnitude(o.u))), side_[i]);
+    }
+  }
+
+  /// Whether an overlap of this `size` is too small to be located: by the thresholds, or because two beads move alike and
+  /// their positions are rounded.
+  bool is_faint(const std::vector<T>& z, std::size_t i, const T& size) const {
+    if (size <= thresholds_.floor) return true;
+    const T units = T(64) * std::numeric_limits<T>::epsilon();
+    if (size > units * largest_) return false;
+    T near(chain_.contact.opening());
+    for (const std::size_t n : {i > 0 ? i - 1 : chain_.sites - 1, i < chain_.sites ? i : 0})
+      near = std::max({near, magnitude(z[n]), magnitude(z[chain_.sites + n])});
+    return size <= units * near;
   }
 
   /// A contact that moves away from its side and is within `slack` of zero (in time) has switched. One that is
   /// found on the wrong side elsewhere is a missed event, and is counted if that is serious.
-  void update_side(const Overlap<T>& o, int& side) {
+  void update_side(const Overlap<T>& o, bool faint, int& side) {
     const T size = std::max(magnitude(o.x), magnitude(o.u));
-    if (size > thresholds_.floor && magnitude(o.x) <= T(2) * thresholds_.slack * magnitude(o.u)) {
+    if (!faint && magnitude(o.x) <= T(2) * thresholds_.slack * magnitude(o.u)) {
       if (T(side) * o.u < T(0)) {
         ++flow_.contact_events;
         side = sign_of(o.u);
       }
     } else if (T(side) * o.x < T(0)) {
-      flow_.missed_events += size > thresholds_.serious;
+      flow_.missed_events += !faint && size > thresholds_.serious;
       side = sign_of(o.x);
     }
   }
@@ -395,6 +410,7 @@ class EventIntegrator {
   T left_, search_step_;
   std::vector<T> z_;
   std::vector<int> side_, at_extremum_;
+  T largest_;
   EventThresholds<T> thresholds_;
   SegmentIntegrator<T> segments_;
   FlowReport<T> flow_;

@@ -24,12 +24,13 @@ static Vector<T> shift_of(const Chain& chain, const State<T>& state) {
 }
 
 /// The map takes a shift in time of the start to that of the end, whatever the orbit is. By how much it does not,
-/// relative to the shift: then the tangent map was computed with other stiffnesses than those of the forces.
+/// relative to the terms of the product: then the tangent map was computed with other stiffnesses than those of the forces.
 template <class T>
 static T phase_defect(const Chain& chain, const State<T>& start, const State<T>& end,
                       const Matrix<T>& map) {
-  const Vector<T> shift = shift_of(chain, end);
-  return sup<T>(map * shift_of(chain, start) - shift) / sup<T>(shift);
+  const Vector<T> before = shift_of(chain, start), after = shift_of(chain, end);
+  const T terms = sup<T>(map.cwiseAbs() * before.cwiseAbs());
+  return sup<T>(map * before - after) / std::max(terms, sup<T>(after));
 }
 
 // Carry every small change along with the orbit; an inaccurate flow has no multipliers

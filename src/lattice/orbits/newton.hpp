@@ -45,8 +45,9 @@ struct Equations {
       evaluate;
   /// The units at x: the local size if `scaled`, else the amplitude.
   std::function<Sizes<T>(const Vector<T>& x, bool scaled)> sizes;
-  /// How large the motion is; where this is given the method does not go to rest.
-  std::function<T(const Vector<T>& x)> amplitude{};
+  /// The size of x and how far the motion leads; where these are given the method does not go to rest, which is a
+  /// solution of any period.
+  std::function<T(const Vector<T>&x)> amplitude{}, reach{};
 };
 
 /// The derivative of `residual` at `x`, from changes of each unknown by `change` to either side.
@@ -82,9 +83,11 @@ Equations<T> by_differences(const std::string& name, const Residual& residual, c
 
 /// The x with matrix * x = right. With as many equations as unknowns and without a `rank` the system is solved as it
 /// stands. Otherwise it is the shortest one in the sense of least squares, in which a direction counts as free if its
-/// singular value, relative to the largest, is below `rank`; types that are not built in throw std::logic_error.
+/// singular value, relative to the largest or to `scale`, is below `rank`; types that are not built in throw
+/// std::logic_error.
 template <class T>
-Vector<T> solve_system(const Matrix<T>& matrix, const Vector<T>& right, double rank = 0);
+Vector<T> solve_system(const Matrix<T>& matrix, const Vector<T>& right, double rank = 0,
+                       double scale = 0);
 
 /**
 The tail of a breather falls double-exponentially, $|y_{n+1}|\sim|y_n|^{3/2}$, and its equations are as small as its
@@ -93,7 +96,8 @@ position to the same relative accuracy. */
 /// The step x with matrix * x = right, computed in the units of `size` and returned in those of `matrix`
 /// and `right`.
 template <class T>
-Vector<T> solve_scaled(Matrix<T> matrix, Vector<T> right, const Sizes<T>& size, double rank);
+Vector<T> solve_scaled(Matrix<T> matrix, Vector<T> right, const Sizes<T>& size, double rank,
+                       double scale = 0);
 
 /// Residual and step are relative to the amplitude of the orbit, or, if `scaled`, to the local size, so that
 /// the tail has to converge as well as the centre.
@@ -117,12 +121,16 @@ struct NewtonRule {
   int most_steps = 30;
   bool scaled = false;     ///< demand relative accuracy of every site
   bool damped = false;     ///< halve a step until it lowers the residual
-  double rank = 0;         ///< see solve_system
+  double rank = 0;         ///< see solve_system,
+  double scale = 0;        ///< which matters where all equations hold whatever the unknowns are
   double reuse_below = 0;  ///< once the residual is below it, the last derivative serves on
   /// A residual below which the method may stop, as soon as the residual no longer falls. An evaluation of many
   /// steps has some multiple of the error of one; relative to the local size, in the tail, a thousand times
-  /// more.
-  T converged_below() const { return T(scaled ? 65536 : 64) * events.tolerance; }
+  /// more. The flow from an unstable orbit multiplies the rounding of the start by the `norm` of its derivative.
+  T converged_below(const T& norm) const {
+    return std::max(T(scaled ? 65536 : 64) * events.tolerance,
+                    T(16) * std::numeric_limits<T>::epsilon() * norm);
+  }
 };
 
 /// Where the iteration ended: unknowns, the evaluation there, and all iterations.

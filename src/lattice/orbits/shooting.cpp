@@ -28,6 +28,7 @@ std::string Shooting<T>::name() const {
   return text;
 }
 
+// From unknowns to a state and back
 template <class T>
 State<T> Shooting<T>::expand(const Vector<T>& x) const {
   State<T> state(chain.sites);
@@ -153,7 +154,20 @@ Equations<T> Shooting<T>::equations() const {
             return evaluate(x, rule, derivative);
           },
           [*this](const Vector<T>& x, bool scaled) { return sizes(x, scaled); },
-          [*this, rest](const Vector<T>& x) { return largest_difference(expand(x), rest); }};
+          [*this, rest](const Vector<T>& x) { return largest_difference(expand(x), rest); },
+          [*this](const Vector<T>& x) {
+            return lattice::reach(chain, expand(x), T(2) * pi<T>() / period(x));
+          }};
+}
+
+// An equilibrium has no accelerations, wherever it is
+template <class T>
+T reach(const Chain& chain, const State<T>& state, const std::type_identity_t<T>& omega) {
+  const std::vector<T> a = accelerations(chain, state.y);
+  T most(0);
+  for (std::size_t n = 0; n < a.size(); ++n)
+    most = std::max({most, magnitude<T>(state.v[n] / omega), magnitude<T>(a[n] / (omega * omega))});
+  return most;
 }
 
 /// All but the two derivatives; the area of the period is that of the computed part times the number of parts.
@@ -197,7 +211,7 @@ Orbit<T> newton(const Shooting<T>& problem, const Vector<T>& x, const NewtonRule
   add_slopes<T>(
       problem,
       -solve_scaled<T>(found.evaluation.jacobian, longer * found.evaluation.residual_period,
-                       problem.sizes(found.x, true), rule.rank),
+                       problem.sizes(found.x, true), rule.rank, rule.scale),
       orbit);
   return orbit;
 }
@@ -222,6 +236,7 @@ Orbit<T> newton(const Shooting<T>& problem, const Orbit<From>& from, const Newto
 #define LATTICE_INSTANCES(T)                                                               \
   template Tangent<T> tangent_of<T>(const Basis&, std::size_t);                            \
   template struct Shooting<T>;                                                             \
+  template T reach<T>(const Chain&, const State<T>&, const T&);                            \
   template Orbit<T> newton<T>(const Shooting<T>&, const Vector<T>&, const NewtonRule<T>&); \
   template Orbit<T> newton<T, double>(const Shooting<T>&, const Orbit<double>&,            \
                                       const NewtonRule<T>&);

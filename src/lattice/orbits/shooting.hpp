@@ -74,6 +74,11 @@ struct Shooting {
   Matrix<T> slopes(const Tangent<T>& start, const Tangent<T>& end) const;
 };
 
+/// How far the beads get from a state, in an oscillation of frequency `omega`: the largest velocity divided by it, or
+/// acceleration divided by its square. It vanishes at every equilibrium, shifted or compressed.
+template <class T>
+T reach(const Chain& chain, const State<T>& state, const std::type_identity_t<T>& omega);
+
 /// What programs want to know of a solution. Orbits of neighbouring frequencies form a branch, along which the unknowns
 /// change by `x_omega` per unit of frequency. The area is $\mathcal A = \oint\sum_n\mu_n\dot y_n^2\,dt$ over the
 /// period.
