@@ -146,17 +146,16 @@ void report_spectra(Report& report) {
       // Two exponents for each eigenvalue of M
       Table& spectrum = report.table(
           "spectrum" + which,
-          {number("real", "growth rate", "1 per unit of time"),
-           number("imag", "frequency in the rotating frame", "1 per unit of time"),
-           number("error", "difference from the value in double precision", "1 per unit of time")});
+          {number("real", "growth rate", rate_unit),
+           number("imag", "frequency in the rotating frame", rate_unit),
+           number("error", "difference from the value in double precision", rate_unit)});
       const auto m = contact_eigenvalues(fine);
       const auto m_coarse = contact_eigenvalues(coarse);
       for (Index k = 0; k < m.size(); ++k) {
         const auto lambda = exponent(fine.mu, m[k]);
         const std::complex<double> zero, value(lambda), other = exponent(mu, m_coarse[k]);
         for (const auto& [z, near] : {std::pair(value, other), {zero - value, zero - other}})
-          spectrum.add(
-              {z.real(), z.imag(), std::hypot(z.real() - near.real(), z.imag() - near.imag())});
+          spectrum.add({z.real(), z.imag(), exponent_error(z, near)});
       }
     }
 }
@@ -214,11 +213,11 @@ void report_growth(Report& report) {
   for (int k = 1; k <= 20; ++k) mus.push_back(0.5 * k);
   mus.insert(mus.end(), {100, 1000});
   Table& table = report.table(
-      "growth", {number("mu", "frequency"),
-                 estimate("rate", "growth rate", "1 per unit of time",
-                          "from two precisions and two chain lengths"),
-                 number("line", "growth rate at mu = 1 times mu", "1 per unit of time"),
-                 number("ratio", "growth rate divided by mu")});
+      "growth",
+      {number("mu", "frequency"),
+       estimate("rate", "growth rate", rate_unit, "from two precisions and two chain lengths"),
+       number("line", "growth rate at mu = 1 times mu", rate_unit),
+       number("ratio", "growth rate divided by mu")});
   const auto margin = [](double mu) {
     return margin_of<long double>(Centre::site, mu, sites_of(Centre::site));
   };
@@ -285,8 +284,8 @@ void report_rates(Report& report, const PinnedBreather& site) {
   const Accuracy loose{1e-11, 1}, tight{1e-13, 2};
   Estimate rate = compare(measured_rate(site, size, loose), measured_rate(site, size, tight));
   rate.error += std::abs(rate.value - measured_rate(site, 10 * size, tight));
-  report.facts.add("rate_in_time", rate, "1 per unit of time");
-  report.facts.add("rate_of_matrix", rate_of_matrix(site), "1 per unit of time");
+  report.facts.add("rate_in_time", rate, rate_unit);
+  report.facts.add("rate_of_matrix", rate_of_matrix(site), rate_unit);
 }
 
 /**

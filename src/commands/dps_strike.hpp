@@ -11,7 +11,8 @@ thousand times the tolerance and half the samples; the speed also carries the er
 
 How fast a front is nobody has proved, and after an impact on a fixed end it is faster. So a chain whose last site
 has moved is lengthened and struck again. If you choose the end yourself with `--sites`, what it sends back
-belongs to the run. */
+belongs to the run. After a long time the motion behind the packet is chaotic: the profile has an error for every site,
+and where the two runs differ by half of the largest amplitude, nothing is known and nothing is printed. */
 
 #include <algorithm>
 #include <array>
@@ -48,7 +49,7 @@ struct DpsStrike {
   using Found = std::array<DpsOutcome, 2>;  ///< the coarser and the finer run
 
   /// Most fronts are slower than `fastest`; where another one has moved the far end the chain was too short. Throws
-  /// std::runtime_error if GSL cannot go on.
+  /// Failure where the two runs have nothing in common, std::runtime_error if GSL cannot go on.
   Found find() const {
     const double quiet = 1e-9;  // |A_n| of an end that has not moved; the struck site has 1
     const double fastest = alpha == 1.5 ? 0.4 : std::max(0.5, 1 / (2 * tau_0(alpha)));
@@ -59,8 +60,18 @@ struct DpsStrike {
         runs[k] =
             follow_dps({n, end, alpha}, dps_impact(n), tau, std::size_t(samples), k ? 1e-11 : 1e-8);
       });
-      if (sites || std::max(runs[0].far_end, runs[1].far_end) <= quiet) return runs;
+      if (sites || std::max(runs[0].far_end, runs[1].far_end) <= quiet) break;
     }
+    double most = 0, apart = 0;
+    for (std::size_t n = 0; n < runs[1].end.size(); ++n) {
+      most = std::max(most, std::abs(runs[1].end[n]));
+      apart = std::max(apart, std::abs(runs[1].end[n] - runs[0].end[n]));
+    }
+    if (apart > most / 2)
+      throw Failure("the final states of two tolerances differ by " + short_text(apart) +
+                    ", the largest amplitude being " + short_text(most) +
+                    ": the motion is too erratic for so long a run; take a shorter --tau");
+    return runs;
   }
 
   /// What both runs give. A test compares it with what the impact chapter measures in a run of its own.
@@ -102,10 +113,12 @@ struct DpsStrike {
   /// The field at the end, site by site.
   Table profile(const Found& runs) const {
     Table table{{count("n", "site", "site"), number("real", "real part of A_n at the end"),
-                 number("imag", "imaginary part of A_n at the end")}};
-    const Field& field = runs[1].end;
+                 number("imag", "imaginary part of A_n at the end"),
+                 number("error", "difference of the two runs, a distance in the complex plane")}};
+    const Field &coarse = runs[0].end, &field = runs[1].end;
     for (std::size_t n = 0; n < field.size(); ++n)
-      table.add({n + 1, field[n].real(), field[n].imag()});
+      table.add({n + 1, field[n].real(), field[n].imag(),
+                 Estimate{std::abs(field[n]), std::abs(field[n] - coarse[n])}.error});
     return table;
   }
   Table table() const { return quantities(find()); }

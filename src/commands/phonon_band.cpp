@@ -48,19 +48,28 @@ The edges of the instability come in pairs, `unstable_from` and `unstable_to`, a
 with its number. Where every phonon is stable there are none. */
 static void add_edges_of_instability(Answers& q, double d, double s) {
   const auto narrow = edges_of_instability(d, s);
-  const auto wide = edges_of_instability<long double>(d, s);
-  if (narrow.size() != wide.size())
-    throw Failure("the unstable wavenumbers are too close together to be resolved");
+  const auto edge = [&](std::size_t i) {
+    return in_two_precisions(
+        [&](auto x, auto y) {
+          const auto edges = edges_of_instability(x, y);
+          if (edges.size() != narrow.size())
+            throw Failure("the unstable wavenumbers are too close together to be resolved");
+          return edges[i];
+        },
+        d, s);
+  };
   const Estimate none{std::nan(""), std::nan("")};
   if (narrow.empty())
     for (const char* name : {"unstable_from", "unstable_to"})
       q.add(name, none, "1/site", "edge of the unstable wavenumbers; no phonon is unstable",
             "all phonons are stable: Phi is nowhere positive");
+
+  // From each interval its two ends
   for (std::size_t i = 0; i < narrow.size(); i += 2) {
     const std::string number = i == 0 ? "" : "_" + std::to_string(i / 2 + 1);
-    q.add_small("unstable_from" + number, compare(narrow[i], double(wide[i])), "1/site",
+    q.add_small("unstable_from" + number, edge(i), "1/site",
                 "lower end of an interval of modulationally unstable wavenumbers");
-    q.add("unstable_to" + number, compare(narrow[i + 1], double(wide[i + 1])), "1/site",
+    q.add("unstable_to" + number, edge(i + 1), "1/site",
           "upper end of this interval, which begins at unstable_from" + number);
   }
 }
@@ -96,13 +105,13 @@ Table Band::table() const {
   add_edges_of_instability(q, d, s);
   return q.table;
 }
-/**
-At one wavenumber all coefficients come from one evaluation, so here we evaluate once in each
-precision and compare the coefficients one by one. */
+
+// All that is known of one wavenumber
 Table OneWavenumber::table() const {
-  const auto narrow = coefficients(q, d, s);
-  const auto wide = coefficients<long double>(q, d, s);
-  const auto both = [&](auto of) { return compare(double(of(narrow)), double(of(wide))); };
+  const auto both = [&](auto of) {
+    return in_two_precisions([&](auto x, auto y, auto z) { return of(coefficients(x, y, z)); }, q,
+                             d, s);
+  };
   Answers a;
   a.add("omega", both([](const auto& c) { return c.omega; }), "",
         "frequency of the phonon of wavenumber q");

@@ -7,9 +7,15 @@ wavenumbers whose phonons are modulationally unstable; `coefficients` evaluates 
 (phonons.hpp) says about one wavenumber.
 
 Values of formulas have no step to halve, but they have rounding errors: we evaluate in `double` and in `long double`
-and take the difference as the error. */
+and take the difference as the error. Where large terms cancel, the last digit of an argument decides, in both alike. So
+each argument is changed by one unit in its last place, and what that changes is added. */
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
 #include <numbers>
+#include <tuple>
 #include <vector>
 
 #include "report/program.hpp"
@@ -17,10 +23,25 @@ and take the difference as the error. */
 
 namespace lattice {
 
-/// A formula of these arguments in two precisions.
-template <class Formula, class... Arguments>
+/// A formula of these arguments in two precisions, with the error that rounding them makes.
+template <class Formula, std::same_as<double>... Arguments>
 Estimate in_two_precisions(Formula formula, Arguments... x) {
-  return compare(double(formula(x...)), double(formula(static_cast<long double>(x)...)));
+  const auto fine = [&](const std::array<double, sizeof...(x)>& at) {
+    return std::apply([&](auto... y) { return formula(static_cast<long double>(y)...); }, at);
+  };
+  const std::array<double, sizeof...(x)> given{x...};
+  const long double value = fine(given);
+  Estimate out = compare(double(formula(x...)), double(value));
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    long double most = 0;
+    for (double side : {-HUGE_VAL, HUGE_VAL}) {
+      auto beside = given;
+      beside[i] = std::nextafter(given[i], side);
+      most = std::max(most, std::abs(fine(beside) - value));
+    }
+    out.error += double(most);
+  }
+  return out;
 }
 
 /**

@@ -21,7 +21,7 @@ TEST_CASE("the options of a breather reach its chain", "[cli][chains]") {
     one.omega_b = omega, one.centre = centre, one.like.contact = contact;
     one.like.sites = mass.size();
     if (!mass.empty()) vary(one.like, mass, {});
-    return one.find().orbit.energy;
+    return double(one.find().wide.energy);
   };
   const auto check = [](const std::string& options, double energy) {
     CAPTURE(options);

@@ -198,6 +198,35 @@ TEST_CASE("between steep contacts a hard well has the breather of the harmonic o
   }
 }
 
+// Values of a program of its own, in 113 bits
+TEST_CASE("near omega_b = 1 a breather is found, and all of its sites with their errors",
+          "[property][chains]") {
+  struct {
+    Centre centre;
+    double omega, alpha, amplitude;
+  } const rows[] = {{Centre::site, 1.01, 3, 0.08744770302678816879},
+                    {Centre::site, 1.003, 3, 0.047678746569009171053},
+                    {Centre::bond, 1.003, 3, 0.040907607931452184724},
+                    {Centre::bond, 1.001, 2.5, 0.0077725859206916417},
+                    {Centre::bond, 1.0001, 2.5, 0.0016739364893801590},
+                    {Centre::bond, 1.0003, 2.5, 0.0034822133207912221},
+                    {Centre::bond, 1.0001, 1.5, 8.8302539615644339219e-9},
+                    {Centre::bond, 1.2, 1.5, 0.043145709940452627532}};
+  for (const auto& [centre, omega, alpha, amplitude] : rows) {
+    CAPTURE(omega, alpha);
+    OneBreather one = asked(omega, PowerContact{alpha});
+    one.centre = centre;
+    const FoundOrbit found = one.find();
+    const Table table = one.quantities(found);
+    check_close(table.numbers("value")[0], amplitude, table.numbers("error")[0]);
+    Estimate most = exact(0);
+    for (const Estimate& y : found.y)
+      if (std::abs(y.value) > most.value) most = {std::abs(y.value), y.error};
+    check_close(most.value, amplitude, most.error);
+    CHECK(most.error < 1e-11 * amplitude);
+  }
+}
+
 TEST_CASE("what has no breather is refused in one line", "[unit][chains]") {
   const auto in = [](const Well& well) {
     return refusal<std::invalid_argument>([&] { breather_problem(Centre::site, 1.1, well, 21); });
