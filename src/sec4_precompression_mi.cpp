@@ -115,8 +115,8 @@ StruckChain struck_chain(double s, double compression, double time, const std::v
   follow(EventCorrected{0.1 / refinement}, impact, run, settled, look);
   follow(Splitting{blanes_moan_6_14(), 0.4 / refinement}, impact, run, time, look);
   if (run.run.escaped() || run.run.energy_drift > (compression > 0 ? 1e-8 : 1e-6) ||
-      (compression > 0 && (run.last_open > settled || run.far_end > 0)))
-    throw Failure("a bead leaves, energy is lost, a contact opens late or the far end moves");
+      (compression > 0 && run.last_open > settled))
+    throw Failure("a bead leaves, energy is lost, or a contact opens late");
   return run;
 }
 
@@ -235,9 +235,10 @@ a long transient and prints no time.
 
 In the other wells the article saw a breather too, for $s = 0$ later and less localized. It names no wavenumber. We take
 the most unstable one that fits on the ring, and for $s = 1$ also all others of its band. With these the order holds:
-for $s = 1$ no wavenumber that makes a breather reverses it, and [19](num:sec4_precompression_mi.rings_formed_s_1) of
-[26](num:sec4_precompression_mi.rings_tried_s_1) make one. (The energy of the others does not gather within the runs, or
-jumps between packets.) For $s = 0$ the width depends on the wavenumber: `ring --s 0 --waves 31` finds a packet as
+for $s = 1$ no wavenumber that makes a breather reverses it, and at least
+[18](num:sec4_precompression_mi.rings_formed_s_1) of [26](num:sec4_precompression_mi.rings_tried_s_1) make one. (The
+energy of the others does not gather within the runs, or jumps between packets, or our two runs leave it open.) For
+$s = 0$ the width depends on the wavenumber: `ring --s 0 --waves 31` finds a packet as
 narrow as those of the other wells. But for all 37 unstable wavenumbers it is late: none gathers before $t = 27800$.
 
 | quantity | article | $s = -1/6$ | $s = 1$ | $s = 0$ |
@@ -301,19 +302,26 @@ void report_rings(Report& report) {
 
   // At how many wavenumbers of the hard wells is there in the end a packet of five times the mean
   // density, on a quarter of the ring, that moves to the right?
-  int made = 0;
+  int made = 0,
+      open = 0;  // open where the two runs part before, or the errors reach beyond a bound
   Estimate widest;
   for (std::size_t i = 2; i < pairs.size(); ++i) {
-    if (std::isnan(pairs[i].gathered.value)) continue;
-    const auto& [peak, share, speed, width] = formed(pairs[i].packet[0], pairs[i].packet[1]);
-    if (!(peak.value - peak.error > 5) || !(width.value + width.error < 200.0 / 4) ||
-        !(speed.value > speed.error))
+    if (std::isnan(pairs[i].gathered.value)) {
+      open += !pairs[i].agree.is_exact;
       continue;
+    }
+    const auto& [peak, share, speed, width] = formed(pairs[i].packet[0], pairs[i].packet[1]);
+    const auto forms = [&](double errors) {
+      return peak.value - errors * peak.error > 5 &&
+             width.value + errors * width.error < 200.0 / 4 && speed.value > errors * speed.error;
+    };
+    open += forms(-1) && !forms(1);
+    if (!forms(1)) continue;
     ++made;
     widest = larger(widest, pairs[i].width());
   }
   facts.add("rings_tried_s_1", exact(double(pairs.size() - 2)));
-  facts.add("rings_formed_s_1", exact(made));
+  facts.add("rings_formed_s_1", open > 0 ? Estimate(made, open) : exact(made));
   if (made > 0) facts.add("widest_packet_s_1", widest, "site");
 
   // And the pulse of figure 26 splits
@@ -538,8 +546,8 @@ only slow modulations.
 
 | quantity | article | here |
 |---|---|---|
-| growth of exact waves beyond a threshold, over that of the NLS equation, minus one | unstable | [0.00719177 ± 3e-8](num:sec4_precompression_mi.edges_growth) |
-| largest growth before a threshold | stable | [4e-15](num:sec4_precompression_mi.edges_stable_side) |
+| growth of exact waves beyond a threshold, over that of the NLS equation, minus one | unstable | [0.00719180 ± 3e-9](num:sec4_precompression_mi.edges_growth) |
+| largest growth before a threshold | stable | [5e-15](num:sec4_precompression_mi.edges_stable_side) |
 | measured $\beta$ over the formula, minus one, by frequency | | [2e-5 ± 0.0003](num:sec4_precompression_mi.beta_shift) |
 | measured $\Phi$ over the formula, minus one, by growth | | [3e-5 ± 0.0005](num:sec4_precompression_mi.beta_growth) |
 | growth of the umklapp resonance over that of the fastest modulation, $s = 1$, $q = \pi/2$ | | [2.94567 ± 3e-6](num:sec4_precompression_mi.backscattering) | */

@@ -270,10 +270,10 @@ their errors, the phase of the larger quotient is pinned and that of the other i
 |---|---|
 | 1 | [5.82355 ± 3e-13](num:sec5_kernel_equation.exchange_1) |
 | 2 | [3.10428 ± 6e-13](num:sec5_kernel_equation.exchange_2) |
-| 3 | [2.30736 ± 6e-12](num:sec5_kernel_equation.exchange_3) |
+| 3 | [2.30736 ± 5e-12](num:sec5_kernel_equation.exchange_3) |
 | 4 | [1.94497 ± 2e-10](num:sec5_kernel_equation.exchange_4) |
 | 5 | [1.73825 ± 2e-9](num:sec5_kernel_equation.exchange_5) |
-| 6 | [1.60461 ± 4e-8](num:sec5_kernel_equation.exchange_6) |
+| 6 | [1.60461 ± 7e-8](num:sec5_kernel_equation.exchange_6) |
 | 7 | [1.51174 ± 8e-8](num:sec5_kernel_equation.exchange_7) |
 | 8 | [1.44347 ± 6e-7](num:sec5_kernel_equation.exchange_8) |
 | 9 | [1.39092 ± 5e-5](num:sec5_kernel_equation.exchange_9) | */

@@ -3,6 +3,7 @@
 import csv
 import math
 import re
+import sys
 import unittest
 from math import isfinite, nan
 
@@ -107,15 +108,16 @@ class Files(Scratch):
 def doubts(columns, rows):
     """A complaint for each column `..._error` that is not known to one per cent, point by point, because a column may span
     decades. Its description says where another scale is meant (the largest of the column, the neighbouring rows where it
-    crosses zero, or an error that is relative already), that rows may be `nan`, or that all may be `exact`."""
+    crosses zero, or an error that is relative already), that rows may be `nan`, or that all may be `exact`. Of zero the
+    least number of the type is the error."""
     for column in (c for c in columns if c.name.endswith("_error")):
         how, names = column.description, [c.name for c in columns]
         values, errors = ([float(row[names.index(name)]) for row in rows] for name in (column.name.removesuffix("_error"), column.name))
         sizes = [abs(x) if isfinite(x) else 0 for x in values]
         known = [i for i in range(len(rows)) if isfinite(values[i]) and isfinite(errors[i])]
-        bad = [i for i in known if not 0 <= errors[i] <= 0.01 * (
+        bad = [i for i in known if not 0 <= errors[i] <= max(sys.float_info.min, 0.01 * (
             max(sizes) if "against the largest" in how else max(sizes[max(0, i - 2):i + 3]) if "against the neighbouring" in how
-            else 1 if "relative" in how else sizes[i])]
+            else 1 if "relative" in how else sizes[i]))]
         if bad:
             yield f"{column.name}: {len(bad)} rows not known to one per cent, first {values[bad[0]]} +- {errors[bad[0]]}"
         elif not known or len(known) < len(rows) and "nan" not in how:
