@@ -271,6 +271,8 @@ void add_model(py::module_& m) {
             RowContact(functions(std::move(e), std::move(f), std::move(s)), opening, exponent));
       }))
       .def_property_readonly("functions", functions_of<RowContact, OwnContact>)
+      .def_property_readonly("_loses_digits",
+                             [](const OwnContact& contact) { return loses_digits(contact); })
       .def_property_readonly("opening", &OwnContact::opening)
       .def_readonly("exponent", &OwnContact::exponent);
   py::class_<Chain>(m, "Chain")

@@ -243,6 +243,9 @@ class Contact(_lattice.Contact):
     def __init__(self, energy, force, stiffness, opening=0.0, exponent=1.5):
         super().__init__(*_functions(energy=energy, force=force, stiffness=stiffness).values(),
                          _number("opening", opening), _number("exponent", exponent))
+        if self._loses_digits:
+            warnings.warn("the force of the contact loses digits in small motions: write it with expm1, log1p or the like",
+                          stacklevel=2)
 
     def __reduce__(self):
         return type(self), (*self.functions, self.opening, self.exponent)
@@ -385,7 +388,8 @@ class Chain(_lattice.Chain):
 
         RuntimeError: the runs do not agree (the message has the history), or a bead runs away."""
         t, y, v, error, drift = super().evolve(*self._run(y, v, time, sample, tolerance))
-        known = {"error": Estimate(error, 0, "relative", meaning="difference between the final states of the last two runs"),
+        known = {"error": Estimate(error, 0, "relative", meaning="twice the difference between the final states of the last two "
+                                                                 "runs, if the tolerance allows it"),
                  "energy_drift": Estimate(drift, 0, "relative", meaning="largest deviation of the energy, Eq. (6)")}
         return Result(known, t=t, y=y, v=v)
 

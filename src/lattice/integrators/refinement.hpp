@@ -181,7 +181,7 @@ auto refined(double tolerance, Compute compute, Differ differ = {}) {
 }
 
 /// A stated tolerance in the place of a method: the step is found in runs that nobody observes, `look` sees only the
-/// last one, and the `error` of the run is the distance between its end and that of the run with twice the step. Where
+/// last one, and the `error` of the run is twice the distance between its end and that of the run with twice the step. Where
 /// a run ends early it is repeated with a sample for every step, to see when and whether a bead left its well.
 struct Converged {
   double tolerance;  ///< relative error of the end state
