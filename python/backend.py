@@ -51,12 +51,12 @@ def pack(package, wheel_directory):
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
-    build = ROOT / "build/wheel" / TAG
-    for command in ([f"-S{ROOT}", f"-B{build}", "-DLATTICE_TESTS=OFF", f"-DPython_EXECUTABLE={sys.executable}"],
-                    ["--build", build, "--target", "python_module", "--parallel", str(os.cpu_count() or 2)]):
-        if subprocess.run(["cmake", *map(str, command)], check=False).returncode:
+    build = f"build/wheel/{TAG}"
+    for command in (["sh", "tools/configure.sh", build, ".", "-DLATTICE_TESTS=OFF", f"-DPython_EXECUTABLE={sys.executable}"],
+                    ["cmake", "--build", build, "--target", "python_module", "--parallel", str(os.cpu_count() or 2)]):
+        if subprocess.run(command, cwd=ROOT, check=False).returncode:
             sys.exit("lattice: CMake failed to build the Python module; see its messages above")
-    return pack(build / "python/lattice", wheel_directory)
+    return pack(ROOT / build / "python/lattice", wheel_directory)
 
 
 def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):

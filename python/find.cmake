@@ -1,8 +1,8 @@
 # Whether the Python module can be built, and with which interpreter: the first one that has numpy and its own
-# headers, and none where the compiler is that of another machine. Sets LATTICE_HAS_PYTHON and, where that is on,
+# headers, and none where the compiler is that of another machine or code has a fixed address. Sets LATTICE_HAS_PYTHON and, where that is on,
 # the targets of pybind11.
 set(LATTICE_HAS_PYTHON OFF)
-if(NOT LATTICE_PYTHON OR CMAKE_CROSSCOMPILING)
+if(NOT LATTICE_PYTHON OR NOT anywhere OR CMAKE_CROSSCOMPILING)
   return()
 endif()
 if(NOT Python_EXECUTABLE)

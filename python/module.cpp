@@ -209,6 +209,13 @@ py::tuple multipliers_of_orbit(const Chain& chain, const Numbers& y, const Numbe
   return py::make_tuple(found.largest_modulus.value, found.largest_modulus.error, found.all);
 }
 
+// A chain answers with a copy of its masses: who writes into that has changed nothing, and shall know.
+py::object read_only(const std::vector<double>& x) {
+  py::object array = array_of(x);
+  array.attr("setflags")(py::arg("write") = false);
+  return array;
+}
+
 /// What `compute(state)` says, one number a site, of every row of `y` and `v`.
 template <class Compute>
 Numbers by_rows(const Chain& chain, const Numbers& y, const Numbers& v, Compute compute) {
@@ -282,8 +289,8 @@ void add_model(py::module_& m) {
       .def_property_readonly("well", [](const Chain& c) { return describe<Well>(c.well); })
       .def_property_readonly("contact", [](const Chain& c) { return describe<Contact>(c.contact); })
       .def_property_readonly("ends", [](const Chain& c) { return ends_names[int(c.ends)]; })
-      .def_property_readonly("mass", [](const Chain& c) { return array_of(c.mass); })
-      .def_property_readonly("eta", [](const Chain& c) { return array_of(c.eta); })
+      .def_property_readonly("mass", [](const Chain& c) { return read_only(c.mass); })
+      .def_property_readonly("eta", [](const Chain& c) { return read_only(c.eta); })
       .def_property_readonly("_well", [](const Chain& c) { return own_in<OwnWell>(c.well); })
       .def_property_readonly("_contact",
                              [](const Chain& c) { return own_in<OwnContact>(c.contact); })

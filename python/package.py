@@ -197,8 +197,8 @@ def _described(target, command, extra=()):
         if name not in extra:
             parameters.append(inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default))
         lines.append(f"{name}: {meaning}; {allowed}" + (f" (default: {standard})" if standard else ""))
-    # Python 3.13 takes the indentation out of docstrings itself
-    target.__doc__ = inspect.cleandoc(target.__doc__).replace("\nOPTIONS\n", "\n" + "\n".join(lines) + "\n")
+    if target.__doc__:  # which `python -OO` throws away; Python 3.13 takes the indentation out itself
+        target.__doc__ = inspect.cleandoc(target.__doc__).replace("\nOPTIONS\n", "\n" + "\n".join(lines) + "\n")
     more = [inspect.Parameter(name, inspect.Parameter.POSITIONAL_OR_KEYWORD, default=None) for name in extra]
     target.__signature__ = inspect.Signature(more + parameters)
     return target
@@ -360,22 +360,20 @@ class Chain(_lattice.Chain):
         return f"Chain of {self.sites or 'as many'} beads{'' if self.sites else ' as needed'}: wells {self.well}; " \
                f"contacts {self.contact}; ends {self.ends}{_pattern('mass', self.mass)}{_pattern('eta', self.eta)}"
 
-    def _rows(self, **arrays):
-        """Positions or velocities: one number a site, or a whole run of such rows; all of one shape."""
+    def _rows(self, samples=True, **arrays):
+        """Positions or velocities: one number a site, or a whole run of such rows where that may be; all of one shape."""
         if not self.sites:
             raise ValueError("the chain has no number of sites (allowed: Chain(sites=...))")
-        out = [_array(name, value, f"{self.sites}, one per site, or samples x {self.sites}",
-                      lambda shape: 0 < len(shape) < 3 and shape[-1] == self.sites) for name, value in arrays.items()]
+        shapes = f"{self.sites}, one per site" + (f", or samples x {self.sites}" if samples else "")
+        out = [_array(name, value, shapes, lambda shape: 0 < len(shape) < 2 + samples and shape[-1] == self.sites)
+               for name, value in arrays.items()]
         if out[0].shape != out[-1].shape:
             raise ValueError(f"y and v: shapes {out[0].shape} and {out[-1].shape} (allowed: equal shapes)")
         return out
 
     def _run(self, y, v, time, sample, tolerance):
         """What begins a run: one number a site, a time and how to look at it."""
-        y, v = self._rows(y=y, v=v)
-        if y.ndim != 1:
-            raise ValueError(f"y and v: shape {y.shape} (allowed: ({self.sites},), one number per site)")
-        return y, v, _within("time", time, 0, 1e9), _within("sample", sample, 1e-9, 1e9), _within("tolerance", tolerance, 1e-14, 0.1)
+        return *self._rows(samples=False, y=y, v=v), _within("time", time, 0, 1e9), _within("sample", sample, 1e-9, 1e9), _within("tolerance", tolerance, 1e-14, 0.1)
 
     def evolve(self, y, v, time, sample=0.2, tolerance=1e-4):
         """The motion from positions `y` and velocities `v` (arrays of `sites` numbers) over `time`.
@@ -395,10 +393,9 @@ class Chain(_lattice.Chain):
 
     def _orbit(self, period, **arrays):
         """What begins an orbit: one number a site, and a period."""
-        rows = self._rows(**arrays)
-        if rows[0].ndim != 1 or self.sites > 1000:
-            raise ValueError(f"y and v: shape {rows[0].shape} (allowed: ({self.sites},), one number per site, at most 1000)")
-        return *rows, _within("period", period, 1e-3, 1e5)
+        if self.sites > 1000:
+            raise ValueError(f"the chain has {self.sites} sites (allowed: at most 1000)")
+        return *self._rows(samples=False, **arrays), _within("period", period, 1e-3, 1e5)
 
     def orbit(self, y, period):
         """A periodic orbit of the given period, even in time, near a guess of your own: at t = 0 at rest at the positions `y`

@@ -172,6 +172,8 @@ class Refusals(unittest.TestCase):
                 self.refused((f"^y.*{message}", lambda: call(y)))
         for name, value in [("time", -1), ("time", "20"), ("time", True), ("sample", 0), ("tolerance", 1), ("tolerance", 1e-30)]:
             self.refused((f"^{name}: ", lambda: chain.evolve(zero, v, **{"time": 1, name: value})))
+        for row in (chain.mass, chain.eta):
+            self.assertRaisesRegex(ValueError, "read-only", row.fill, 2)
         self.refused(("^y.*shapes", lambda: chain.energy_density([zero, zero], zero)),
                      ("no number of sites", lambda: lattice.Chain().accelerations([])),
                      ("sample: y and v would take 160 GB .allowed: 2;",
@@ -185,7 +187,9 @@ class Refusals(unittest.TestCase):
         self.refused(("nothing moves", lambda: chain.orbit(rest, 5)), ("period: -5", lambda: chain.orbit(np.ones(5), -5)),
                      ("misses its start", lambda: chain.multipliers(np.eye(5)[2], rest, 5)),
                      ("cannot be followed", lambda: lattice.Chain(5, well="quartic", s=-1).multipliers(rest + 1.1, rest, 5)),
-                     (r"\(5,\), one number per site", lambda: chain.multipliers(np.zeros((2, 5)), np.zeros((2, 5)), 5)),
+                     (r"^y: shape \(2, 5\) .allowed: 5, one per site.$", lambda: chain.multipliers(np.zeros((2, 5)), np.zeros((2, 5)), 5)),
+                     (r"^y: shape \(2, 5\) .allowed: 5, one per site.$", lambda: chain.orbit(np.zeros((2, 5)), 5)),
+                     ("1001 sites .allowed: at most 1000", lambda: lattice.Chain(1001).orbit(np.zeros(1001), 5)),
                      ("no number of sites", lambda: lattice.Chain().orbit([1], 5)), kind=(ValueError, RuntimeError))
 
     def test_potentials_that_are_none(self):
@@ -624,6 +628,7 @@ class Documentation(unittest.TestCase):
                 self.assertIn(f"{option}:", target.__doc__, name)
                 self.assertIn(option, inspect.signature(target).parameters)
         self.assertIn("Eq. (26)", lattice.strike.__doc__)
+        self.assertEqual(python("import lattice; print(lattice.strike.__doc__)", {"PYTHONOPTIMIZE": "2"}).stdout, "None\n")
         self.assertEqual(inspect.signature(lattice.breather).parameters["omega"].default, 1.1)
 
     def test_the_types_are_those_of_this_module(self):

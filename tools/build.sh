@@ -2,6 +2,7 @@
 # Builds targets, says once that it compiles and where the log is, and on a terminal how far it is:
 #   build.sh BUILD JOBS TARGET...
 set -eu
+unset CLICOLOR_FORCE  # coloured lines would not be known again
 build=$1 jobs=$2
 shift 2
 log=$build/build.log

@@ -1,4 +1,4 @@
-"""The live pages: chains that the reader's browser computes, by the library compiled to WebAssembly (build.sh). They are
+"""The live pages: chains that the reader's browser computes, by the library compiled to WebAssembly (CMakeLists.txt). They are
 left out where it was not compiled."""
 
 import base64

@@ -25,7 +25,7 @@ void add_contact(Parameters& p, Contact& contact, const Ranges& own = {});
 /// something is missing.
 void add_holding_well(Parameters& p, Well& well, const std::string& without);
 
-/// Adds `--ends`, by the names of boundary.hpp.
+/// Adds `--ends`, by the names of chain.hpp.
 void add_ends(Parameters& p, Ends& ends);
 
 }  // namespace lattice

@@ -166,7 +166,7 @@ void write(const std::filesystem::path& path, const Table& table);
 Table read(const std::filesystem::path& path);
 
 /**
-Single rows are kept in files too (sweep.hpp), cell by cell. */
+Single rows are kept in files too, cell by cell. */
 namespace ecsv {
 
 /// The text of a cell, quoted if it would be misread.

@@ -137,7 +137,11 @@ class Here(unittest.TestCase):
     def test_what_is_named_is_there(self):
         claims, figures = read_claims(VOLUME), joined(read_figures, below(VOLUME))
         claim = re.compile(rf"`((?:{'|'.join(sorted({id.split('.')[0] for id in claims}))})\.\w+)`")
+        files = {path.name for home in below(VOLUME) for folder in ("src", "tests", "tools", "python", "book", "figures", "examples")
+                 for path in (home / folder).rglob("*.*")} | {"CMakeLists.txt"}
         for path, text in self.texts.items():
+            named = re.findall(r"\b[\w-]+\.(?:[hc]pp|py|sh|cmake)\b", re.sub(r"(?m)^#include <.*", "", text))
+            self.none(f"{path}: there is no file {name}" for name in named if name not in files)
             self.none(f"{path}: {id}" for id in re.findall(r"\]\(fig:(\w+)\)", text) if id not in figures)
             self.none(f"{path}: {id}" for id in claim.findall(text) if id not in claims)
             self.none(f"{path}: a program names {id}" for id in re.findall(r'"(\w+\.\w+)"', text) if id in claims)

@@ -4,8 +4,8 @@
     faults.py ROOT BIN [COUNT [SEED]]
     faults.py ROOT BIN maps           those of the maps in parts, which volume two has
 
-COUNT is how often runs are killed, at random moments. Every fault is a function; what is asked of it stands in the
-table of CONTRIBUTING.md. A line is printed for each, and one that starts with `skipped` where a machine cannot show it."""
+COUNT is how often runs are killed, at random moments. Every fault is a function, which says what is asked. A line is printed
+for each, and one that starts with `skipped` where a machine cannot show it."""
 
 import os
 import random

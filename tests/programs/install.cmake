@@ -39,31 +39,33 @@ while(says)
     message(FATAL_ERROR "${name} says: ${text}")
   endif()
 endwhile()
-# Part of the library brings along what it needs, and one that does not exist is refused
-foreach(component core dps colour)
-  file(WRITE ${place}/part/CMakeLists.txt "cmake_minimum_required(VERSION 3.18)\nproject(part LANGUAGES CXX)\n"
-       "find_package(lattice REQUIRED COMPONENTS ${component})\nadd_executable(part part.cpp)\n"
-       "target_link_libraries(part lattice::${component})\n")
-  file(WRITE ${place}/part/part.cpp "int main() {}\n")
-  execute_process(COMMAND ${CMAKE_COMMAND} -S ${place}/part -B ${place}/part/${component}
-                          -D CMAKE_PREFIX_PATH=${place}/prefix -D CMAKE_CXX_COMPILER=${COMPILER}
-                  RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE text)
-  string(REGEX REPLACE "[ \n]+" " " text "${text}")
-  if(component STREQUAL "colour" AND NOT text MATCHES "no component 'colour' .allowed: flags, core, lattice, [a-z_, ]+.")
-    message(FATAL_ERROR "asked for a component that does not exist CMake says: ${text}")
-  elseif(NOT component STREQUAL "colour")
-    if(code)
-      message(FATAL_ERROR "asked for ${component} CMake says: ${text}")
-    endif()
-    run(${CMAKE_COMMAND} --build ${place}/part/${component})
+# Another project takes the core into a shared library on a machine without GSL and Boost, from the installed library as
+# from a subfolder, and may install its own. The subfolder is compiled as the project says, and adds the library alone.
+file(WRITE ${place}/outer/outer.cpp "#include \"lattice/impact/impact.hpp\"\nusing namespace lattice;\n"
+     "double moved() {\n  auto state = struck(9, 1);\n  evolve(EventCorrected{0.05}, Chain{9}, state, 1, 1);\n  return state.y[0];\n}\n")
+foreach(way "find_package(lattice REQUIRED)" "add_subdirectory(\"${EXAMPLES}/..\" lattice)")
+  file(WRITE ${place}/outer/CMakeLists.txt "cmake_minimum_required(VERSION 3.20)\nproject(outer LANGUAGES CXX)\n"
+       "set(CMAKE_DISABLE_FIND_PACKAGE_GSL ON)\nset(CMAKE_DISABLE_FIND_PACKAGE_Boost ON)\n${way}\n"
+       "add_library(outer SHARED outer.cpp)\ntarget_link_libraries(outer PRIVATE lattice::core)\n"
+       "target_link_options(outer PRIVATE -Wl,-z,defs)\n"
+       "add_library(inner STATIC outer.cpp)\ntarget_link_libraries(inner PUBLIC lattice::core)\n"
+       "install(TARGETS outer inner EXPORT outer)\ninstall(EXPORT outer DESTINATION lib/cmake/outer)\n"
+       "if(TARGET programs OR TARGET tests OR way MATCHES add AND TARGET lattice::lattice)\n"
+       "  message(FATAL_ERROR \"more than the core is added\")\nendif()\n")
+  file(REMOVE_RECURSE ${place}/outer/build)
+  run(${CMAKE_COMMAND} -S ${place}/outer -B ${place}/outer/build -D CMAKE_PREFIX_PATH=${place}/prefix -D CMAKE_BUILD_TYPE=Release
+      -D CMAKE_CXX_FLAGS_RELEASE=-O0 -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_EXPORT_COMPILE_COMMANDS=ON)
+  if(way MATCHES "^find")
+    run(${CMAKE_COMMAND} --build ${place}/outer/build --target outer)
   endif()
 endforeach()
-# A project may also have this one in a subfolder, and links the same names
-file(WRITE ${place}/outer/CMakeLists.txt "cmake_minimum_required(VERSION 3.20)\nproject(outer LANGUAGES CXX)\n"
-     "add_subdirectory(\"${EXAMPLES}/..\" lattice)\nadd_executable(strike \"${EXAMPLES}/strike.cpp\")\n"
-     "target_link_libraries(strike PRIVATE lattice::core)\n"
-     "if(TARGET programs OR TARGET tests)\n  message(FATAL_ERROR \"more than the library is added\")\nendif()\n")
-run(${CMAKE_COMMAND} -S ${place}/outer -B ${place}/outer/build -D CMAKE_CXX_COMPILER=${COMPILER})
+file(READ ${place}/outer/build/compile_commands.json commands)
+string(REGEX MATCHALL "\"command\": [^\n]*/src/lattice/[^\n]*" commands "${commands}")
+list(LENGTH commands count)
+list(FILTER commands EXCLUDE REGEX " -O0 .*-fPIC ")
+if(commands OR count LESS 20)
+  message(FATAL_ERROR "of ${count} files of the library are not compiled with the options of the project:\n${commands}")
+endif()
 # A machine that lacks two libraries is told of both at once
 execute_process(COMMAND ${CMAKE_COMMAND} -S ${EXAMPLES}/.. -B ${place}/lacking -D CMAKE_DISABLE_FIND_PACKAGE_GSL=ON -D
                         CMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON -D CMAKE_CXX_COMPILER=${COMPILER}
@@ -73,12 +75,12 @@ if(code EQUAL 0 OR NOT text MATCHES "LIBRARIES: missing GSL 2.7 .Debian: libgsl-
   message(FATAL_ERROR "where GSL and Eigen are missing CMake says: ${text}")
 endif()
 
-# Whoever compiles against the installed headers cannot change values by accident
-foreach(option -ffast-math -Ofast)
+# Whoever compiles against the installed headers cannot change values by accident, nor where errors would be zero
+foreach(option -ffast-math -Ofast -mlong-double-64)
   file(WRITE ${place}/fast.cpp "#include \"lattice/numerics/estimate.hpp\"\nint main() {}\n")
   execute_process(COMMAND ${COMPILER} -std=c++20 ${option} -I ${place}/prefix/include -fsyntax-only ${place}/fast.cpp
                   RESULT_VARIABLE code ERROR_VARIABLE text)
-  if(code EQUAL 0 OR NOT text MATCHES "lattice needs IEEE arithmetic: compile without -ffast-math")
+  if(code EQUAL 0 OR NOT text MATCHES "lattice needs (IEEE arithmetic: compile without -ffast-math|a long double with more digits)")
     message(FATAL_ERROR "with ${option} the compiler of the reader says: ${text}")
   endif()
 endforeach()
@@ -93,17 +95,14 @@ function(python_says folder code expected)
   endif()
 endfunction()
 if(PYTHON)
-  files_in(packages ${place}/prefix/lib python*/site-packages)
+  files_in(packages ${place}/prefix/lib python*/*-packages)
   python_says("${packages}" "print(__import__('lattice').Chain(3))" "^Chain of 3 beads: wells harmonic")
   python_says("${packages}" "import sys\nsys.modules['numpy'] = None\nimport lattice"
               "\nImportError: lattice needs numpy, [^\n]*python3-numpy[^\n]*\n$")
-  file(READ ${BUILD}/python/cmake_install.cmake script)
-  string(REPLACE "${BUILD}/python/lattice" "${place}/bare/lattice" script "${script}")
-  file(WRITE ${place}/bare/install.cmake "${script}")
   file(COPY ${BUILD}/python/lattice/__init__.py DESTINATION ${place}/bare/lattice)
-  run(${CMAKE_COMMAND} -D CMAKE_INSTALL_PREFIX=${place}/bare/prefix -P ${place}/bare/install.cmake)
-  files_in(installed ${place}/bare/prefix lib/python*/site-packages/lattice/*)
-  if(installed OR NOT text MATCHES "The Python module is not installed, because it is not built")
+  run(${CMAKE_COMMAND} -D FOLDER=${place}/bare/lattice -D PYTHON=${PYTHON} -D CMAKE_INSTALL_PREFIX=${place}/bare/prefix
+      -P ${EXAMPLES}/../python/install.cmake)
+  if(EXISTS ${place}/bare/prefix OR NOT text MATCHES "The Python module is not installed, because it is not built")
     message(FATAL_ERROR "without the compiled half of the module the installation says: ${text}")
   endif()
   python_says("${place}/bare" "import lattice" "\nImportError: lattice: the compiled part is missing[^\n]*\n$")

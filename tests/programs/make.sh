@@ -139,7 +139,9 @@ said 'cannot write to' "a closed folder is not named"
 grep -q yesterday "$scratch/out" && fail "an old log is shown as the cause"
 chmod 755 closed
 
-# A path that CMake or make cannot use is refused in one line, as is a name that is mistyped.
+# A path that CMake or make cannot use is refused in one line, as is a name that is mistyped. A byte that is no letter of
+# UTF-8 is no bracket.
+cp -r . "$scratch/$(printf 'caf\351')" && (cd "$scratch"/caf* && run all-data)
 for name in 'a;b has a character' 'a[b has an unpaired bracket'; do
   cp -r . "$scratch/${name%% *}"
   (cd "$scratch/${name%% *}" && refused all-data && said "${name#* }" "the path is not named")
@@ -167,11 +169,17 @@ cd "$scratch/foreign/inner"
 said 'not a checkout of the repository' "why nothing is packed is not said"
 cd "$here"
 
+# A reader who has read enough is no error.
+for target in show help; do
+  make $target lineage='sh -c yes --' DEPS=skip 2> "$scratch/out" | head -n 1 > /dev/null
+  [ ! -s "$scratch/out" ] || fail "make $target | head -1 ends in an error"
+done
+
 # One line says that something is compiled, and none if nothing is.
 mkdir "$scratch/slow"
-printf '#!/bin/sh\nfor k in 1 2; do echo "[ ${k}0%%] Building CXX object x.dir/src/sec1_short.cpp.o"; done\n' > "$scratch/slow/cmake"
+printf '#!/bin/sh\nfor k in 1 2; do echo "[ ${k}0%%] ${CLICOLOR_FORCE+\033[32m}Building CXX object x.dir/src/sec1_short.cpp.o"; done\n' > "$scratch/slow/cmake"
 chmod +x "$scratch/slow/cmake"
-PATH="$scratch/slow:$PATH" sh tools/build.sh build 1 programs > "$scratch/out" 2>&1
+CLICOLOR_FORCE=1 PATH="$scratch/slow:$PATH" sh tools/build.sh build 1 programs > "$scratch/out" 2>&1
 said "^  build    programs on 1 core, about [0-9]* min (build/build.log)$" "compiling does not say what it does"
 [ "$(wc -l < "$scratch/out") $(wc -l < build/build.log)" = "1 2" ] || fail "compiling talks, or leaves no log"
 sh tools/build.sh build 1 programs > "$scratch/out" 2>&1

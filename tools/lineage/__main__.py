@@ -1,6 +1,8 @@
 """The verbs. What cannot be used is one line: exit code 1 for a file, 2 for the command line."""
 
 import argparse
+import errno
+import os
 import signal
 import sys
 from pathlib import Path
@@ -95,6 +97,8 @@ def reader():
 def main(arguments=None):
     given = reader().parse_args(arguments)
     try:
+        if sys.stdout is None:
+            raise OSError(errno.EBADF, os.strerror(errno.EBADF))
         code = int(given.run(given) or 0)
         sys.stdout.flush()
         return code

@@ -10,7 +10,7 @@ first-level cache, and the speed is limited by the square root in the contact la
 The loop wants to know which well and which contact it computes with, so the choice is made once, for a sweep or for a
 run. It is compiled for every pair, and each time for wider and wider vectors, of which the processor's widest is chosen
 when the program starts. Every operation is a single IEEE operation on one site (the build forbids fused multiply-adds), so all
-versions give the same bits. Only the `.cpp` files of this library include this file. */
+versions give the same bits. This header is not installed: it is for the sources of this repository. */
 
 #include <cstddef>
 #include <type_traits>
