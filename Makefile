@@ -82,7 +82,7 @@ facts := $(foreach p,$(chapters),$(D)/data/$(p)/facts.ecsv)
 or_read := || { code=$$?; [ $$code = 141 ] || exit $$code; }
 
 # Folders have the names of some of them.
-.PHONY: all figures test beyond test-beyond ready all-figures all-data programs configure summary verdicts book weave install-book \
+.PHONY: all figures test beyond test-beyond ready all-figures all-data programs configure summary verdicts book weave install-book install-browse \
   test-book test-lineage tests examples python run-tests run-tests-beyond test-faults test-fuzz test-python bench paper typeset install-paper \
   lock hashes refresh show second mutants test-platforms test-slurm fresh container dist style tidy \
   install-deps burn help
@@ -204,9 +204,10 @@ install-book: install-deps
 	  DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt live || true
 
 ## test-book: the tests of lineage and book, and every page of the book in a headless Chromium
-test-book: test-lineage
-	@DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt browse
+test-book: test-lineage install-browse
 	@test ! -f $(D)/book/index.html || $(call with,selenium) book/browse.py $(D)/book
+install-browse:
+	@DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt browse
 test-lineage:
 	@$(sphinx) tests/lineage
 

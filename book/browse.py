@@ -4,9 +4,11 @@ A page fails if it logs an error, asks for what is not in its folder, has a form
 must be scrolled sideways. Ten links are followed with a click, a number shows its error on focus, the search finds a
 chapter, and each live page that is there is run."""
 
+import csv
 import json
 import os
 import shutil
+import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -104,6 +106,24 @@ def check_live(browser, pages):
         browser.wait(f"/done|failed/.test({panel}.dataset.state)", 180)
         if browser.run(f"return {panel}.dataset.state") != "done":
             yield f"{name}.html: " + browser.run(f"return {panel}.querySelector('[role=status]').textContent")
+        elif name == "strike":
+            yield from (f"{name}.html: {what}" for what in unlike_the_program(browser, panel))
+
+
+def unlike_the_program(browser, panel):
+    """Numbers of a page, or their errors, that are not those of the command that it shows."""
+    command = browser.run(f"return {panel}.querySelector('code, pre').textContent").split()
+    if not Path(command[0]).exists():
+        return
+    run = subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
+    there = {row["quantity"]: row for row in csv.DictReader(line for line in run if not line.startswith("#"))}
+    here = browser.run(f"return [...{panel}.querySelectorAll('[data-quantity]')].map(row => ({{...row.dataset}}))")
+    for row in here:
+        for word in ("value", "error"):
+            if float(row[word]) != float(there[row["quantity"]][word]):
+                yield f"{row['quantity']} has the {word} {row[word]}, and in the program {there[row['quantity']][word]}"
+    if len(here) < 5:
+        yield f"{len(here)} numbers"
 
 
 def main(folder):

@@ -180,9 +180,11 @@ window.Live = (() => {
       this.worker.postMessage({ request: this.request() });
     }
 
-    // Rows of a finer run replace those of the coarser one when they are complete, so that a map is of one run.
+    // Rows of a finer run replace those of the coarser one when they are complete, so that a map is of one run. A run
+    // that is coarser than the one before is made for the errors alone.
     hear(data) {
       for (const [halvings, t, values] of data.rows || []) {
+        if (halvings < this.level) continue;
         if (halvings > this.level) { this.level = halvings; this.finer = []; }
         (this.level ? this.finer : this.rows).push({ t, values });
       }

@@ -2,7 +2,7 @@
 # Striking the chain in the browser
 
 This is the run of `sec34_impact run`, compiled from the same headers for a page: the same chain,
-the same two resolutions, the same bits. The page hands over numbers, sees every row of a map as
+the same resolutions, the same bits. The page hands over numbers, sees every row of a map as
 it is computed, and gets each quantity with its error; what goes wrong is told in the words in
 which the programs tell it. */
 
@@ -59,35 +59,26 @@ Refined<ImpactRun> strike_for(const Request& request, const Impact& impact) {
 ## What is reported
 
 The quantities are those of the program and have its names; one that does not exist is `nan`. */
-struct Facts {
-  const ImpactRun &coarse, &fine;
-
-  template <class Of>
-  void add(std::string_view name, Of of) const {
-    page::fact(name, compare(of(coarse), of(fine)));
-  }
-  template <class Of>
-  void tracked(std::string_view name, Of of) const {
-    add(name, [&](const ImpactRun& o) { return o.path.t.empty() ? std::nan("") : of(o); });
-  }
-};
-
-void report(const Impact& impact, const Facts& facts) {
+void report(const Impact& impact, const Refined<ImpactRun>& runs) {
   const double to = double(impact.chain.sites) - 20, undefined = std::nan("");
-  facts.add("speed", [&](const ImpactRun& o) {
+  const auto tracked = [&](std::string_view name, auto of) {
+    page::fact(name, runs.at_end(
+                         [&](const ImpactRun& o) { return o.path.t.empty() ? undefined : of(o); }));
+  };
+  page::fact("speed", runs.of([&](const ImpactRun& o) {
     return o.path.line(fit_from, to).value_or(Line{undefined, undefined, undefined}).estimate();
-  });
-  facts.tracked("centre", [](const ImpactRun& o) { return o.path.centre.back(); });
-  facts.add("peak_energy_density",
-            [&](const ImpactRun& o) { return o.path.largest_peak(fit_from, to); });
-  facts.tracked("packet_energy_fraction",
-                [](const ImpactRun& o) { return o.path.energy.back() / total(o.density); });
-  facts.add("boundary_energy_fraction",
-            [](const ImpactRun& o) { return boundary_share(o.density); });
-  facts.add("energy_drift", [](const ImpactRun& o) { return o.run.energy_drift; });
-  facts.add("escaped", [&](const ImpactRun& o) {
+  }));
+  tracked("centre", [](const ImpactRun& o) { return o.path.centre.back(); });
+  page::fact("peak_energy_density",
+             runs.of([&](const ImpactRun& o) { return o.path.largest_peak(fit_from, to); }));
+  tracked("packet_energy_fraction",
+          [](const ImpactRun& o) { return o.path.energy.back() / total(o.density); });
+  page::fact("boundary_energy_fraction",
+             runs.at_end([](const ImpactRun& o) { return boundary_share(o.density); }));
+  page::fact("energy_drift", runs.of([](const ImpactRun& o) { return o.run.energy_drift; }));
+  page::fact("escaped", runs.of([&](const ImpactRun& o) {
     return int(o.largest_displacement > impact.chain.well.rim());
-  });
+  }));
 }
 
 /**
@@ -97,6 +88,6 @@ PAGE_REQUEST(Request)
 extern "C" __attribute__((export_name("run"))) void run() {
   const Impact impact = impact_of(asked);
   const Refined<ImpactRun> runs = strike_for(asked, impact);
-  report(impact, {runs.coarse, runs.fine});
+  report(impact, runs);
   page::list("v", runs.fine.end.v);
 }

@@ -45,7 +45,7 @@
     }
 
     report() {
-      this.say(`computed in ${this.seconds.toFixed(2)} s; two runs, the finer with step 0.2/${2 ** this.level}, agree to 10⁻⁴, and their difference is the error`);
+      this.say(`computed in ${this.seconds.toFixed(2)} s; two runs, the finer with step 0.2/${2 ** this.level}, agree to 10⁻⁴`);
       const stays = this.facts.boundary_energy_fraction.value, share = this.facts.packet_energy_fraction.value;
       // A packet that stands at the end is not another one than what stays there.
       if (this.facts.centre.value > 11 && Number.isFinite(share)) {

@@ -83,12 +83,7 @@ struct OneImpact {
     const auto& [whole, runs] = found;
     const double to = way_end(whole.chain.sites), none = std::nan("");
     const auto both = [&runs = runs](auto of) { return runs.of(of); };
-    // Two runs whose end states differ may agree on a number by chance. The finer one is better by a factor of twenty
-    const auto at_end = [&](auto of) {
-      Estimate e = both(of);
-      e.error = std::max(e.error, std::abs(e.value) * runs.error / 20);
-      return e;
-    };
+    const auto at_end = [&runs = runs](auto of) { return runs.at_end(of); };
     const auto tracked = [&](auto of) {
       return at_end([&](const ImpactRun& out) { return out.path.t.empty() ? none : of(out); });
     };

@@ -86,6 +86,14 @@ struct Refined : TwoRuns<Result> {
     return coarsest ? after_halving(compare(number(*coarsest), number(this->coarse)), last, gain)
                     : last;
   }
+  /// The same of what is read from the end states. Where these differ two runs may agree on a number by chance; the finer
+  /// one is better by a factor of twenty.
+  template <class Number>
+  Estimate at_end(Number number) const {
+    Estimate e = of(number);
+    e.error = std::max(e.error, std::abs(e.value) * error / 20);
+    return e;
+  }
 };
 
 /// Whether the `error` after `halvings` of the largest step at which a run holds cannot come down to the tolerance by the
