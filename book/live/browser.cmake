@@ -15,6 +15,7 @@ set(CMAKE_CXX_COMPILER_TARGET wasm32-wasi)
 # Clang 19 crashes while it threads jumps, so that pass is left out.
 set(CMAKE_CXX_FLAGS_INIT "-msimd128 -fexceptions -fno-rtti -mllvm -jump-threading-threshold=0")
 set(CMAKE_CXX_FLAGS_RELEASE -O2 CACHE STRING "Options of the compiler in a release")
-# The linker is called by itself: the driver may run an optimiser that breaks vector instructions.
+# The linker is called by itself: the driver may run an optimiser that breaks vector instructions. It takes the library
+# whole, because GNU's ar makes no index of what is compiled for the browser, and then leaves out what nobody calls.
 set(CMAKE_CXX_LINK_EXECUTABLE
-    "${BROWSER_LINKER} --stack-first -z stack-size=262144 --no-entry --strip-all --gc-sections --export=__wasm_call_ctors -L${BROWSER_LIBRARIES} <OBJECTS> <LINK_LIBRARIES> -lc++ -lc++abi -lc ${runtime} -o <TARGET>")
+    "${BROWSER_LINKER} --stack-first -z stack-size=262144 --no-entry --strip-all --gc-sections --export=__wasm_call_ctors -L${BROWSER_LIBRARIES} <OBJECTS> --whole-archive <LINK_LIBRARIES> --no-whole-archive -lc++ -lc++abi -lc ${runtime} -o <TARGET>")
