@@ -394,11 +394,8 @@ Each has one meaning unless a chapter says otherwise.
 1. *Easy.* The packet by the methods of the book:
    `build/bin/sec34_impact run --velocity 1 --s 0 --sites 80 --time 330` gives `speed` = 0.18780. Hint: `--sites 80`
    restricts the fit of the speed to sites 20 to 60.
-2. *Easy.* The same for the breather: `build/bin/sec32_newton_breathers breather --omega 1.1` gives `amplitude` =
-   0.0107480. Hint: how close does this chapter come with half the step?
-3. *Harder.* Without wells: `build/bin/sec34_impact run --well none --velocity 1.87` gives `speed` = 0.952600. Which
-   lines of this chapter must change for that? Hint: two, and the argument of `packet_speed`.
-4. *Open.* If several beads are struck at once, do they send out one packet or several? */
+2. *Harder.* Without wells: `build/bin/sec34_impact run --well none --velocity 1.87` gives `speed` = 0.952600. Which
+   lines of this chapter must change for that? Hint: two, and the argument of `packet_speed`. */
 void reproduce(Report& report) {
   report_impacts(report);
   report_breather(report);

@@ -482,17 +482,9 @@ or power (dps.hpp). The figures read columns by name.
 
 1. *Easy.* What if the chain is held at its first contact? `build/bin/sec31_dps_limit impact --end fixed` gives
    `amplitude` = 0.6587 and `speed` = 0.4142. Hint: an end that cannot recoil gives the packet more.
-2. *Easy.* How long does the packet last? `build/bin/sec31_dps_limit impact --tau 1000` gives `norm_window` = 0.43614.
-   Hint: at $\tau = 250$ it is 0.449.
-3. *Harder.* By which power of the impact does the speed in the chain grow?
-   `build/bin/sec34_impact run --s 0 --velocity 0.02 --time 2500` gives `speed` = 0.033591 and
-   `build/bin/sec34_impact run --s 0 --velocity 0.2 --time 800` gives `speed` = 0.09512. Hint: $\tau = \epsilon^{1/2}t$
-   makes it one half in the limit; $0.36129\,(v_0/2)^{1/2}$ is 0.0361 and 0.114.
-4. *Harder.* Let the beads push with $d_+^2$: `build/bin/sec31_dps_limit impact --alpha 2` gives `speed` = 0.3986 and
+2. *Harder.* Let the beads push with $d_+^2$: `build/bin/sec31_dps_limit impact --alpha 2` gives `speed` = 0.3986 and
    `residual_boundary` = 0.31916. Hint: packet and boundary both keep more than at $3/2$, and the wave train between
-   them keeps less.
-5. *Open.* The theory (`sec31_dps_limit`) bounds the error up to some $\tau$ of order one. When do chain and
-   approximation separate? */
+   them keeps less. */
 void reproduce(Report& report) {
   Resolution at;
   if (report.quick) at = {1e-3, 1e-9, 100, 500};
