@@ -178,9 +178,9 @@ Orbit<double> wave_on_ring(double q) {
 }
 
 /**
-The means of all three agree, relative to the largest, to [1e-11 ± 1e-9](num:sec2_nonexistence.mean_force_spread_free).
+The means of all three agree within the errors, which are a billionth of the largest.
 If one bead of the uneven ring starts a thousandth off, the ring does not return, and its means differ by
-[0.000756758 ± 3e-10](num:sec2_nonexistence.mean_force_spread_not_periodic). */
+[0.000757](num:sec2_nonexistence.mean_force_spread_not_periodic). */
 std::vector<Motion> of_free_chains(Report& report) {
   std::vector<Motion> all;
   Estimate spread{}, push{HUGE_VAL};

@@ -201,9 +201,9 @@ expansion is smaller only by a factor $\epsilon^{1/2}$, so the local order appro
 sizes would mix the asymptotic law with its corrections. We quote the order between the two smallest sizes, its mean
 over both starts and the three horizons; the error is the largest departure of any of the six, with its own error added.
 At sizes that a simulation would use the order is lower: between $\epsilon = 10^{-2}$ and $10^{-2.5}$ it is
-[1.400](num:sec31_dps_limit.order_at_large_eps) after an impact, up to $\tau = 10$. The table `dps_error` has the
+[1.40](num:sec31_dps_limit.order_at_large_eps) after an impact, up to $\tau = 10$. The table `dps_error` has the
 constants, too, the error over $\epsilon^{3/2}$: between 2 and 7 after an impact, up to 19 for a pair. The order for
-$\epsilon\to0$ is [1.498 ± 0.006](num:dps.error_order), where the article has 3/2. */
+$\epsilon\to0$ is [1.50](num:dps.error_order), where the article has 3/2. */
 Estimate local_order(const std::vector<Point>& points, std::size_t i, std::size_t k) {
   const Point &large = points[i], &small = points[i + 1];
   return order_between(large.eps, large.error[k], small.eps, small.error[k]);
@@ -259,8 +259,8 @@ To first order a force $y^2$ has no component at the frequency of the well; it s
 harmonic, both $O(\epsilon^2)$. To second order it shifts the phase, as $y^3$ does to first: by $O(\epsilon^{3/2})$
 within times $O(\epsilon^{-1/2})$, which changes the displacements by $O(\epsilon^{5/2})$. All this is small against
 $\epsilon^{3/2}$. So the order should stay in hard wells, $s = 1$ in Eq. (10), and with a quadratic force, which that
-equation does not have. We measure it up to $\tau = 4$ for both starts, with $s = 1$ and with the force $-y-y^2$; it differs
-from 3/2 by at most [0.0045](num:sec31_dps_limit.order_off). */
+equation does not have. We measure it up to $\tau = 4$ for both starts, with $s = 1$ and with the force $-y-y^2$; it
+differs from 3/2 by at most [0.00452](num:sec31_dps_limit.order_off). */
 struct Lopsided {
   static constexpr const char* name = "lopsided";
   template <class T>
@@ -367,8 +367,8 @@ void report_waves(Report& report) {
 ## Accuracy and checks
 
 The run stops if GSL and the library disagree on the chain, at the larger step, by more than a thousandth of the
-deviation, or if the last bead has moved. The order is a sharp test: with $\tau_0$ off by three per cent, or
-wells whose stiffness is off by two thousandths, it is lost (tests/lattice/model/dps.cpp). Maxima over beads and sampled times, at
+deviation, or if the last bead has moved. The order is a sharp test: with $\tau_0$ off by three per cent, or wells whose
+stiffness is off by two thousandths, it is lost (tests/lattice/model/dps.cpp). Maxima over beads and sampled times, at
 sizes from $10^{-6}$ to $10^{-2}$, do not prove the theorem. It says nothing about times much longer than
 $\epsilon^{-1/2}$; `sec34_dps_impact` compares both equations at $\tau = 250$. */
 void reproduce(Report& report) {

@@ -173,7 +173,7 @@ at equal frequency the energies of the two breathers differ by the same fraction
 million. So it is plausible that a slight push sets a small breather in motion. (A moving breather keeps its action, not
 its frequency; sec32_barrier.cpp computes the energy that a step from site to site then costs.) Why the norms are so
 nearly equal, and why the one around a bond is the smaller, we do not know. The norm around the bond differs by the
-fraction [-1.331e-6](num:sec32_dps_profiles.norm_gap_relative) of them. */
+fraction [-1.33e-6](num:sec32_dps_profiles.norm_gap_relative) of them. */
 void report_norms(Report& report) {
   // The gap is six digits smaller than the norms, so extended precision is compared with quadruple
   const auto gap = []<class T>(T one) {
@@ -189,9 +189,9 @@ void report_norms(Report& report) {
 ## Scaling with the frequency
 
 If $u$ solves the equation at $\mu = 1$, $\mu^2u$ solves it at $\mu$: the amplitude grows like $\mu^2$ at unchanged
-width. To test the computation by this law, we continue the branch from $\mu = 1$ to 64 and to 1/64 in steps of an eighth
-of an octave, and each time start Newton's method from the *unscaled* strains of the neighbour, the four around its
-centre. At every site $\ln|u_n/u_n(1)|$ over $\ln\mu$ must be two ([dps.scaling](num:dps.scaling)). */
+width. To test the computation by this law, we continue the branch from $\mu = 1$ to 64 and to 1/64 in steps of an
+eighth of an octave, and each time start Newton's method from the *unscaled* strains of the neighbour, the four around
+its centre. At every site $\ln|u_n/u_n(1)|$ over $\ln\mu$ must be two ([2.00](num:dps.scaling)). */
 template <class T>
 double exponent_farthest_from_two(Centre centre, int steps) {
   using std::exp2, std::log, std::abs;
@@ -286,9 +286,9 @@ $\alpha$ for 1.5 in its derivative, and the last argument of `stationary`.
 1. *Easy.* How good is $y_n = 2\epsilon u_n\cos\omega_bt$ for a small breather of the chain?
    `build/bin/sec32_newton_breathers breather --omega 1.001` gives `amplitude` = 9.63900e-7. Hint: Eq. (20) gives
    $\epsilon$, and `profile` gives $u_0$.
-2. *Harder.* Are the two energies as close for contacts of another exponent?
-   `build/bin/sec32_barrier barrier --omega 1.01 --contact power --alpha 2` gives `equal_frequency` = 3.79482e-8. Hint:
-   divide by the energy that `breather` prints with the same options, and compare with the gap of the norms for spheres. */
+2. *Harder.* Are the two energies as close for contacts of another exponent? `build/bin/sec32_barrier barrier --omega
+   1.01 --contact power --alpha 2` gives `equal_frequency` = 3.79482e-8. Hint: divide by the energy that `breather`
+   prints with the same options, and compare with the gap of the norms for spheres. */
 int main(int argc, char** argv) {
   return run({"sec32_dps_profiles", "3.2", "Static breathers of the DpS equation (section 3.2)",
               reproduce, commands<OneProfile>()},

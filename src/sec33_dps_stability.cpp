@@ -255,7 +255,7 @@ double measured_rate(const PinnedBreather& site, double size, const Accuracy& ac
 }
 
 /**
-At $\mu = 10$ the motion has $\lambda =$ [0.0155771 ± 1e-8](num:sec33_dps_stability.rate_in_time), ten times the value of
+At $\mu = 10$ the motion has $\lambda =$ [0.0156](num:sec33_dps_stability.rate_in_time), ten times the value of
 the table, as the law requires. */
 void report_rate(Report& report, const PinnedBreather& site) {
   // At two tolerances and at ten times the displacement
@@ -456,9 +456,9 @@ Estimate depinning_push(const PinnedBreather& bond, int halvings) {
 /**
 The threshold is [0.00654](num:sec33_dps_stability.freeing_push), which is
 [1.02](num:sec33_dps_stability.freeing_push_over_pendulum) times that of the pendulum. It predicts the fate of
-[16](num:sec33_dps_stability.told_by_push) of the [16](num:sec33_dps_stability.seeds_complex_bond) bond-centred breathers.
-Norm and energy must be conserved well enough: a run stops if either drifts by more than $3\cdot10^{-8}$, a twentieth of
-what the push at the threshold adds to them. */
+[16](num:sec33_dps_stability.told_by_push) of the [16](num:sec33_dps_stability.seeds_complex_bond) bond-centred
+breathers. Norm and energy must be conserved well enough: a run stops if either drifts by more than $3\cdot10^{-8}$, a
+twentieth of what the push at the threshold adds to them. */
 void report_pendulum(Report& report, const std::vector<Group>& groups, const PinnedBreather& bond) {
   const Estimate push = depinning_push(bond, report.quick ? 3 : 9);
   report.facts.add("freeing_push", push);
