@@ -502,9 +502,7 @@ void reproduce(Report& report) {
    `equal_area` = -2.2978e-9, a hundred thousand times less and of the other sign. Hint: it tells which of the two breathers has more energy, and at a negative mass the stable one is that of *higher* energy (`sec33_mobility`).
 4. *Open.* By which law does the pull depend on amplitude and frequency of the waves? Does a frequency below 1.4 push?
 5. *Open.* Measure the mass of both breathers by kicking them, and compare the ratio with that of the pulls. Does a
-   packet also turn when waves come towards it? Exact travelling breathers (section 5) do not help to explain the
-   turning: the fastest one found at $s = 1$ has the energy
-   [0.00166](num:sec5_travelling_families.fastest_energy_at_one). */
+   packet also turn when waves come towards it? */
 int main(int argc, char** argv) {
   return run(
       {"sec34_boomeron_why", "3.4", "Why packets turn round (section 3.4, s > 0)", reproduce}, argc,

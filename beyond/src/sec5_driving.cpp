@@ -560,7 +560,7 @@ void report_chart(Report& report, const BeamArray& beams) {
 
 In the frame that turns with a free bead, $z_n = e^{it}(y_n+i\dot y_n)$, a travelling breather repeats itself one site
 further on after the *shift time* $T$ but for a phase, $z_n(t+T) = e^{-i\varphi}z_{n-1}(t)$. The chain has such
-breathers on curves $\varphi = 2\pi k-T$, one *family* for each integer $k$ (`sec5_travelling_families`), and on a
+breathers on curves $\varphi = 2\pi k-T$, one *family* for each integer $k$ (`sec5_travelling_breathers`), and on a
 family $T$ fixes energy and width. If the packets of a drive are travelling breathers, their $T$ and $\varphi$ must
 therefore predict both, and nothing is fitted. We measure $T$ as the mean time from one bead to the next and $\varphi$
 as the mean angle by which the seven $z_n$ about the centre have turned back (packet_members.hpp), on beads 12 to 28.
