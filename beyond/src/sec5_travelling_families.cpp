@@ -353,7 +353,7 @@ the speed [0.0540](num:sec5_travelling_families.fastest_at_one) and the energy
 [1.52](num:sec5_travelling_families.packet_energy_then), some nine hundred times as much (figure x21d). The other two
 that we found are slower and have less energy still, while the packet has kept most of its own. A packet on an exact
 orbit would have its speed and its energy, so this one is on none of those found. [](finding:travelling.wells)
-`sec34_boomeron_why` asks what turns it instead. */
+`sec34_boomeron_map` asks what turns it instead. */
 Path packet_at_one(double step) {
   Path path;
   strike(EventCorrected{step}, {1.9, {160, Quartic{1}}, 400, 0.5},
