@@ -18,8 +18,8 @@ and `excess`, and those of the partner, against `s`, from `bond_against_s`.](fig
 
 At $\omega_b = 1.1$ and in the linear well all of this holds except the two values of $s_0$: we find both at
 $s = 0.1525$. These numbers are hard to compute. Two multipliers are exactly $+1$ for every breather, and share one
-eigenvector, so an error $\eta$ of the matrix splits them by $\sqrt\eta$: an error of $10^{-8}$ becomes $10^{-4}$, as
-large as the instability itself.
+eigenvector, so an error $\delta$ of the matrix splits them by $\sqrt\delta$: an error of $10^{-8}$ becomes $10^{-4}$,
+as large as the instability itself.
 
 ## Model
 
@@ -35,9 +35,9 @@ $$\kappa = \tfrac14\Bigl(\lambda+\frac1\lambda-2\Bigr),\qquad\text{an eigenvalue
 A pair is on the unit circle if $-1\le\kappa\le0$. If $\kappa > 0$ it is real, the breather is unstable, and next to
 $+1$ we have $\ln\lambda \simeq 2\sqrt\kappa$. The pair that is always $+1$ belongs to a shift in time, which changes
 the velocities along the accelerations $f$, and after half a period, where all beads are at rest again, no position:
-$Bf = 0$. Hence $f^TK = 0$, and leaving out the direction of $f$ removes the pair exactly. The
-*pinning pair* belongs to a shift along the chain; its $\kappa$ is now a simple eigenvalue, and an error $\eta$ moves it
-by $\eta$ instead of $\sqrt\eta$. */
+$Bf = 0$. Hence $f^TK = 0$, and leaving out the direction of $f$ removes the pair exactly. The *pinning pair* belongs to
+a shift along the chain; its $\kappa$ is now a simple eigenvalue, and an error $\delta$ moves it by $\delta$ instead of
+$\sqrt\delta$. */
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -271,13 +271,11 @@ void report_threshold(Report& report, const std::array<Exchange, 2>& found) {
 /**
 ## Errors of the matrix
 
-How accurate must the matrix $M$ be, if the four multipliers are taken from its eigenvalues? The double $+1$ is
-*defective*: it has only one eigenvector. Next to it the characteristic polynomial has a double zero,
-$(\lambda-1)^2 = O(\delta)$, so an error $\delta$ of $M$ moves all four by $O(\delta^{1/2})$, off the circle too. Nor
-can one tell which of them belong together. A symmetric function of the four,
+How accurate must $M$ be, if the four multipliers are its eigenvalues? In an inaccurate matrix one cannot tell which of
+them belong together. But a symmetric function of the four,
 $$\kappa \simeq \frac18\sum_{k=1}^4\frac{(\lambda_k-1)^2}{\lambda_k},$$
-gives $\kappa$ without telling, and moves only by $O(\delta)$. We add uniform noise of size $\delta$ to the matrix of
-the stable, bond-centred breather in the linear well, with eight seeds. */
+gives $\kappa$ without telling, and depends smoothly on the matrix. We add uniform noise of size $\delta$ to the matrix
+of the stable, bond-centred breather in the linear well, with eight seeds. */
 struct Displaced {
   double multipliers = 0;  ///< the farthest that one of the four is from where it belongs
   double excess = 0;       ///< their largest distance from the circle
@@ -321,14 +319,14 @@ Displaced by_noise(const Matrix<double>& M, double delta, double kappa) {
 }
 
 /**
-Both laws hold: the exponents are [0.510](num:sec33_floquet.exponent_multipliers) and
-[0.9997](num:sec33_floquet.exponent_kappa). Matrices from a flow at looser tolerances, with the largest error of an
-entry as $\delta$, follow them with factors that scatter (table `matrix_errors`). At $\delta = 10^{-6}$ a modulus of the
-stable breather exceeds one by up to [0.000496](num:sec33_floquet.excess_of_noise), more than the
-[0.000214](num:sec33_floquet.excess_site) of the unstable, site-centred one. And already $\delta =$
-[2e-7](num:sec33_floquet.delta_of_tenth) changes $\kappa$ by as much as 0.1 in $s$ does, which is as far as either
-printed exchange is from ours. We have no argument why one is too low and the other too high: this is a mechanism, not
-necessarily the cause. */
+The four move by $\delta^{1/2}$ and $\kappa$ by $\delta$: the exponents are
+[0.510](num:sec33_floquet.exponent_multipliers) and [0.9997](num:sec33_floquet.exponent_kappa). Matrices from a flow at
+looser tolerances, with the largest error of an entry as $\delta$, follow both laws with factors that scatter (table
+`matrix_errors`). At $\delta = 10^{-6}$ a modulus of the stable breather exceeds one by up to
+[0.000496](num:sec33_floquet.excess_of_noise), more than the [0.000214](num:sec33_floquet.excess_site) of the unstable
+one. And $\delta =$ [2e-7](num:sec33_floquet.delta_of_tenth) changes $\kappa$ by as much as 0.1 in $s$ does, which is as
+far as either printed exchange is from ours. Why one is too low and the other too high, we do not know: this is a
+mechanism, not necessarily the cause. */
 void report_matrix_errors(Report& report, double slope) {
   const auto problem = problem_at(Centre::bond, {});
   const Orbit<double> orbit = find_breather(problem);
