@@ -365,9 +365,9 @@ Four questions of the article cannot be answered in this way. Each has its own c
 | question | why not here | what we do | where |
 |---|---|---|---|
 | the barrier: by how much do the energies of the two kinds of breather differ? | [1.62422e-11 ± 8e-20](num:sec32_barrier.equal_frequency_linear_110), while the energies themselves are [0.000153599 ± 8e-20](num:sec32_barrier.energy_110_bond), of which this chapter knows four digits | contact events are located, orbits computed in extended precision | `sec32_barrier`, event_driven.hpp |
-| are the multipliers next to $+1$ on the circle? | an error $\eta$ of the monodromy moves them by $\sqrt\eta$: two that are exactly $+1$ appear at a distance of [0.003 ± 0.002](num:sec1_the_chain.fourth_distance) | symmetries remove the exact pair; $\kappa = (\lambda+\lambda^{-1}-2)/4$ instead of $\lambda$ | `sec33_floquet`, `sec33_multiplier_errors` |
+| are the multipliers next to $+1$ on the circle? | an error $\eta$ of the monodromy moves them by $\sqrt\eta$: two that are exactly $+1$ appear at a distance of [0.003 ± 0.002](num:sec1_the_chain.fourth_distance) | symmetries remove the exact pair; $\kappa = (\lambda+\lambda^{-1}-2)/4$ instead of $\lambda$ | `sec33_floquet` |
 | the smallest kick that sets a breather in motion | it adds $c^2/2 \approx 10^{-11}$ to the energy; within each period Verlet's method changes it by more | impulses of contacts are exact, drift is compared with kick | `sec33_mobility`, `secA_integrators` |
-| where is a packet long after it has turned? | the motion is chaotic: late fates depend on the last digit of the start | two runs that agree, or a count over many runs | `sec34_boomeron`, `sec34_boomeron_why` |
+| where is a packet long after it has turned? | the motion is chaotic: late fates depend on the last digit of the start | two runs that agree, or a count over many runs | `sec34_boomeron`, `sec34_boomeron_map` |
 
 The common cause is that the force has no second derivative where a contact opens or closes, so that integrators of high
 order lose their order, and the linearised flow suffers even more (event_corrected.hpp, tangent.hpp).

@@ -19,7 +19,7 @@ dashed line from `decorrelation`.](fig:22)
 
 We find this, with two qualifications: the force is constant within a factor of two between the way out and the way
 back, and much weaker around the turning point; and at $v_0=1.87$ the packet comes to rest later than figure 23
-suggests. Two chapters of volume two ask which packets turn, and why (`sec34_boomeron_map`, `sec34_boomeron_why`).
+suggests. A chapter of volume two asks which packets turn, and why (`sec34_boomeron_map`).
 
 ## Model
 
@@ -203,7 +203,7 @@ through such velocities (sec34/acceleration.hpp). We measure it on the way *out*
 changes made by twice the step and by half the smoothing width.
 
 To infer a force one also needs a mass. That of slow breathers is negative (`sec33_mobility`), so a forward push slows
-them down. The waves behind this packet can only push it forward, and they do slow it down (`sec34_boomeron_why`).
+them down. The waves behind this packet can only push it forward, and without them it gets farther (`sec34_boomeron_map`).
 
 Along both lists, of $v_0$ at $s=1$ and of $s$ at $v_0=1.9$, the modulus grows: no value is smaller than an earlier one
 beyond the errors of both. The article does not quantify *almost constant*. The acceleration also changes within each
