@@ -3,7 +3,7 @@
 
 Does a chain of beads need wells to have breathers? Section 2 of James, Kevrekidis and Cuevas (Physica D 251, 2013)
 proves that it does: beads that only repel each other have no motion that is both periodic in time and localized in
-space. We check the identity behind the proof, search for breathers at random, and watch a localized state disperse.
+space. We check the identity behind the proof and watch a localized state disperse.
 
 The proof is one integral. Bead $n$ obeys $m_n\ddot x_n = F_{n-1} - F_n$ with the force $F_n \ge 0$ of contact $n$, and
 over a period $T$
@@ -178,8 +178,8 @@ Orbit<double> wave_on_ring(double q) {
 }
 
 /**
-The means of all three agree within the errors, which are a billionth of the largest.
-If one bead of the uneven ring starts a thousandth off, the ring does not return, and its means differ by
+The means of all three agree within the errors, which are a billionth of the largest. If one bead of the uneven ring
+starts a thousandth off, the ring does not return, and its means differ by the fraction
 [0.000757](num:sec2_nonexistence.mean_force_spread_not_periodic). */
 std::vector<Motion> of_free_chains(Report& report) {
   std::vector<Motion> all;

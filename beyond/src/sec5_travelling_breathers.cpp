@@ -693,8 +693,7 @@ void reproduce(Report& report) {
 2. *Harder.* Must the shift time be a multiple of $2\pi$ in soft wells?
    `build/bin/sec5_travelling_breathers orbit --s -0.3` gives `shift_time` = 6.48005.
    Hint: the forces of the wells no longer cancel in $Z$; $T$ is an unknown of Newton's method, and there is still no
-   tail.
-3. *Open.* With the sign minus the phase is weakly unstable. What does it do after a hundred thousand shifts? */
+   tail. */
 int main(int argc, char** argv) {
   return run({"sec5_travelling_breathers", "5", "Exact travelling breathers (section 5)", reproduce,
               commands<OneOrbit>()},
