@@ -24,7 +24,6 @@ where an integral is largest. It is complete on this page, and nobody outside ha
 #include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
 #include "sec5/kernel_wave.hpp"
-#include "sec5/quotient.hpp"
 #include "sec5/two_signs.hpp"
 
 using namespace lattice;
@@ -178,7 +177,18 @@ concentration-compactness (Lions, Ann. Inst. H. Poincaré C 1, 109, 1984).
 In the freely accessible literature we found no theorem like this one; journals behind a paywall were not searched. The proof has
 not been refereed. It does not say whether the maximum is even, unique or stable, nor which sign its central velocity has, and says
 nothing about other speeds or wells with $s \ne 0$. For waves that repeat themselves only after $m$ sites, or for masses of period
-$m$ in wells of one frequency, the resonance leaves $m-1$ complex conditions. */
+$m$ in wells of one frequency, the resonance leaves $m-1$ complex conditions.
+
+## Waves of both signs
+
+![The kernel, two waves, and the quotients of both signs.](fig:x24)
+
+Newton's method (kernel_wave.hpp) finds two even solutions for each $k$, one with the central contact closed at $t = 0$ and one with
+it open (panel b). They are the two orbits of the chapters before, named by the sign of the central velocity $\dot y_0$ at the
+instant at which positions are odd. Two grids give the errors. At $k = 1$ both have the energy
+[0.181](num:sec5_kernel_equation.energy_plus); the next chapter proves that they exist and that their actions differ, in the
+eleventh digit. The sign plus, whose phase is pinned, has the smaller action, so the wave minus is not the maximum of the theorem.
+Whether the wave plus is remains open. Panel c shows how fast both fall. */
 std::vector<TwoGridWave> waves(const std::vector<std::size_t>& ks) {
   std::vector<std::vector<TwoGridWave>> found(2 * ks.size());
   parallel_for(found.size(), [&](std::size_t i) {
@@ -191,17 +201,6 @@ std::vector<TwoGridWave> waves(const std::vector<std::size_t>& ks) {
   return all;
 }
 
-/**
-## Waves of both signs
-
-![The kernel, two waves, the iteration that maximizes the quotient, and the quotients of both signs.](fig:x24)
-
-Newton's method (kernel_wave.hpp) finds two even solutions for each $k$, one with the central contact closed at $t = 0$ and one with
-it open (panel b). They are the two orbits of the chapters before, named by the sign of the central velocity $\dot y_0$ at the
-instant at which positions are odd. Two grids give the errors. At $k = 1$ both have the energy
-[0.181](num:sec5_kernel_equation.energy_plus); the next chapter proves that they exist and that their actions differ, in the
-eleventh digit. The sign plus, whose phase is pinned, has the smaller action and so the larger quotient. Is one of the two the
-maximum? The theorem leaves it open. */
 void report_kernel(Report& report) {
   Table& table =
       report.table("kernel", {count("k", "oscillations per site"),
@@ -228,7 +227,6 @@ void report_waves(Report& report, const std::vector<TwoGridWave>& all) {
   }
   report.facts.add("energy_plus", all[0](&KernelWave::energy));
   report.facts.add("energy_minus", all[1](&KernelWave::energy));
-  report.facts.add("quotient_plus", all[0](&KernelWave::quotient));
 }
 
 // A profile is symmetric, and its tail falls so fast that only the logarithm shows it
@@ -246,55 +244,6 @@ void report_profiles(Report& report, const std::vector<TwoGridWave>& all) {
       const double size = std::abs(d.value) / w.fine().d.maxCoeff();
       table.add({w.k, w.sign, turns, d, std::log10(std::max(size, 1e-30))});
     }
-}
-
-/**
-## Is the maximum unique?
-
-A nonlinear power iteration, $u \leftarrow (K*u^\alpha+\mu u)_+$ with $f = u^\alpha$ (quotient.hpp), drives the quotient
-upwards from random positive functions (panel c). If there is one maximum only, counting local ones, all starts come to the same
-value. They need not come to the same function: translations change nothing, and the internal phase changes the quotient only in
-the eleventh digit, far below what this plain grid resolves. Along these two directions the iteration is slow, so a single small
-step is not convergence: each start continues until 25 steps together gain less than $10^{-10}$ a step.
-
-The lowest of thirty starts ends at [1.16](num:sec5_kernel_equation.ascent_lowest), where the wave plus has
-[1.16](num:sec5_kernel_equation.quotient_plus). All lie within [3e-6](num:sec5_kernel_equation.ascent_spread) of each other,
-and the grid with half the points changes this spread by as much. A second maximum is not seen in these starts, nor excluded. We
-conjecture that the wave plus is the maximum of the theorem at $\alpha = 3/2$. */
-constexpr StopRule rule{1e-10, 60000, 25};
-
-Table ascent_table(const std::vector<Ascent>& all, std::size_t shown) {
-  double top = 0;
-  for (const Ascent& a : all) top = std::max(top, a.quotient());
-  Table table{{count("start", "number of the random start"), count("step", "number of steps taken"),
-               number("quotient", "Q after the step"),
-               number("log_missing",
-                      "log10 of the relative distance from the largest value of all starts")}};
-  for (std::size_t i = 0; i < std::min(shown, all.size()); ++i) {
-    const auto& q = all[i].quotients;
-    for (std::size_t j = 0; j < q.size(); j += j < 50 ? 1 : j / 50)
-      table.add({i + 1, j, q[j], std::log10(std::max(1 - q[j] / top, 1e-10))});
-  }
-  return table;
-}
-
-void report_ascents(Report& report) {
-  const std::size_t count = report.quick ? 4 : 30;
-  const auto fine = random_ascents(count, two_pi, 64, hertz, rule),
-             coarse = random_ascents(count, two_pi, 32, hertz, rule);
-  const auto ends = [](const std::vector<Ascent>& all) {
-    double low = all[0].quotient(), high = low;
-    for (const Ascent& a : all)
-      low = std::min(low, a.quotient()), high = std::max(high, a.quotient());
-    return std::pair{low, high};
-  };
-  const auto [low, high] = ends(fine);
-  const auto [low_coarse, high_coarse] = ends(coarse);
-  for (const Ascent& a : fine)
-    if (!a.rests(rule.gain, rule.over)) throw Failure("an ascent has not come to rest");
-  report.facts.add("ascent_lowest", compare(low_coarse, low));
-  report.facts.add("ascent_spread", compare(high_coarse - low_coarse, high - low));
-  report.output.add("ascents", ascent_table(fine, 6));
 }
 
 /**
@@ -336,7 +285,7 @@ difference and $\kappa$ are beyond their errors, the phase of the larger quotien
 | 9 | [1.39092 ± 5e-5](num:sec5_kernel_equation.exchange_9) | | |
 
 Stability does not pass from one sign to the other at a single exponent. At the second exchange both phases are pinned over a
-short range of $\alpha$, at the first one neither is. So a third wave, without symmetry, should exist there. */
+short range of $\alpha$, at the first one neither is: a third wave, without symmetry, should exist at both. */
 void report_quotients(Report& report, const std::vector<TwoSigns>& all) {
   Table& table = report.table(
       "quotients",
@@ -444,7 +393,6 @@ void reproduce(Report& report) {
   report_kernel(report);
   report_waves(report, all);
   report_profiles(report, {all[0], all[1]});
-  report_ascents(report);
   const std::vector<TwoSigns> sweep = compare_signs(contact_exponents(quick));
   report_quotients(report, sweep);
   report_exchanges(report, sweep);
