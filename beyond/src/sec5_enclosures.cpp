@@ -53,8 +53,8 @@ Section 3.2 computes a profile $c$. We keep twelve contacts of it, zero behind, 
 $DF(c)$ on these twelve and the identity behind them. Let the map $r \mapsto r-AF(r)$ move the guess by at most $\eta$, and let
 it multiply distances in the ball of radius $\rho$ around it by at most $q$. If
 $$\eta+q\,\rho \le \rho,\qquad q < 1,$$
-it maps the ball into itself, and by Banach's theorem the ball contains exactly one zero of $F$ (contraction.hpp). Guess
-and inverse may come from anywhere: the proof would fail if they were wrong. */
+it maps the ball into itself, and by Banach's theorem the ball contains exactly one fixed point. That is a zero of $F$, since $q <
+1$ makes $A$ invertible (contraction.hpp). Guess and inverse may come from anywhere: the proof would fail if they were wrong. */
 /// A F(c) in the window; the first contact behind it has the strain `after`.
 Numbers newton_step(const DpsGuess& guess, const Number& after) {
   const Numbers c = ball(guess, 0);
@@ -136,8 +136,8 @@ void report_lemma(Report& report) {
 /**
 ## Signs and digits
 
-The ball leaves open what sign the small strains have. Let $r_m$ be certainly positive, let $|r_n| < \frac1{16}$ for all $n >
-m$, and let $-z$ be the infimum of these. If $z$ were positive, the equation would give $r_n \ge -4\varphi(z)$ for all of them,
+The ball leaves open what sign the small strains have. Let $r_j$ be certainly positive, let $|r_n| < \frac1{16}$ for all $n >
+j$, and let $-z$ be the infimum of these. If $z$ were positive, the equation would give $r_n \ge -4\varphi(z)$ for all of them,
 hence $z \le 4z^{3/2} < z$. So they are not negative, and by the equation positive one after the other. */
 /// Clips the strains at zero where that argument allows it. Throws NotProved where it does not.
 void demand_no_negative(DpsBreather& b) {
@@ -176,8 +176,8 @@ void tighten(const DpsGuess& guess, DpsBreather& b) {
 }
 
 /**
-That strains decrease in the window is read from the intervals. Beyond, let $r_n$ be the largest strain from $n$ on. Then $M =
-\sup_{m>n}r_m$ obeys $M \le r_n^{3/2}+3M^{3/2}$ and $\sup_{m>n+1}r_m \le M^{3/2}/(1-3\sqrt M) < r_n^{3/2} \le r_{n+1}$ if $M <
+That strains decrease in the window is read from the intervals. Beyond, let $r_n$ be the largest strain from $n$ on. Then $R =
+\sup_{j>n}r_j$ obeys $R \le r_n^{3/2}+3R^{3/2}$ and $\sup_{j>n+1}r_j \le R^{3/2}/(1-3\sqrt R) < r_n^{3/2} \le r_{n+1}$ if $R <
 \frac1{100}$, so that $r_{n+1}$ is the largest from $n+1$ on. With $r_n^{3/2} \le r_{n+1} \le
 r_n^{3/2}/(1-3\sqrt{r_{n+1}})$ the tail falls double-exponentially. */
 /// Positive, decreasing, and the tail below 1/100. Throws NotProved otherwise.
@@ -262,9 +262,9 @@ Around a site the linearised equation has exactly one real pair, of modulus [0.0
 a bond it has none.
 
 The bond-centred breather is even stable in the full equation: what starts close to it in $\ell^2$ stays close to its multiples
-$e^{i\varphi}u$ for all times. The argument is the one for which Weinstein (1986) and Grillakis, Shatah and Strauss (1987) are
+$e^{i\theta}u$ for all times. The argument is the one for which Weinstein (1986) and Grillakis, Shatah and Strauss (1987) are
 known. Energy $H = \frac25\sum|v_{n+1}-v_n|^{5/2}$ and norm $N = \sum|v_n|^2$ are conserved, and solutions exist for all times
-because the right side of Eq. (11) is locally Lipschitz on $\ell^2$ and $N$ is bounded. Take $v = e^{i\varphi}(u+x+iy)$ with
+because the right side of Eq. (11) is locally Lipschitz on $\ell^2$ and $N$ is bounded. Take $v = e^{i\theta}(u+x+iy)$ with
 $N(v) = N(u)$ and with the phase that is closest, so that $y\perp u$. Then $2\langle x,u\rangle = -|x|^2-|y|^2$: to first order
 $x\perp u$ as well. Since $H$ is twice differentiable with a Hölder continuous second derivative,
 $$H(u)-H(v) = \tfrac12\langle x,(1-\tfrac32M)x\rangle+\tfrac12\langle y,(1-M)y\rangle+O(|x|^{5/2}+|y|^{5/2}).$$

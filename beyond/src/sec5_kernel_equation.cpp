@@ -367,6 +367,7 @@ struct OneKernelWave {
     p.add("alpha", alpha, "exponent of the contact force, 3/2 for spheres", {1.1, 8});
   }
   Table table() const {
+    // Two grids give the errors
     const TwoGridWave w = wave_on_two_grids(k, int(sign), alpha);
     const double residual = w.fine().residual();
     Answers q;
@@ -386,6 +387,7 @@ struct OneKernelWave {
   }
 };
 
+// The whole section
 void reproduce(Report& report) {
   const bool quick = report.quick;
   const auto all =

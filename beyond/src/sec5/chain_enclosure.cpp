@@ -58,6 +58,8 @@ std::vector<Link> links(Centre centre, std::size_t n) {
 
 }  // namespace
 
+// What the proof takes from analysis
+
 Number mean_of_kernel(const Number& omega) {
   return two / sine(omega) - one;
 }
@@ -90,6 +92,8 @@ std::vector<Number> ranges(const std::vector<double>& c, std::size_t cells) {
                   Number(-bend.upper, bend.upper));
   return out;
 }
+
+// The guess, from an orbit that Newton's method found
 
 void Fineness::check() const {
   demand_within("contacts", contacts, 2, 15);

@@ -51,6 +51,7 @@ Rows dps_derivative(Centre centre, const Numbers& r) {
   return matrix;
 }
 
+// Newton's method in plain numbers, and an inverse from the middles of intervals
 DpsGuess dps_guess(Centre centre) {
   const auto state = stationary<double>(centre, 1.0, centre == Centre::site ? 31 : 32);
   DpsGuess guess{centre, {}, {}};
@@ -78,6 +79,8 @@ Number DpsBreather::norm() const {
   const Number middle = r[0] * phi(r[0]);
   return centre == Centre::bond ? middle + 2.0 * sum : 2.0 * (middle + sum);
 }
+
+// Stability and energies
 
 Number contact_eigenvalue(const DpsBreather& b, std::size_t k) {
   // The contacts of the whole window, from the left to the right
