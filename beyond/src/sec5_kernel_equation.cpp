@@ -409,10 +409,11 @@ void reproduce(Report& report) {
 1. *Easy.* Slow breathers are small. What is the energy of the one with two oscillations a site?
    `build/bin/sec5_kernel_equation wave --k 2` gives `energy` = 0.00581039.
    Hint: $Ek^4$ tends to a constant, but slowly: compare $k = 1$, 2 and 4.
-2. *Easy.* Which sign has the larger quotient at $\alpha = 3$?
+2. *Harder.* Which sign has the larger quotient at $\alpha = 3$?
    `build/bin/sec5_kernel_equation wave --alpha 3 --sign minus` gives `quotient` = 0.670594, and
    `build/bin/sec5_kernel_equation wave --alpha 3` gives `quotient` = 0.670570.
-   Hint: at $\alpha = 3/2$ it is the other sign; count the exchanges in between. */
+   Hint: at $\alpha = 3/2$ it is the other sign; count the exchanges in between.
+3. *Open.* Near $\alpha = 3.104$ both phases are pinned. Follow the wave without symmetry between the zeros of $\kappa$. */
 int main(int argc, char** argv) {
   return run(
       {"sec5_kernel_equation", "5", "A theorem: exact travelling breathers exist (section 5)",
