@@ -10,7 +10,7 @@ way; the digits in parentheses are the last ones of both ends. The answer is yes
 |---|---|---|---|
 | DpS, $\mu = 1$ | largest displacement | [0.05041478528092(235 to 301)](num:sec5_enclosures.u0_site) | [0.046232303401288(09 to 63)](num:sec5_enclosures.u0_bond) |
 | | norm | [0.00536042022797(0922 to 1055)](num:sec5_enclosures.norm_site) | [0.005360413092700(729 to 843)](num:sec5_enclosures.norm_bond) |
-| | $m_2-\frac23$ | [4.8529766(071 to 191)e-6](num:sec5_enclosures.margin_site) | [-4.85326567(77 to 19)e-6](num:sec5_enclosures.margin_bond) |
+| | second eigenvalue $m_2$ minus $\frac23$ | [4.8529766(071 to 191)e-6](num:sec5_enclosures.margin_site) | [-4.85326567(77 to 19)e-6](num:sec5_enclosures.margin_bond) |
 | chain, $\omega_b = 1.1$ | amplitude | [0.0107479(07 to 98)](num:sec5_enclosures.amplitude_site) | [0.0097842(646 to 707)](num:sec5_enclosures.amplitude_bond) |
 | | energy | [0.00015359(71 to 99)](num:sec5_enclosures.energy_site) | [0.00015359(785 to 916)](num:sec5_enclosures.energy_bond) |
 
