@@ -1,4 +1,4 @@
-"""Figure x24: the kernel, waves of both signs, the iteration that maximizes the quotient, and the quotients against alpha."""
+"""Figure x24: the kernel, waves of both signs with their tails, and the quotients against alpha."""
 
 import draw
 import matplotlib.pyplot as plt
@@ -8,10 +8,9 @@ data, out = draw.arguments()
 folder = f"{data}/sec5_kernel_equation"
 kernel = draw.read(f"{folder}/kernel.ecsv")
 profiles = draw.read(f"{folder}/profiles.ecsv")
-ascents = draw.read(f"{folder}/ascents.ecsv")
 quotients = draw.read(f"{folder}/quotients.ecsv")
 
-BLUE, RED, GREEN = "#0072B2", "#D55E00", "#009E73"
+BLUE, RED = "#0072B2", "#D55E00"
 figure, ((a, b), (c, d)) = plt.subplots(2, 2, figsize=(draw.TWO_COLUMNS, 105 * draw.MM),
                                         layout="constrained")
 for k, colour, dash in ((2, "#888888", "--"), (1, "black", "-")):
@@ -20,29 +19,16 @@ for k, colour, dash in ((2, "#888888", "--"), (1, "black", "-")):
 a.set(xlabel=r"$\sigma/2\pi$", ylabel=r"kernel $K(\sigma)$", xlim=(-2.5, 2.5), ylim=(-1.2, 1.45))
 a.legend(loc="upper right", fontsize=7, ncols=2)
 
-inset = b.inset_axes([0.66, 0.60, 0.33, 0.37])
 for sign, name, colour, dash in ((1, "plus", BLUE, "-"), (-1, "minus", RED, "--")):
     one = draw.where(profiles, "sign", sign)
     t = np.concatenate((-one["turns"][::-1], one["turns"]))
     b.plot(t, np.concatenate((one["d"][::-1], one["d"])), dash, color=colour, lw=1, label=name)
-    inset.plot(one["turns"], one["log_d"], dash, color=colour, lw=0.7)
+    c.plot(one["turns"], one["log_d"], dash, color=colour, lw=0.8, label=name)
 b.axhline(0, color="#888888", lw=0.5)
-b.set(xlabel=r"time $t/2\pi$", ylabel="compression $d$", xlim=(-3, 11), ylim=(-0.5, 0.62))
-b.legend(loc="lower right", fontsize=7)
-inset.set(xlim=(0, 6), ylim=(-7, 0.5))
-inset.set_yticks([-6, -3, 0])
-inset.tick_params(labelsize=6)
-inset.set_ylabel(r"$\log_{10}|d|/d_{\mathrm{max}}$", fontsize=6.5, labelpad=1)
-
-dashes = ["-", "--", ":", "-.", (0, (5, 1)), (0, (1, 2))]
-colours = [BLUE, RED, GREEN, "#CC79A7", "#E69F00", "black"]
-for start, dash, colour in zip(np.unique(ascents["start"]), dashes, colours):
-    one = draw.where(ascents, "start", start)
-    c.plot(one["step"], one["log_missing"], ls=dash, color=colour, lw=0.9, label=f"{start:.0f}")
-c.set(xlabel="steps of the iteration", ylabel=r"$\log_{10}(1-Q/Q_{\mathrm{max}})$", ylim=(-9, 0.5))
-c.set_xscale("symlog", linthresh=10)
-c.set_xlim(0, None)
-c.legend(loc="lower left", fontsize=7, ncols=2, title="random start", title_fontsize=7)
+b.set(xlabel=r"time $t/2\pi$", ylabel="compression $d$", xlim=(-5, 5), ylim=(-0.5, 0.62))
+c.set(xlabel=r"time $t/2\pi$", ylabel=r"$\log_{10}|d|/d_{\mathrm{max}}$", xlim=(0, 6), ylim=(-7.5, 0.8))
+for axes in (b, c):
+    axes.legend(loc="upper right" if axes is b else "lower left", fontsize=7, ncols=2 if axes is b else 1)
 
 sure = np.abs(quotients["difference"]) > 10 * quotients["difference_error"]
 positive = quotients["difference"] > 0

@@ -16,6 +16,8 @@ class Texts(unittest.TestCase):
         self.assertEqual(refresh.with_numbers(prose, NUMBERS), ought)
         row = "a\n| a | [](num:pn.omega11) | [](num:p.x) |\n"
         self.assertEqual(refresh.with_numbers(row, NUMBERS), "a\n| a | [1.62e-11 ± 1e-13](num:pn.omega11) | [3](num:p.x) |\n")
+        for text in ("to", "1.61(5 to 9)e-11"):
+            self.assertEqual(refresh.with_numbers(f"[{text}](num:pn.omega11)", NUMBERS), "[1.6(09 to 30)e-11](num:pn.omega11)")
         for bad in ("[](num:pn.omega12)", "](num:p.x)", "[](num:p.x"):
             with self.assertRaises(ecsv.Fault):
                 refresh.with_numbers(bad, NUMBERS)

@@ -63,20 +63,22 @@ class Paper(Scratch):
             self.write("paper/paper.tex", text)
             self.refuses("macros", words)
 
-    def test_the_proof_comes_from_its_chapter(self):
-        prose = ("/**\nA theorem.\n\n## The proof\n\nWe *look $a_1$ up* in **L**, `a_b`, [3.1](num:a.one), 5 % – so:\n$$x*y$$\nof $x*z$.\n\n"
-                 "1. *One*: first,\n   still.\n2. Two.\n\n- A.\n\nThe end. $\\square$ */\nint x;\n/** More. */\n")
-        ought = ("We \\emph{look $a_1$ up} in \\textbf{L}, \\texttt{a\\_b}, \\num{a.one}, 5 \\% -- so:\n\\[x*y\\]\nof $x*z$.\n\n"
+    def test_the_theorem_comes_from_its_chapter(self):
+        prose = (f"/**\nA theorem.\n\n## {tex.FROM}\n\nWe *look $a_1$ up* in **L**, `a_b`, [3.1](num:a.one), 5 % – so:\n$$x*y$$\nof $x*z$. */\n"
+                 "int x;\n/**\nMore.\n\n## The proof\n\n1. *One*: first,\n   still.\n2. Two.\n\n- A.\n\nThe end. $\\square$ */\nint y;\n"
+                 f"/**\n## {tex.TO}\n\nWaves. */\n")
+        ought = (f"\\section{{{tex.FROM}}}\nWe \\emph{{look $a_1$ up}} in \\textbf{{L}}, \\texttt{{a\\_b}}, \\num{{a.one}}, 5 \\% -- so:\n"
+                 "\\[x*y\\]\nof $x*z$.\n\nMore.\n\n\\section{The proof}\n"
                  "\\begin{enumerate}\n\\item \\emph{One}: first,\n   still.\n\\item Two.\n\\end{enumerate}\n\n"
-                 "\\begin{itemize}\n\\item A.\n\\end{itemize}\n\nThe end.\n")
-        self.assertEqual(tex.proof(self.root), "")  # its chapter may be left out
-        self.write(f"src/{tex.PROOF}.cpp", prose)
-        self.assertEqual(tex.proof(self.root), tex.HEAD + ought)
-        for text, words in [(prose.replace("$\\square$", ""), "0 proofs between"), (prose * 2, "2 proofs"),
+                 "\\begin{itemize}\n\\item A.\n\\end{itemize}\n\nThe end. $\\square$\n")
+        self.assertEqual(tex.theorem(self.root), "")  # its chapter may be left out
+        self.write(f"src/{tex.THEOREM}.cpp", prose)
+        self.assertEqual(tex.theorem(self.root), tex.HEAD + ought)
+        for text, words in [(prose.replace(tex.TO, "Others"), "no prose from"),
                             (prose.replace("**L**", "**L"), "a mark that tools/lineage/tex.py does not know")]:
-            self.write(f"src/{tex.PROOF}.cpp", text)
+            self.write(f"src/{tex.THEOREM}.cpp", text)
             with self.assertRaisesRegex(ecsv.Fault, words):
-                tex.proof(self.root)
+                tex.theorem(self.root)
 
 
 class Here(unittest.TestCase):
@@ -85,9 +87,9 @@ class Here(unittest.TestCase):
             tex.write(ROOT, folder)  # a Fault else
 
     @unittest.skipUnless(WHOLE, "volume two is not there")
-    def test_the_proof_is_whole(self):
-        """All of its steps, with their formulas, and no mark of Markdown is left."""
-        proof = tex.proof(ROOT).replace(tex.HEAD, "")
-        for step in ("Bounds", "No vanishing", "No dichotomy", "A maximum", "Its equation", "Smoothness and decay"):
-            self.assertIn(rf"\emph{{{step}", proof)
-        self.assertEqual((proof.count("$") % 2, proof.count("\0")), (0, 0))
+    def test_the_theorem_is_whole(self):
+        """All steps of its proof, with their formulas, and no mark of Markdown is left."""
+        text = tex.theorem(ROOT).replace(tex.HEAD, "")
+        for step in ("Bounds", "No vanishing", "No dichotomy", "A maximum", "Its equation", "Smoothness and decay", "Least action"):
+            self.assertIn(rf"\emph{{{step}", text)
+        self.assertEqual((text.count("$") % 2, text.count("\0"), text.count("square")), (0, 0, 1))

@@ -21,6 +21,15 @@ class Values(unittest.TestCase):
             self.assertEqual(f.shown, shown)
         self.assertEqual([finding(1, e).shown_error for e in (3.7e-9, 0)], ["4e-9", "exact"])
 
+    def test_both_ends_of_what_is_enclosed_are_rounded_outwards(self):
+        for f, shown in [
+                (finding(0.18083351357990812, 6.4137584132595309e-12), "0.1808335135(734 to 864)"),
+                (finding(-7.1352642666967339e-10, 1.2229813864603386e-17), "-7.135264(39 to 14)e-10"),
+                (finding(4.8529766130678276e-06, 5.9396940287775363e-15), "4.8529766(071 to 191)e-6"),
+                (finding(2, 0.25), "(1.75 to 2.25)"), (finding(0.5, 2), "(-1.5 to 2.5)"), (finding(3), "3"),
+                (finding(1, math.nan), "1")]:
+            self.assertEqual(f.shown_as_interval, shown)
+
     def test_two_agree_within_the_sum_of_the_errors(self):
         residue = finding(3e-16, 0, "", "residue")
         for locked, fresh, agrees in [

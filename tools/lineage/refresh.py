@@ -1,6 +1,6 @@
 """Numbers in prose. Nobody types a result: `[](num:pn.omega11)` names the answer to a claim and
 `[](num:sec32_dps_profiles.norm_site)` a fact of a program, and the text of the link is the locked value, in a row of a
-table with its error. This file writes those texts, the tables of the pages, and the costs in paper/costs.ecsv.
+table with its error; `[to](num:...)` asks for both ends of what is enclosed. This file writes those texts, the tables of the pages, and the costs in paper/costs.ecsv.
 
 The quoted values are the locked ones and not the fresh ones, because another compiler may change a digit of a
 rounding residue; that fresh and locked values agree is asserted on its own."""
@@ -30,6 +30,8 @@ def with_numbers(text, numbers):
             raise ecsv.Fault(f"a link without brackets: {found[0]}")
         if id not in numbers:
             raise ecsv.Fault(f"there is no reference value '{id}' (a new one: make lock)")
+        if re.search(r"\bto\b", brackets):
+            return f"[{numbers[id].shown_as_interval}](num:{id})"
         row = text[text.rfind("\n", 0, found.start()) + 1:].startswith("|")
         return f"[{numbers[id].shown_in_table if row else numbers[id].shown_in_prose}](num:{id})"
 

@@ -2,7 +2,7 @@
 `\\both{pn.omega11}` for the value with its error, as in 1.62(3)e-11, `\\pub{pn.omega11}` for the printed value,
 `\\claimed{pn.omega11}` for the claim, `\\verdict{pn.omega11}` for its verdict, `\\cause{pn.omega15}` for the likely cause of
 a discrepancy, `\\finding{pull}` for the sentence of a finding, `\\tally{claims}` for a count, and `\\meta{version}` and
-`\\meta{date}`. This file writes the definitions of all these, and the proof, whose text is that of its chapter. It names
+`\\meta{date}`. This file writes the definitions of all these, and the text of the theorem, which is that of its chapter. It names
 every reference to nothing, and every discrepant claim without a row in the paper's table."""
 
 import json
@@ -14,9 +14,11 @@ from .chapters import chapter_of
 from .claims import NUMBERS, by_name, meanings, read_claims, read_findings, read_verdicts
 from .lock import read_lock, uncommented
 from .refresh import read_figures
+from .sources import blocks_of
 from .volumes import joined, volumes
 
-PROOF = "sec5_kernel_equation"  # the chapter whose prose has the proof
+THEOREM = "sec5_kernel_equation"  # the chapter whose prose is that of the theorem, from one heading to before another
+FROM, TO = "One equation instead of a lattice", "Waves of both signs"
 SHORT = {"within its own accuracy": "within", "reproduced, assuming": "assuming"}  # where a column is narrow
 HEAD = "% Written by `python3 -m lineage macros`; do not edit.\n"
 GREEK = {"pi", "eps", "epsilon", "omega", "tau", "mu", "gamma", "phi", "lambda", "beta", "Phi", "Gamma", "delta"}
@@ -179,15 +181,18 @@ def in_tex(prose):
     return "\n\n".join(out) + "\n"
 
 
-def proof(root):
-    """The proof in TeX: what its chapter says between the heading `The proof` and a square; empty without the chapter."""
-    path = Path(root) / chapter_of(root, PROOF)
+def theorem(root):
+    """The theorem and its proof in TeX, a section a heading; empty without the chapter."""
+    path = Path(root) / chapter_of(root, THEOREM)
     if not path.exists():
         return ""
-    found = re.findall(r"^## The proof\n((?:(?!^## |\*/).)*)\$\\square\$", ecsv.text_of(path), re.M | re.S)
+    prose = "\n\n".join(text for is_prose, _, text in blocks_of(ecsv.text_of(path), path) if is_prose)
+    found = re.findall(rf"^(## {FROM}\n.*?)^## {TO}\n", prose, re.M | re.S)
     if len(found) != 1:
-        raise ecsv.Fault(f"{path}: {len(found)} proofs between '## The proof' and $\\square$ (wanted: one)")
-    return HEAD + in_tex(found[0])
+        raise ecsv.Fault(f"{path}: no prose from '## {FROM}' to '## {TO}'")
+    title, *parts = re.split(r"^## (.+)$", found[0], flags=re.M)[1:]
+    sections = [(title, parts[0]), *zip(parts[1::2], parts[2::2])]
+    return HEAD + "\n".join(rf"\section{{{sentences(title)}}}" + "\n" + in_tex(text) for title, text in sections)
 
 
 def write(root, out):
@@ -205,4 +210,4 @@ def write(root, out):
         raise ecsv.Fault(f"{all[0] / 'paper'}: " + "; ".join(wrong))
     lines = [f"\\define{{{kind}}}{{{id}}}{{{texts[kind, id]}}}\n" for kind, id in sorted(texts)]
     ecsv.write_whole(Path(out) / "numbers.tex", HEAD + "".join(lines))
-    ecsv.write_whole(Path(out) / "proof.tex", proof(root))
+    ecsv.write_whole(Path(out) / "theorem_text.tex", theorem(root))

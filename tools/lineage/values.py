@@ -4,6 +4,8 @@ import math
 import re
 import sys
 from dataclasses import dataclass
+from decimal import ROUND_CEILING, ROUND_FLOOR, Decimal, localcontext
+from os.path import commonprefix
 
 
 def with_digits(x, digits):
@@ -72,6 +74,24 @@ class Finding:
         """Value and error, where it has one that says more than the last digit."""
         known = self.kind != "residue" and self.error != 0 and math.isfinite(self.value) and math.isfinite(self.error)
         return f"{self.shown} ± {self.shown_error}" if known else self.shown
+
+    @property
+    def shown_as_interval(self):
+        """Both ends of an enclosed value, rounded outwards to two digits of its error: `0.1808335135(73 to 87)`, the digits
+        that they share first."""
+        if not (self.error > 0 and math.isfinite(self.value) and math.isfinite(self.error)):
+            return self.shown
+        value, error = Decimal(self.value), Decimal(self.error)
+        power, ends = 0 if -5 < value.adjusted() < 6 else value.adjusted(), []
+        for outwards, end in ((ROUND_FLOOR, -error), (ROUND_CEILING, error)):
+            with localcontext() as context:
+                context.prec, context.rounding = 60, outwards
+                ends.append(f"{(value + end).quantize(Decimal(1).scaleb(error.adjusted() - 1)).scaleb(-power):f}")
+        shared = commonprefix(ends)
+        if "." not in shared or len(ends[0]) != len(ends[1]):
+            shared = ""
+        lower, upper = (end[len(shared):] for end in ends)
+        return f"{shared}({lower} to {upper})" + (f"e{power}" if power else "")
 
     @property
     def shown_unit(self):

@@ -4,8 +4,6 @@
 
 #include "lattice/algebra/dense.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
-#include "sec5/chain_bounds.hpp"
-#include "sec5/circle.hpp"
 #include "sec5/fineness.hpp"
 
 namespace lattice {
@@ -19,6 +17,21 @@ using Rows = std::vector<Numbers>;
 const Number one(1), two(2);
 
 constexpr std::size_t guess_samples = 1024;  ///< of the guess, on the half circle
+
+/// sin(pi / omega), which is positive for 1 < omega < 2.
+Number sine(const Number& omega) {
+  return enclosed_cosine(enclosed_pi() / omega - enclosed_pi() / two);
+}
+
+enum class Weight { one, square };
+
+/// Sum of the moduli of coefficients, the k-th weighted with 1 or, for the second derivative, k^2.
+Number weighted_sum(const std::vector<double>& c, Weight weight) {
+  Number sum{};
+  for (std::size_t k = 0; k < c.size(); ++k)
+    sum += Number(std::abs(c[k])) * double(weight == Weight::one ? 1 : k * k);
+  return sum;
+}
 
 /// 1 / (1 - omega^2 k^2).
 Number transfer(const Number& omega, std::size_t k) {
@@ -44,6 +57,43 @@ std::vector<Link> links(Centre centre, std::size_t n) {
 }
 
 }  // namespace
+
+// What the proof takes from analysis
+
+Number mean_of_kernel(const Number& omega) {
+  return two / sine(omega) - one;
+}
+
+Number largest_of_kernel(const Number& omega) {
+  return enclosed_pi() / (omega * sine(omega));
+}
+
+Number variation_of_force(const std::vector<double>& c) {
+  return Number(3) * root(weighted_sum(c, Weight::one)) * weighted_sum(c, Weight::square);
+}
+
+Number folded_back(std::size_t samples, std::size_t harmonics) {
+  const Number gap = Number(double(samples)) - double(harmonics);
+  return two * enclosed_pi() * enclosed_pi() / Number(3) / (gap * gap);
+}
+
+Number left_out(const Number& omega, std::size_t harmonics) {
+  const double last = double(harmonics - 1);
+  return two / (Number(3) * (omega * omega - one / (Number(last) * last)) * last * last * last);
+}
+
+std::vector<Number> ranges(const std::vector<double>& c, std::size_t cells) {
+  const Sampled values = sample(c, CosineTable(2 * cells));
+  const Number h = enclosed_pi() / double(cells);
+  const Number bend = h * h / Number(8) * weighted_sum(c, Weight::square) + Number(values.error);
+  std::vector<Number> out;
+  for (std::size_t p = 0; p < cells; ++p)
+    out.push_back(hull(Number(values.value[p]), Number(values.value[p + 1])) +
+                  Number(-bend.upper, bend.upper));
+  return out;
+}
+
+// The guess, from an orbit that Newton's method found
 
 void Fineness::check() const {
   demand_within("contacts", contacts, 2, 15);
@@ -123,11 +173,6 @@ std::vector<double> chain_residuals(const ChainGuess& guess, const Fineness& fin
 }
 
 namespace {
-
-/// (3/2) sqrt(x_+).
-Number stiffness(const Number& x) {
-  return Number(3) / two * root(x);
-}
 
 /// 1 / (1 - matrix), approximately.
 std::vector<std::vector<double>> resolvent(const Rows& matrix) {
@@ -223,8 +268,8 @@ ChainProof::ChainProof(const ChainGuess& guess, const Fineness& fineness)
   bound_operator(guess);
   const Rows matrix = matrix_of_nodes();
   const auto inverse = resolvent(matrix);
-  delta_ = defect(inverse, matrix);
-  for (const auto& row : inverse) inverse_excess_ = std::max(inverse_excess_, norm_of_row(row));
+  a_.delta = defect(inverse, matrix);
+  for (const auto& row : inverse) a_.beta = std::max(a_.beta, norm_of_row(row));
 }
 
 /// Stiffness on the cells, |B| and epsilon.
@@ -236,7 +281,7 @@ void ChainProof::bound_operator(const ChainGuess& guess) {
     Number mean{};
     double most = 0;
     for (const Number& range : c_.back()) {
-      stiffness_.back().push_back(stiffness(range).middle());
+      stiffness_.back().push_back(hertz_slope(range).middle());
       mean += Number(stiffness_.back().back()) / double(fine_.cells);
       most = std::max(most, stiffness_.back().back());
     }
@@ -245,12 +290,12 @@ void ChainProof::bound_operator(const ChainGuess& guess) {
   }
   double source = 0;
   for (std::size_t n = 0; n < window(); ++n) {
-    norm_ = std::max(norm_, row(response, n));
+    a_.norm = std::max(a_.norm, row(response, n));
     source = std::max(source, row(largest, n));
   }
   // omega^2 (Bv)'' = source - Bv
   const Number h = enclosed_pi() / double(fine_.nodes);
-  epsilon_ = (h * h / Number(8) * (Number(source) + norm_) / (omega_ * omega_)).upper;
+  a_.epsilon = (h * h / Number(8) * (Number(source) + a_.norm) / (omega_ * omega_)).upper;
 }
 
 /// NBE, the response of nodes to nodes.
@@ -298,17 +343,17 @@ double ChainProof::norm_of_row(const std::vector<double>& inverse) const {
 
 double ChainProof::eta(const std::vector<double>& residuals) const {
   const double window = *std::max_element(residuals.begin(), residuals.end() - 1);
-  return std::max(((one + Number(inverse_excess_)) * window).upper, residuals.back());
+  return a_.eta(window, residuals.back());
 }
 
 double ChainProof::q(double radius) const {
-  const Number ball(-radius, radius), slack = gamma_ * stiffness(Number(radius));
+  const Number ball(-radius, radius), slack = gamma_ * hertz_slope(Number(radius));
   std::vector<double> change;
   for (std::size_t n = 0; n < window(); ++n) {
     Number mean{};
     double most = 0;
     for (std::size_t p = 0; p < fine_.cells; ++p) {
-      const double apart = magnitude(stiffness(c_[n][p] + ball) - Number(stiffness_[n][p]));
+      const double apart = magnitude(hertz_slope(c_[n][p] + ball) - Number(stiffness_[n][p]));
       mean += Number(apart);
       most = std::max(most, apart);
     }
@@ -318,13 +363,11 @@ double ChainProof::q(double radius) const {
   change.push_back(slack.upper);
   double worst = 0;
   for (std::size_t n = 0; n < window(); ++n) worst = std::max(worst, row(change, n));
-  const Number inside =
-      (one + Number(inverse_excess_)) * (Number(epsilon_) + worst) + Number(delta_) * norm_;
   // The first contact behind the window sees the last inside it
   double last = 0;
-  for (const Number& range : c_.back()) last = std::max(last, stiffness(range + ball).upper);
+  for (const Number& range : c_.back()) last = std::max(last, hertz_slope(range + ball).upper);
   const Number behind = gamma_ * last + Number(3) * slack;
-  return std::max({inside.upper, behind.upper, (Number(4) * slack).upper});
+  return a_.q(worst, std::max(behind.upper, (Number(4) * slack).upper));
 }
 
 namespace {
@@ -389,8 +432,7 @@ ChainBreather enclose_chain(Centre centre, int numerator, int denominator,
       amplitude = {std::max(amplitude.lower, one_bead.lower),
                    std::max(amplitude.upper, one_bead.upper)};
     }
-  return {unique,    exists, proof.inverse_excess(), proof.delta(), proof.epsilon(), residual,
-          amplitude, energy};
+  return {{unique, exists, proof.inverse(), residual}, amplitude, energy};
 }
 
 }  // namespace lattice

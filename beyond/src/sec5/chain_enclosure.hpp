@@ -14,15 +14,20 @@ of $F$ into a motion of the chain. In $C^0$ the map $F$ is continuously differen
 $DF(d)v = v-G(\Delta(av))$, $a = \frac32(d_+)^{1/2}$, and the supremum norm lets the proof see that a square
 root is bad near zero and near zero only: what counts is an integral over time.
 
-The constants of $g$ are $\gamma = \frac1{2\pi}\int|g| = 2/s-1$ and $|g| \le \pi/(\omega s)$ with
-$s = \sin(\pi/\omega)$, for $1 < \omega < 2$. */
+What the proof takes from analysis has a function for each constant, so that a test can hold it against what it bounds. */
 
 #include <vector>
 
 #include "lattice/model/sites.hpp"
+#include "sec5/circle.hpp"
 #include "sec5/contraction.hpp"
 
 namespace lattice {
+
+/// gamma, the mean of |g|: 2 / s - 1 with s = sin(pi / omega), 1 < omega < 2.
+Interval<double> mean_of_kernel(const Interval<double>& omega);
+/// pi / (omega s), which no |g| exceeds.
+Interval<double> largest_of_kernel(const Interval<double>& omega);
 
 /**
 How fine the proof is made. More samples and harmonics make the residual smaller, more nodes and cells the bound
@@ -55,26 +60,28 @@ ChainGuess chain_guess(Centre centre, int numerator, int denominator, const Fine
 The Fourier coefficients of $f = (c_+)^{3/2}$ are computed from $M$ samples. The discrete ones contain those at
 $k+jM$ too. As $f'$ has bounded variation, $|f_k| \le V/(2\pi k^2)$, and integration by parts on each interval of
 contact gives $V \le 3\int c_+^{1/2}|c''|\,d\theta$: of $f'' = \frac32c^{1/2}c''+\frac34c'^2c^{-1/2}$ the second term
-has the integral $-\frac32\int c^{1/2}c''$. That bounds both what is folded back and what lies beyond the harmonics
-of the guess. */
+has the integral $-\frac32\int c^{1/2}c''$. So a coefficient of $\cos k\theta$ is at most $2V/(2\pi k^2)$; what is folded back
+has $\sum_{j\ne0}(jM+k)^{-2} \le \frac{\pi^2}3(M-k)^{-2}$, and beyond the harmonics of the guess
+$|G_k| \le k^{-2}/(\omega^2-K^{-2})$ for $k > K$. */
+/// An upper bound of V / (2 pi); cosine sums are bounded by the sums of the moduli of their coefficients.
+Interval<double> variation_of_force(const std::vector<double>& c);
+/// The largest error of a coefficient below `harmonics`, over V / (2 pi).
+Interval<double> folded_back(std::size_t samples, std::size_t harmonics);
+/// Sum of |G_k| times the coefficients from `harmonics` on, over V / (2 pi).
+Interval<double> left_out(const Interval<double>& omega, std::size_t harmonics);
+/// Ranges of a cosine sum on equal cells of the half circle: from its ends and its second derivative.
+std::vector<Interval<double>> ranges(const std::vector<double>& c, std::size_t cells);
+
 /// sup |F(c)_n| for every contact of the window, and for the first behind it.
 std::vector<double> chain_residuals(const ChainGuess& guess, const Fineness& fineness);
 
 /**
 ## The inverse of the derivative
 
-On $m+1$ nodes of the half circle, functions are replaced by broken lines, an operation $\Pi$ of norm one.
-Let $B = G\Delta\tilde a$ with a stiffness $\tilde a$ that is constant on small cells and zero behind the
-window, $N$ the values at the nodes, $E$ the broken line through values, $\mathfrak B = NBE$, and $C$ a
-matrix, an approximate inverse of $1-\mathfrak B$. We take
-$$A = 1+ECNB, \qquad
-  1-A(1-B) = (1-\Pi)B+E[1-C(1-\mathfrak B)]NB+ECNB(1-\Pi)B,$$
-an identity. All its terms are small: $\|(1-\Pi)B\| \le \epsilon = \frac18(\pi/m)^2\sup|(Bv)''|$ and
-$\|1-C(1-\mathfrak B)\| = \delta$. The norm of $CNB$, a matrix of functions, is at most $\beta$: its entries are
-linear combinations of $g$, between two nodes a combination of two sines, and we integrate their modulus
-from the values at the nodes. With $B_d$ for the stiffness of any $d$ in the ball
-$$\|1-A\,DF(d)\| \le (1+\beta)(\epsilon+\|B_d-B\|)+\delta\|B\|$$
-in the window. Behind it $A$ is the identity and rows are bounded by $\gamma$ times the stiffness there. */
+It is that of contraction.hpp with $B = G\Delta\tilde a$ and $m+1$ nodes on the half circle, so that
+$\epsilon = \frac18(\pi/m)^2\sup|(Bv)''|$. The entries of $CNB$, a matrix of functions, are linear combinations of $g$, between
+two nodes a combination of two sines, and we integrate their modulus from the values at the nodes. Behind the window rows are
+bounded by $\gamma$ times the stiffness there. */
 class ChainProof {
  public:
   /// Makes A and bounds it.
@@ -85,9 +92,7 @@ class ChainProof {
   /// Bound of |1 - A DF(d)| over the ball.
   double q(double radius) const;
 
-  double inverse_excess() const { return inverse_excess_; }  ///< beta: |A| - 1
-  double delta() const { return delta_; }                    ///< |1 - C (1 - B)| for the matrix
-  double epsilon() const { return epsilon_; }                ///< what broken lines miss
+  const ApproximateInverse& inverse() const { return a_; }
 
  private:
   using Rows = std::vector<std::vector<Interval<double>>>;
@@ -104,7 +109,7 @@ class ChainProof {
   Rows kernel_;                                   ///< g at the nodes
   Rows c_{};                                      ///< range of the guess on every cell
   std::vector<std::vector<double>> stiffness_{};  ///< the constant on every cell
-  double inverse_excess_ = 0, delta_ = 0, epsilon_ = 0, norm_ = 0;
+  ApproximateInverse a_{};
 };
 
 /**
@@ -114,9 +119,7 @@ Behind the window $\delta_n = \sup|d_n|$ obeys $\sup_{m>n}\delta_m \le \gamma(\s
 3\gamma(\sup_{m>n}\delta_m)^{3/2}$, and so $\sup_{m>n}\delta_m \le 2\gamma\,(\sup_{m\ge n}\delta_m)^{3/2}$ once
 $3\gamma\sqrt{\delta} < \frac12$ there, less than a third of what is before it: the tail falls
 double-exponentially, and what it adds to amplitude and energy is bounded by the ball. */
-struct ChainBreather {
-  Contraction<double> unique, exists;
-  double inverse_excess, delta, epsilon, residual;
+struct ChainBreather : Enclosure {
   Interval<double> amplitude;  ///< largest |y_n(0)|
   Interval<double> energy;
 };

@@ -14,13 +14,13 @@ certain sign or it does not, and in the second case there is no answer. */
 namespace lattice {
 
 /// Number of eigenvalues larger than `x`; none of them is `x`. Nothing if a pivot may vanish.
-template <class T>
-std::optional<std::size_t> counted_above(const std::vector<Interval<T>>& diagonal,
-                                         const std::vector<Interval<T>>& beside, T x) {
+inline std::optional<std::size_t> counted_above(const std::vector<Interval<double>>& diagonal,
+                                                const std::vector<Interval<double>>& beside,
+                                                double x) {
   std::size_t count = 0;
-  Interval<T> pivot{};
+  Interval<double> pivot{};
   for (std::size_t i = 0; i < diagonal.size(); ++i) {
-    const Interval<T> moved = diagonal[i] - x;
+    const Interval<double> moved = diagonal[i] - x;
     pivot = i == 0 ? moved : moved - beside[i - 1] * beside[i - 1] / pivot;
     if (!(pivot.lower > 0 || pivot.upper < 0)) return std::nullopt;
     count += pivot.lower > 0;
@@ -33,18 +33,18 @@ An eigenvalue is enclosed by two numbers between which the count changes, halvin
 counts have an answer. */
 /// The k-th largest eigenvalue, if fewer than k are larger than `most` and at least k than `least`;
 /// otherwise all numbers.
-template <class T>
-Interval<T> enclosed_eigenvalue(const std::vector<Interval<T>>& diagonal,
-                                const std::vector<Interval<T>>& beside, std::size_t k, T least,
-                                T most) {
-  const auto above_at = [&](T x) { return counted_above(diagonal, beside, x); };
-  if (above_at(least).value_or(0) < k || above_at(most).value_or(k) >= k) return Interval<T>::all();
-  Interval<T> found{least, most};
+inline Interval<double> enclosed_eigenvalue(const std::vector<Interval<double>>& diagonal,
+                                            const std::vector<Interval<double>>& beside,
+                                            std::size_t k, double least, double most) {
+  const auto above_at = [&](double x) { return counted_above(diagonal, beside, x); };
+  if (above_at(least).value_or(0) < k || above_at(most).value_or(k) >= k)
+    return Interval<double>::all();
+  Interval<double> found{least, most};
   // Each end moves on its own, because in the middle there is no answer in the end
-  for (T* end : {&found.lower, &found.upper}) {
-    T good = *end, bad = end == &found.lower ? most : least;
-    for (int i = 0; i < 2 * std::numeric_limits<T>::digits; ++i) {
-      const T x = good + (bad - good) / 2;
+  for (double* end : {&found.lower, &found.upper}) {
+    double good = *end, bad = end == &found.lower ? most : least;
+    for (int i = 0; i < 2 * std::numeric_limits<double>::digits; ++i) {
+      const double x = good + (bad - good) / 2;
       const auto n = above_at(x);
       const bool still = n && (end == &found.lower ? *n >= k : *n < k);
       (still ? good : bad) = x;

@@ -1,19 +1,10 @@
 #pragma once
 /**
-# The DpS breathers, enclosed
+# Strains of the DpS breathers in intervals
 
-The stationary DpS equation at $\mu = 1$ has strains of alternating signs. With $u_{n+1}-u_n = \pm(-1)^nr_n$ and
-$\varphi(x) = x|x|^{1/2}$ it becomes
-$$F(r)_n = r_n - [\varphi(r_{n-1}) + 2\varphi(r_n) + \varphi(r_{n+1})] = 0,$$
-for bounded sequences, and conversely every bounded zero of $F$ gives a solution,
-$|u_n| = \varphi(r_{n-1})+\varphi(r_n)$ with alternating signs. Contact $n$ lies between the sites $n$ and $n+1$.
-Around a bond $r_{-n} = r_n$, around a site $r_{-1-n} = r_n$, so that the contacts $n \ge 0$ suffice. The map $F$ is
-continuously differentiable on $\ell^\infty$, since $\varphi' = \frac32|x|^{1/2}$ is continuous. It has no second
-derivative at zero, and none is used.
-
-The ball of the lemma in contraction.hpp has one radius in all contacts. In a window of `contacts` contacts
-$A$ is an approximate inverse of the derivative, outside it is the identity. There the map reads
-$K(r)_n = \varphi(r_{n-1})+2\varphi(r_n)+\varphi(r_{n+1})$ and contracts as soon as $6\sqrt{r} < 1$. */
+The stationary DpS equation at $\mu = 1$ for strains of alternating signs is $F(r) = 0$ (chapter on bounds). This file has $F$
+and its derivative in intervals, a guess, and what follows from strains that are enclosed: stability, energies, and the search
+for other profiles. The proof itself stands in the chapter. */
 
 #include <vector>
 
@@ -25,68 +16,41 @@ namespace lattice {
 /// Contacts of the half chain that are enclosed one by one.
 inline constexpr std::size_t dps_contacts = 12;
 
-/**
-The guess and the inverse may come from anywhere. The proof needs two numbers: how far the map moves the guess, and
-the largest row sum of $|1-A\,DF|$ over the ball. */
 /// A guess and the approximate inverse of F's derivative at it; nothing in it is trusted.
-template <class T>
 struct DpsGuess {
   Centre centre;
-  std::vector<T> r;                     ///< strains, from the centre outwards
-  std::vector<std::vector<T>> inverse;  ///< of the derivative, in the window
+  std::vector<double> r;                     ///< strains, from the centre outwards
+  std::vector<std::vector<double>> inverse;  ///< of the derivative, in the window
 };
 
 /// The breather of the DpS equation with mu = 1, found in ordinary arithmetic (stationary.hpp).
-template <class T>
-DpsGuess<T> dps_guess(Centre centre);
+DpsGuess dps_guess(Centre centre);
 
-/// |A F(c)| for the guess c, in the supremum norm.
-template <class T>
-T dps_eta(const DpsGuess<T>& guess);
+/// The strains of the ball of this radius around the guess.
+std::vector<Interval<double>> ball(const DpsGuess& guess, double radius);
+/// phi(x) = x |x|^(1/2).
+Interval<double> phi(const Interval<double>& x);
+/// phi'(x).
+Interval<double> phi_slope(const Interval<double>& x);
+/// phi(r_(n-1)) + 2 phi(r_n) + phi(r_(n+1)), `after` being the strain behind the last.
+Interval<double> pull(Centre centre, const std::vector<Interval<double>>& r, std::size_t n,
+                      const Interval<double>& after);
+/// DF on the window, from strains; the neighbour behind the window is left out.
+std::vector<std::vector<Interval<double>>> dps_derivative(Centre centre,
+                                                          const std::vector<Interval<double>>& r);
 
-/// Largest row sum of |1 - A DF(r)| over the ball around the guess, tail included.
-template <class T>
-T dps_q(const DpsGuess<T>& guess, T radius);
-
-/**
-The ball leaves open what sign the small strains have. Let $r_m$ be certainly positive, let
-$|r_n| < \frac1{16}$ for all $n > m$, and let $-z$ be the infimum of these. If $z$ were positive, the
-equation would give $r_n \ge -4\varphi(z)$ for all of them, hence $z \le 4z^{3/2} < z$. So they are not
-negative, and by the equation positive one after the other.
-
-A solution in the ball is a fixed point of $x \mapsto x-AF(x)$, and each of its components lies in the interval
-that this map makes of the ball, in the form of the mean value; repeated, that gives the last digits. A mean
-value is taken on the way from the guess to the solution, so the boxes have to hold both, as those of both
-breathers do. The tail shrinks as $r_n^{3/2} \le r_{n+1} \le r_n^{3/2}/(1-3\sqrt{r_{n+1}})$: the left inequality
-holds because all terms are positive, the right one because the profile decreases. That it does is read from the
-intervals in the window. Beyond, let $r_n$ be the largest strain from $n$ on. Then $M = \sup_{m>n}r_m$ obeys $M
-\le r_n^{3/2}+3M^{3/2}$ and $\sup_{m>n+1}r_m \le M^{3/2}/(1-3\sqrt M) < r_n^{3/2} \le r_{n+1}$ if $M$ is less
-than $1/100$, so that $r_{n+1}$ is the largest from $n+1$ on. */
-template <class T>
+/// A breather whose strains are enclosed.
 struct DpsBreather {
   Centre centre;
-  Contraction<T> unique, exists;
-  std::vector<Interval<T>> r;  ///< strains of the contacts 0, 1, ...
-  Interval<T> tail;            ///< holds all strains behind them
+  Contraction unique, exists;
+  std::vector<Interval<double>> r;  ///< strains of the contacts 0, 1, ...
+  Interval<double> tail;            ///< holds all strains behind them
 
   /// |u_n| at the site where it is largest.
-  Interval<T> largest() const;
+  Interval<double> largest() const;
   /// The norm sum u_n^2, which the equation makes equal to sum r_n^(5/2).
-  Interval<T> norm() const;
+  Interval<double> norm() const;
 };
-
-/// Clips all strains at zero where the equation allows it: behind a contact that is certainly positive, where strains
-/// are less than 1/16. Throws NotProved where they are not.
-template <class T>
-void demand_no_negative(DpsBreather<T>& b);
-
-/// The bounds of the strains in words: positive and decreasing, and the tail below 1/100. Throws NotProved otherwise.
-template <class T>
-void demand_decrease(const DpsBreather<T>& b);
-
-/// The breather with this centre. Throws NotProved if the hypotheses of the lemma cannot be verified.
-template <class T>
-DpsBreather<T> enclose_dps(Centre centre);
 
 /**
 ## Stability
@@ -97,12 +61,10 @@ entries are nonnegative and $u$ is a positive eigenvector for $m = 1$, hence $m_
 and the largest (Perron and Frobenius). If the strains behind the window are put to zero, $M$ loses a positive
 operator of norm at most $4\sqrt{r}$, and by Weyl's inequality no eigenvalue rises and none falls by more. */
 /// The k-th largest eigenvalue of M on the infinite chain.
-template <class T>
-Interval<T> contact_eigenvalue(const DpsBreather<T>& breather, std::size_t k);
+Interval<double> contact_eigenvalue(const DpsBreather& breather, std::size_t k);
 
 /// lambda^2 with its sign, for an eigenvalue m.
-template <class T>
-Interval<T> square_of_exponent(const Interval<T>& m);
+Interval<double> square_of_exponent(const Interval<double>& m);
 
 /**
 ## Energies
@@ -111,13 +73,11 @@ At other frequencies $u$ scales as $\mu^2$, so $N = \mu^4N_1$ for the norm and, 
 $H = \frac25\mu N = \frac25N_1^{-1/4}N^{5/4}$ for the energy. Of both breathers at $\mu = 1$ the difference is
 $\frac25(N_{site}-N_{bond})$. At equal norm, that of the bond-centred one at $\mu = 1$, it is
 $\frac25N_{bond}[(N_{bond}/N_{site})^{1/4}-1]$, of the opposite sign. */
-template <class T>
 struct DpsBarrier {
-  Interval<T> equal_mu, equal_norm;  ///< H_site - H_bond
+  Interval<double> equal_mu, equal_norm;  ///< H_site - H_bond
 };
 /// Both differences, for the breathers at mu = 1.
-template <class T>
-DpsBarrier<T> dps_barrier(const DpsBreather<T>& site, const DpsBreather<T>& bond);
+DpsBarrier dps_barrier(const DpsBreather& site, const DpsBreather& bond);
 
 /**
 ## No other profile
@@ -135,23 +95,20 @@ $y_{n+1} = (g-2)y_n-y_{n-1}$, where $g$ is a slope of $P^{2/3}$, about $\frac83$
 some seventy degrees from contact to contact, so the profile increases again before it has left, or is
 constant. */
 /// Whether a profile with this r_0 > 1/16 certainly increases somewhere before it has left the constant one.
-template <class T>
-bool turns_back(Centre centre, const Interval<T>& r_0);
+bool turns_back(Centre centre, const Interval<double>& r_0);
 
 /// What became of an interval of r_0: discarded or decided at a contact, or open.
 enum class Decision { discarded, inside, open };
 
 /// An interval of r_0 and what became of it.
-template <class T>
 struct Piece {
-  Interval<T> r_0;
+  Interval<double> r_0;
   Decision decision;
   std::size_t contact;
 };
 
 /// The range of r_0 in pieces, from the smallest on, each from at most `depth` halvings. There is no other profile
 /// if none is open.
-template <class T>
-std::vector<Piece<T>> search_profiles(const DpsBreather<T>& breather, int depth = 30);
+std::vector<Piece> search_profiles(const DpsBreather& breather, int depth = 30);
 
 }  // namespace lattice

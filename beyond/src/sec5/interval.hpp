@@ -185,5 +185,10 @@ Interval<T> hertz(const Interval<T>& x) {
   return {std::max((Interval<T>(a.lower) * root(Interval<T>(a.lower))).lower, T(0)),
           (Interval<T>(a.upper) * root(Interval<T>(a.upper))).upper};
 }
+/// Its derivative, 3/2 x_+^(1/2).
+template <class T>
+Interval<T> hertz_slope(const Interval<T>& x) {
+  return Interval<T>(3) / Interval<T>(2) * root(x);
+}
 
 }  // namespace lattice

@@ -7,8 +7,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "sec5/quotient.hpp"
-
 namespace lattice {
 
 namespace {
@@ -33,6 +31,41 @@ double stiffness_of(const PowerContact& law, double x) {
 QuadraturePanel panel_for(const PowerContact& law, std::size_t nodes) {
   const double twice = 2 * law.exponent;
   return {nodes, std::size_t(twice == std::round(twice) ? 2 : 3)};
+}
+
+/// Scales u so that the norm of f = u^alpha is one, and returns f.
+Vector<double> normalized(const PowerContact& law, const Vector<double>& weight,
+                          Vector<double>& u) {
+  Vector<double> f = each(u, force_of, law);
+  const double mass = weight.dot(u.cwiseProduct(f)), a = law.exponent;
+  u *= std::pow(mass, -1 / (a + 1));
+  f *= std::pow(mass, -a / (a + 1));
+  return f;
+}
+
+/**
+Where the quotient $\int f\,(K*f)\,dt/\|f\|_p^2$ is largest, $K*f = Sf^{1/\alpha}$ wherever $f > 0$. So we write $f = u^\alpha$ with
+$u \ge 0$ and repeat $u \leftarrow (K*u^\alpha+\mu u)_+$ with the norm kept at one. Since $K$ is not positive, the step may go down if
+$\mu$ is too small; it is then refused and repeated with twice the $\mu$. */
+Vector<double> ascended(const HalfLine& line, const PowerContact& law, Vector<double> u) {
+  constexpr double enough = 1e-7;  // the relative growth with which the ascent ends
+  const Vector<double> weight = 2 * line.weight();
+  const Vector<double> f = normalized(law, weight, u);
+  Vector<double> image = line.convolve(f);
+  double quotient = weight.dot(f.cwiseProduct(image)), mu = 1;
+  for (int tries = 0; tries < 400 && mu < 1e6; ++tries) {
+    Vector<double> trial = (image + mu * u).cwiseMax(0);
+    const Vector<double> force = normalized(law, weight, trial), next = line.convolve(force);
+    const double higher = weight.dot(force.cwiseProduct(next)), grown = higher - quotient;
+    if (!(grown > 0)) {
+      mu *= 2;
+      continue;
+    }
+    mu *= 0.8;
+    u = trial, image = next, quotient = higher;
+    if (grown < enough * higher) break;
+  }
+  return std::pow(quotient, -law.exponent / (law.exponent - 1)) * image;
 }
 
 /**
@@ -275,9 +308,7 @@ KernelWave wave_of_type_one(std::size_t k, int sign, const PowerContact& law,
     const double t = line.t()[i], x = t / shift_time;
     u[i] = std::max(0.0, middle * std::cos(frequency * t)) * std::exp(-3 * x * x / law.exponent);
   }
-  const auto convolve = [&](const Vector<double>& f) { return line.convolve(f); };
-  const Ascent ascent = ascend(convolve, 2 * line.weight(), law, u, 1e-7, 400);
-  KernelWave wave = newton_wave({law, line, ascent.wave(law)}, shift_time, law, grid);
+  KernelWave wave = newton_wave({law, line, ascended(line, law, u)}, shift_time, law, grid);
   if (wave.central_velocity() * sign < 0)
     throw std::runtime_error("the iteration has led to the wave of the other sign");
   return wave;

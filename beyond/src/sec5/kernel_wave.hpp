@@ -85,7 +85,7 @@ KernelWave newton_wave(const KernelWave& guess, double shift_time, const PowerCo
                        const WaveGrid& grid = {});
 
 /**
-A first guess comes from a short ascent of the quotient (quotient.hpp) among even functions. It begins
+A first guess comes from a short ascent of the quotient that the theorem maximizes, among even functions. It begins
 with pulses $2\pi - \pi/2k$ apart, a distance at which $k$ pulses support each other. The contact at $t
 = 0$ is closed for one sign and open for the other. */
 /// The wave with T = 2 pi k; `sign` is that of the central velocity.

@@ -5,13 +5,64 @@
 #include <limits>
 
 #include "lattice/numerics/parallel.hpp"
-#include "sec5/wave_zeros.hpp"
+#include "sec5/travelling.hpp"
 
 namespace lattice {
 namespace {
 
 constexpr double rounding_of_quotients = 4 * std::numeric_limits<double>::epsilon();
 constexpr double hertz_exponent = 1.5;
+
+/// The zero of `of` between two places at which its signs differ, to about 1e-7; nan if they do not.
+template <class Of>
+double find_sign_change(double low, double high, Of of) {
+  double at_low = of(low), at_high = of(high), next = low;
+  if (!(at_low * at_high < 0)) return std::nan("");
+  int stayed = 0;  // the end that stayed the last time
+  for (int pass = 0; pass < 30; ++pass) {
+    const double before = next;
+    next = (low * at_high - high * at_low) / (at_high - at_low);
+    if (std::abs(next - before) < 1e-7) break;
+    const double value = of(next);
+    // An end that stays twice counts half
+    if (value * at_low > 0) {
+      low = next, at_low = value;
+      if (stayed == 1) at_high /= 2;
+      stayed = 1;
+    } else {
+      high = next, at_high = value;
+      if (stayed == -1) at_low /= 2;
+      stayed = -1;
+    }
+  }
+  return next;
+}
+
+/// The wave at one exponent after another, each from the one before, from which Newton's method needs the fewest steps.
+struct Follow {
+  KernelWave now;
+  WaveGrid grid;
+
+  const KernelWave& operator()(double alpha) {
+    return now = newton_wave(now, now.shift_time(), {alpha, 0}, grid);
+  }
+};
+
+/// kappa of the phase, with `times` the usual tolerance of the flow; nan if the flow does not reach it.
+double kappa_of(const KernelWave& w, double times) {
+  Chain chain{2 * usual_half_length + 2};
+  chain.contact = w.law;
+  EventTolerance<double> rule;
+  const double twice = 2 * w.law.exponent;
+  rule.tolerance *= twice == std::round(twice) ? times : 8 * times;
+  // A contact that is hard to land on may need more than that
+  for (int tries = 0; tries < 8; ++tries, rule.tolerance *= 8) try {
+      const auto map = shifted_map(chain, w.state(usual_half_length), w.shift_time(), rule);
+      return phase_kappa(multipliers_of(map));
+    } catch (const NewtonFailed&) {
+    }
+  return std::nan("");
+}
 
 }  // namespace
 

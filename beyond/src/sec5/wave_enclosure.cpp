@@ -15,11 +15,6 @@ using Numbers = std::vector<Number>;
 
 const Number one(1), two(2);
 
-/// (3/2) sqrt(x_+).
-Number stiffness_of(const Number& x) {
-  return Number(3) / two * root(x);
-}
-
 /// Times from -infinity to infinity: which cell is meant, whether it is mirrored, whether there is none.
 struct Cell {
   std::size_t index;
@@ -125,14 +120,14 @@ WaveProof::WaveProof(const CubicLine& d, const WaveFineness& fineness)
   for (std::size_t p = 0; p < d.cell.size(); ++p) {
     range_.push_back(value(d.cell[p], Number(0, 1)));
     const bool inside = p < fine_.window * fine_.per_turn;
-    stiffness_.push_back(inside ? stiffness_of(range_[p]).middle() : 0);
+    stiffness_.push_back(inside ? hertz_slope(range_[p]).middle() : 0);
     area.push_back((h * stiffness_[p]).upper);
   }
-  norm_ = widest(area, 0, 0);
+  a_.norm = widest(area, 0, 0);
   // (Bv)'' = -Bv + g(t+T) - 2 g(t) + g(t-T) with |g| <= stiffness
   const Number most(*std::max_element(stiffness_.begin(), stiffness_.end()));
   const Number apart = two * enclosed_pi() / double(fine_.nodes);
-  epsilon_ = (apart * apart / Number(8) * (Number(norm_) + Number(4) * most)).upper;
+  a_.epsilon = (apart * apart / Number(8) * (Number(a_.norm) + Number(4) * most)).upper;
   invert();
 }
 
@@ -247,31 +242,26 @@ void WaveProof::invert() {
       norm += *std::max_element(a, a + per) * tangent *
               (Number(std::abs(row(i, l))) + std::abs(row(i, l + 1)) + two * rounding);
     }
-    delta_ = std::max(delta_, defect.upper),
-    inverse_excess_ = std::max(inverse_excess_, norm.upper);
+    a_.delta = std::max(a_.delta, defect.upper), a_.beta = std::max(a_.beta, norm.upper);
   }
 }
 
 double WaveProof::eta(const std::vector<double>& residuals) const {
   const auto behind = residuals.begin() + long(fine_.window * fine_.per_turn);
   const double inside = *std::max_element(residuals.begin(), behind);
-  return std::max(((one + Number(inverse_excess_)) * inside).upper,
-                  *std::max_element(behind, residuals.end()));
+  return a_.eta(inside, *std::max_element(behind, residuals.end()));
 }
 
 double WaveProof::q(double radius) const {
   const Number ball(-radius, radius), h = two * enclosed_pi() / double(fine_.per_turn);
   std::vector<double> change, whole;
   for (std::size_t p = 0; p < range_.size(); ++p) {
-    const Number a = stiffness_of(range_[p] + ball);
+    const Number a = hertz_slope(range_[p] + ball);
     change.push_back((h * magnitude(a - stiffness_[p])).upper);
     whole.push_back((h * a.upper).upper);
   }
-  const double behind = (h * stiffness_of(Number(radius))).upper;
-  const Number inside =
-      (one + Number(inverse_excess_)) * (Number(epsilon_) + widest(change, 0, behind)) +
-      Number(delta_) * norm_;
-  return std::max(inside.upper, widest(whole, fine_.window * fine_.per_turn, behind));
+  const double behind = (h * hertz_slope(Number(radius))).upper;
+  return a_.q(widest(change, 0, behind), widest(whole, fine_.window * fine_.per_turn, behind));
 }
 
 namespace {
@@ -301,7 +291,7 @@ class BallBounds {
     for (std::size_t p = 0; p < d.cell.size(); ++p) {
       const Number range = value(d.cell[p], Number(0, 1));
       if (p % d.per_turn == 0) stiffness_.emplace_back();
-      stiffness_.back() += h * stiffness_of(range + Number(-radius, radius)).upper;
+      stiffness_.back() += h * hertz_slope(range + Number(-radius, radius)).upper;
       mass_ += h * hertz(range).upper;
     }
   }
@@ -369,9 +359,7 @@ EnclosedWave enclose_wave(int sign, const WaveFineness& fineness) {
   const BallBounds wave(guess, integrals, residual, exists.radius);
   if (!(Number(-sign) * wave.minus_velocity() > Number(0)))
     throw NotProved("the sign of the wave cannot be shown");
-  return {unique,        exists,          proof.inverse_excess(),
-          proof.delta(), proof.epsilon(), residual,
-          wave.energy(), wave.peak(),     wave.action()};
+  return {{unique, exists, proof.inverse(), residual}, wave.energy(), wave.peak(), wave.action()};
 }
 
 }  // namespace lattice

@@ -44,13 +44,10 @@ std::vector<double> wave_residuals(const CubicLine& d, const ForceIntegrals& int
 /**
 ## The inverse of the derivative
 
-It is built as for the breathers of the chain (chain_enclosure.hpp): $B = K*\tilde a$ with a stiffness that is
-constant on cells and zero behind a window, $A = 1+ECNB$ with nodes in the window, and
-$$\|1-A\,DF(d)\| \le (1+\beta)(\epsilon+\|B_d-B\|)+\delta\|B\|.$$
-The shift is a whole number of distances of nodes, so that between two nodes $K$ is a combination of two sines.
-As $|K| \le 1$, $\|B_d-B\|$ is at most the largest integral of $|a_d-\tilde a|$ over two shifts, and the Hölder
-continuous root costs no more than an integral over the instants at which contacts close and open. Behind the window
-$A$ is the identity, and rows are bounded by the integral of $a_d$ over two shifts around what lies there. */
+It is that of contraction.hpp with $B = K*\tilde a$. The shift is a whole number of distances of nodes, so that between two
+nodes $K$ is a combination of two sines. As $|K| \le 1$, $\|B_d-B\|$ is at most the largest integral of $|a_d-\tilde a|$ over
+two shifts, and the Hölder continuous root costs no more than an integral over the instants at which contacts close and open.
+Behind the window rows are bounded by the integral of $a_d$ over two shifts around what lies there. */
 class WaveProof {
  public:
   /// Makes A and bounds it.
@@ -61,9 +58,7 @@ class WaveProof {
   /// Bound of |1 - A DF(d)| over the ball.
   double q(double radius) const;
 
-  double inverse_excess() const { return inverse_excess_; }  ///< beta: |A| - 1
-  double delta() const { return delta_; }                    ///< |1 - C (1 - B)| for the matrix
-  double epsilon() const { return epsilon_; }                ///< what broken lines miss
+  const ApproximateInverse& inverse() const { return a_; }
 
   using Rows = std::vector<std::vector<Interval<double>>>;
   /// 3/2 sqrt(d_+) in the middle of what it may be on each cell of the window; zero behind.
@@ -81,7 +76,7 @@ class WaveProof {
   Angles angles_;
   std::vector<Interval<double>> range_{};  ///< of the guess on each cell
   std::vector<double> stiffness_{};
-  double inverse_excess_ = 0, delta_ = 0, epsilon_ = 0, norm_ = 0;
+  ApproximateInverse a_{};
 };
 
 /**
@@ -94,9 +89,7 @@ and this yields the energy. The action $A$ follows to second order in $r$: solut
 $\frac12\int f(K*f)-\int fd+\frac25\int d_+^{5/2}$, with the value $-A/10$, in $f$ and $d$. With $I = \int a$ over
 the ball,
 $$|A-\tilde A| \le 5\sup|R|\int\tilde f+10\,r^2I(\tfrac32+\tfrac12I).$$ */
-struct EnclosedWave {
-  Contraction<double> unique, exists;
-  double inverse_excess, delta, epsilon, residual;
+struct EnclosedWave : Enclosure {
   Interval<double> energy, peak, action;
 };
 

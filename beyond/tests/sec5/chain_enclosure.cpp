@@ -1,4 +1,4 @@
-// The proof for the chain's breathers with its constants (chain_bounds): each against what it bounds and from its
+// The proof for the chain's breathers with its constants: each against what it bounds and from its
 // formula once more; it holds what Newton's method finds, and fails where something is wrong.
 
 #include "sec5/chain_enclosure.hpp"
@@ -10,7 +10,6 @@
 #include "lattice/algebra/dense.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
 #include "lattice/orbits/shooting.hpp"
-#include "sec5/chain_bounds.hpp"
 #include "sec5/circle.hpp"
 #include "support/check.hpp"
 
@@ -123,7 +122,7 @@ TEST_CASE("ranges of a cosine sum on cells", "[unit]") {
 }
 
 TEST_CASE("the norm of the inverse is that of a finer discretization", "[convergence]") {
-  // 1 - B with rectangles instead of broken lines, around a bond; its inverse has the norm 1 + inverse_excess or less
+  // 1 - B with rectangles instead of broken lines, around a bond; its inverse has the norm 1 + beta or less
   Fineness fine;
   fine.samples = 4096, fine.harmonics = 64;
   const ChainGuess guess = chain_guess(Centre::bond, 11, 10, fine);
@@ -147,12 +146,12 @@ TEST_CASE("the norm of the inverse is that of a finer discretization", "[converg
       }
   const Matrix<double> inverse = one_minus_b.inverse();
   const double norm = inverse.cwiseAbs().rowwise().sum().maxCoeff();
-  CAPTURE(norm, proof.inverse_excess());
-  CHECK(proof.inverse_excess() > 0.97 * (norm - 1));
-  CHECK(proof.inverse_excess() < 1.1 * norm);
+  CAPTURE(norm, proof.inverse().beta);
+  CHECK(proof.inverse().beta > 0.97 * (norm - 1));
+  CHECK(proof.inverse().beta < 1.1 * norm);
   // What broken lines miss: between two nodes the response bends
-  CHECK(proof.delta() < 1e-2);
-  CHECK(proof.epsilon() > 1e-4);
+  CHECK(proof.inverse().delta < 1e-2);
+  CHECK(proof.inverse().epsilon > 1e-4);
 }
 
 namespace {
@@ -196,7 +195,7 @@ struct Again {
   std::size_t window = guess.c.size(), m = fine.nodes, cells = fine.cells, per = cells / m;
   std::vector<std::vector<Limits>> range{};
   std::vector<std::vector<double>> stiff{};  ///< the middle of the root's range on every cell
-  double epsilon = 0, norm = 0, inverse_excess = 0, delta = 0;
+  double epsilon = 0, norm = 0, beta = 0, delta = 0;
 
   double row(const std::vector<double>& of, std::size_t n) const {
     double sum = 0;
@@ -285,7 +284,7 @@ struct Again {
           sum += *std::max_element(a, a + long(per)) * (v(0, l - 1) + v(0, l)) * tangent;
         }
       }
-      inverse_excess = std::max(inverse_excess, sum);
+      beta = std::max(beta, sum);
     }
   }
 
@@ -301,8 +300,8 @@ struct Again {
     double worst = 0, last = 0;
     for (std::size_t n = 0; n < window; ++n) worst = std::max(worst, row(change, n));
     for (const Limits& e : range.back()) last = std::max(last, root_of(e.high + r));
-    return std::max({(1 + inverse_excess) * (epsilon + worst) + delta * norm,
-                     mean_g * last + 3 * slack, 4 * slack});
+    return std::max(
+        {(1 + beta) * (epsilon + worst) + delta * norm, mean_g * last + 3 * slack, 4 * slack});
   }
 
   std::vector<double> residuals() const {
@@ -360,18 +359,18 @@ TEST_CASE("each bound of the proof for the chain follows from its formula", "[un
     const ChainProof proof(again.guess, again.fine);
     const double x = turn / double(again.m) / (2 * omega);
     CAPTURE(centre == Centre::bond);
-    check_close(proof.epsilon(), again.epsilon, 0, 1e-9);
-    check_close(proof.delta(), again.delta, 1e-11, 1e-8);
+    check_close(proof.inverse().epsilon, again.epsilon, 0, 1e-9);
+    check_close(proof.inverse().delta, again.delta, 1e-11, 1e-8);
     // The tangent is bounded by a fraction
-    CHECK(proof.inverse_excess() >= again.inverse_excess * (1 - 1e-9));
-    CHECK(proof.inverse_excess() <= again.inverse_excess * (1 + x * x / 4));
-    again.inverse_excess = proof.inverse_excess();
+    CHECK(proof.inverse().beta >= again.beta * (1 - 1e-9));
+    CHECK(proof.inverse().beta <= again.beta * (1 + x * x / 4));
+    again.beta = proof.inverse().beta;
     for (double radius : {1e-6, 1e-3, 0.3}) check_close(proof.q(radius), again.q(radius), 0, 1e-8);
     // The residual, in the window and of the first contact behind it
     const auto residuals = chain_residuals(again.guess, again.fine), plain = again.residuals();
     REQUIRE(residuals.size() == plain.size());
     for (std::size_t n = 0; n < plain.size(); ++n) check_close(residuals[n], plain[n], 1e-10, 1e-8);
-    check_close(proof.eta({1, 5, 2, 3, 4}), (1 + again.inverse_excess) * 5, 0, 1e-12);
+    check_close(proof.eta({1, 5, 2, 3, 4}), (1 + again.beta) * 5, 0, 1e-12);
     check_close(proof.eta({1e-3, 1e-3, 1e-3, 1e-3, 40}), 40, 0, 0);
   }
 }

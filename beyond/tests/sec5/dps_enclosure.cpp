@@ -5,22 +5,30 @@
 #include <map>
 
 #include "lattice/standing/spectrum.hpp"
+#include "report/program.hpp"
+#include "sec5/chain_enclosure.hpp"
 #include "sec5/dps_enclosure.hpp"
+#include "sec5/wave_enclosure.hpp"
 #include "support/check.hpp"
+
+// The chapter itself, so that what is tested is the proof that its page shows
+#define main sec5_enclosures
+#include "sec5_enclosures.cpp"
+#undef main
 
 using namespace lattice;
 
 namespace {
 
-std::size_t number_of(const std::vector<Piece<double>>& pieces, Decision fate) {
+std::size_t number_of(const std::vector<Piece>& pieces, Decision fate) {
   return std::size_t(std::count_if(pieces.begin(), pieces.end(),
-                                   [&](const Piece<double>& p) { return p.decision == fate; }));
+                                   [&](const Piece& p) { return p.decision == fate; }));
 }
 
 /// Whether the lemma proves something for a guess.
-bool proved(const DpsGuess<double>& guess) {
+bool proved(const DpsGuess& guess) {
   try {
-    two_balls(dps_eta(guess), 0.0625, [&](double radius) { return dps_q(guess, radius); });
+    dps_lemma(guess);
   } catch (const NotProved&) {
     return false;
   }
@@ -31,13 +39,11 @@ bool proved(const DpsGuess<double>& guess) {
 
 TEST_CASE("the DpS breathers lie where they are computed", "[unit][dps]") {
   for (Centre centre : both_centres) {
-    const auto b = enclose_dps<double>(centre);
-    const auto wide = enclose_dps<long double>(centre);
+    const auto b = enclose_dps(centre);
     const auto state = stationary<long double>(centre, 1.0L, 32 - (centre == Centre::site));
     REQUIRE(b.exists.holds());
     REQUIRE(b.unique.holds());
     for (std::size_t n = 0; n < b.r.size(); ++n) {
-      CHECK((double(wide.r[n].lower) >= b.r[n].lower && double(wide.r[n].upper) <= b.r[n].upper));
       const long double r = std::abs(state.strain[n]);
       CHECK((b.r[n].lower <= r && r <= b.r[n].upper));
       CHECK(b.r[n].upper - b.r[n].lower < 1e-11 * b.r[n].lower);
@@ -51,7 +57,7 @@ TEST_CASE("the DpS breathers lie where they are computed", "[unit][dps]") {
 
 TEST_CASE("a wrong guess or a wrong inverse proves nothing", "[unit][dps]") {
   for (Centre centre : both_centres) {
-    const auto guess = dps_guess<double>(centre);
+    const auto guess = dps_guess(centre);
     CHECK(proved(guess));
     auto other = guess;
     other.r[0] *= 1.5;
@@ -73,7 +79,7 @@ TEST_CASE("a wrong guess or a wrong inverse proves nothing", "[unit][dps]") {
 
 TEST_CASE("no profile is left, and a smaller ball would leave some", "[unit][dps]") {
   for (Centre centre : both_centres) {
-    auto b = enclose_dps<double>(centre);
+    auto b = enclose_dps(centre);
     const auto pieces = search_profiles(b);
     CHECK(number_of(pieces, Decision::open) == 0);
     CHECK(number_of(pieces, Decision::inside) > 0);
@@ -95,7 +101,7 @@ TEST_CASE("no profile is left, and a smaller ball would leave some", "[unit][dps
 
 namespace {
 
-double phi(double x) {
+double force_of(double x) {
   return x * std::sqrt(std::abs(x));
 }
 
@@ -106,8 +112,8 @@ struct Limits {
 };
 
 /// A guess that is wrong by parts in a thousand, so that nothing cancels.
-DpsGuess<double> wrong_guess(Centre centre) {
-  auto guess = dps_guess<double>(centre);
+DpsGuess wrong_guess(Centre centre) {
+  auto guess = dps_guess(centre);
   for (std::size_t n = 0; n < guess.r.size(); ++n) guess.r[n] *= 1 + 1e-3 * std::cos(double(3 * n));
   guess.r.back() = 2e-3;
   return guess;
@@ -120,24 +126,25 @@ double apart(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 /// r - A F(r), zero behind the window.
-std::vector<double> image(const DpsGuess<double>& g, const std::vector<double>& r) {
+std::vector<double> image(const DpsGuess& g, const std::vector<double>& r) {
   const std::size_t size = r.size();
   std::vector<double> out = r;
   for (std::size_t n = 0; n < size; ++n) {
     const std::size_t left = n > 0 ? n - 1 : g.centre == Centre::bond ? 1 : 0;
-    const double f = r[n] - phi(r[left]) - 2 * phi(r[n]) - (n + 1 < size ? phi(r[n + 1]) : 0);
+    const double f =
+        r[n] - force_of(r[left]) - 2 * force_of(r[n]) - (n + 1 < size ? force_of(r[n + 1]) : 0);
     for (std::size_t i = 0; i < size; ++i) out[i] -= g.inverse[i][n] * f;
   }
   return out;
 }
 
 /// How far that is from the guess, in the window and in the first contact behind it.
-double eta(const DpsGuess<double>& g) {
-  return std::max(phi(g.r.back()), apart(image(g, g.r), g.r));
+double eta(const DpsGuess& g) {
+  return std::max(force_of(g.r.back()), apart(image(g, g.r), g.r));
 }
 
 /// The largest row sum of |1 - A DF| over a ball.
-double q(const DpsGuess<double>& g, double radius) {
+double q(const DpsGuess& g, double radius) {
   const std::size_t size = g.r.size();
   const auto slope = [&](double c) {
     const double low = std::max(0.0, std::abs(c) - radius);
@@ -176,7 +183,7 @@ double q(const DpsGuess<double>& g, double radius) {
 std::size_t breaks_at(Centre centre, double r_0) {
   double r = r_0, before = 0;
   for (std::size_t n = 0; n < 30; ++n) {
-    const double force = phi(r);
+    const double force = force_of(r);
     double next = r - 2 * force - before;
     if (n == 0) next = centre == Centre::bond ? next / 2 : next - force;
     const double strain = next > 0 ? std::cbrt(next * next) : -1;
@@ -196,18 +203,18 @@ TEST_CASE("both numbers of the lemma follow from their formulas", "[unit][dps]")
     for (double radius : {1e-9, 1e-4, 0.01, 0.5})
       check_close(dps_q(guess, radius), q(guess, radius), 0, 1e-10);
     // Where the last strain alone is wrong, or pulls the first contact behind the window most
-    auto last = dps_guess<double>(centre);
+    auto last = dps_guess(centre);
     last.r.back() = 0.04;
     check_close(dps_eta(last), eta(last), 0, 1e-10);
     for (auto& row : last.inverse) row.assign(row.size(), 0);
     check_close(dps_eta(last), 0.008, 0, 1e-12);
     for (double radius : {0.3, 0.5}) check_close(dps_q(last, radius), q(last, radius), 0, 1e-10);
-    CHECK(dps_guess<double>(centre).r.size() == 12);
+    CHECK(dps_guess(centre).r.size() == 12);
   }
 }
 
 TEST_CASE("the bound of the derivative bounds the map", "[property][dps]") {
-  const auto guess = dps_guess<double>(Centre::bond);
+  const auto guess = dps_guess(Centre::bond);
   const double radius = 1e-3, bound = dps_q(guess, radius);
   double largest = 0;
   for (unsigned seed = 1; seed <= 200; ++seed) {
@@ -221,20 +228,20 @@ TEST_CASE("the bound of the derivative bounds the map", "[property][dps]") {
 }
 
 TEST_CASE("norm, peak, exponents and barriers follow from the strains", "[unit][dps]") {
-  const auto bond = enclose_dps<double>(Centre::bond), site = enclose_dps<double>(Centre::site);
+  const auto bond = enclose_dps(Centre::bond), site = enclose_dps(Centre::site);
   for (const auto* b : {&bond, &site}) {
     const auto state = stationary<long double>(b->centre, 1.0L, b == &site ? 31 : 32);
     double norm = 0, top = 0;
     for (std::size_t n = 0; n < state.strain.size(); ++n) {
       const double r = std::abs(double(state.strain[n]));  // of the half chain, outwards
-      norm += (n == 0 && b == &bond ? 1 : 2) * r * phi(r);
+      norm += (n == 0 && b == &bond ? 1 : 2) * r * force_of(r);
     }
     for (auto u : state.u) top = std::max(top, std::abs(double(u)));
     check_close(b->norm().middle(), norm, 0, 1e-13);
     check_close(b->largest().middle(), top, 0, 1e-13);
     CHECK(b->norm().radius() < 1e-14);
     // The tail, from what is before it; the ball of existence holds what is off
-    const double last = phi(b->r.back().upper);
+    const double last = force_of(b->r.back().upper);
     CHECK(b->tail.lower == 0);
     check_close(b->tail.upper, last / (1 - 3 * std::sqrt(last)), 0, 1e-2);
     CHECK(b->exists.radius < 1e-9);
@@ -256,9 +263,9 @@ TEST_CASE("norm, peak, exponents and barriers follow from the strains", "[unit][
 TEST_CASE("what the search discards breaks the rules, and nothing is looked at in vain",
           "[unit][dps]") {
   for (Centre centre : both_centres) {
-    const auto b = enclose_dps<double>(centre);
+    const auto b = enclose_dps(centre);
     const auto pieces = search_profiles(b);
-    for (const Piece<double>& p : pieces) {
+    for (const Piece& p : pieces) {
       const double middle = p.r_0.middle();
       if (p.decision != Decision::discarded) continue;
       const std::size_t breaks = breaks_at(centre, middle);

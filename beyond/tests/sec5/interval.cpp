@@ -191,7 +191,7 @@ TEST_CASE("a root is verified, however it was guessed", "[unit]") {
 }
 
 TEST_CASE("the lemma holds up to its bounds and no further", "[unit]") {
-  using C = Contraction<double>;
+  using C = Contraction;
   CHECK(C{}.radius == 0);
   CHECK_FALSE(C{0, 0.5}.holds());
   CHECK(C{0, 0, 0.5}.holds());

@@ -1,5 +1,4 @@
-// The kernel equation: its convolution against a direct integral, its waves against the lattice, and the ascent
-// of the quotient.
+// The kernel equation: its convolution against a direct integral, and its waves against the lattice.
 
 #include <functional>
 
@@ -7,7 +6,6 @@
 
 #include "lattice/orbits/shooting.hpp"
 #include "sec5/kernel_wave.hpp"
-#include "sec5/quotient.hpp"
 #include "sec5/travelling.hpp"
 #include "support/check.hpp"
 
@@ -59,24 +57,6 @@ TEST_CASE("the convolution with the kernel is the integral that defines it", "[u
   }
   // Its mean is zero
   check_close(line.integral(d), 0, 1e-12);
-  // A plain grid says the same, to the second power of its step and better
-  double worst[2];
-  for (int fine : {0, 1}) {
-    const std::size_t points = fine ? 256 : 128;
-    const PlainLine plain(two_pi, 4, points);
-    Vector<double> f = plain.t();
-    for (double& t : f) {
-      const double x = std::max(0.0, 1 - (t - 2 * two_pi) * (t - 2 * two_pi) / 4);
-      t = x * std::sqrt(x);
-    }
-    const Vector<double> there = plain.convolve(f);
-    worst[fine] = 0;
-    for (Eigen::Index i = 0; i < there.size(); ++i)
-      worst[fine] =
-          std::max(worst[fine], std::abs(there[i] - line.at(d, plain.t()[i] - 2 * two_pi)));
-  }
-  CHECK(worst[1] < 1e-5);
-  CHECK(worst[1] < worst[0] / 4);
 }
 
 TEST_CASE("waves of the kernel equation are orbits of the lattice", "[property][kernel]") {
@@ -119,17 +99,6 @@ TEST_CASE("what the theorem says of every wave holds for those computed", "[prop
         if (closed[i].from > closed[j].from + two_pi)
           CHECK(closed[i].most <= 4 * std::pow(closed[j].most, 1.5));
   }
-}
-
-TEST_CASE("the ascent never goes down and ends at the wave", "[convergence][kernel]") {
-  const PlainLine line(two_pi, 10, 64);
-  Vector<double> u = line.t();
-  for (double& t : u) t = 1 + std::sin(3.1 * t) * std::cos(0.7 * t);
-  const auto convolve = [&](const Vector<double>& f) { return line.convolve(f); };
-  const Ascent ascent = ascend(convolve, line.weight(), hertz, u, 1e-9, 3000);
-  CHECK(std::is_sorted(ascent.quotients.begin(), ascent.quotients.end()));
-  CHECK(ascent.quotients.size() > 20);
-  check_close(ascent.quotient(), wave_of(1).quotient(), 2e-3);
 }
 
 TEST_CASE("the wave of type II is the orbit of the lattice", "[convergence][kernel]") {
@@ -332,12 +301,4 @@ TEST_CASE("the linearized equation is the linear system of the grid", "[unit][ke
   CHECK((left[0] > 1e-4 && left[1] > 1e-6 && left[2] > 1e-9));
   check_line(refusal<std::runtime_error>([&] { solve_linearized(line, stiffness, right, 0); }),
              "could not be solved");
-}
-
-TEST_CASE("the wave of an ascent is its image times a power of its last quotient",
-          "[unit][kernel]") {
-  // To alpha / (alpha - 1), of 1/4
-  const Ascent ascent{{}, Vector<double>{{1, 2}}, {0.2, 0.25}};
-  for (const auto& [alpha, factor] : {std::pair{1.5, 64.0}, {3.0, 8.0}})
-    CHECK(ascent.wave({alpha, 0}).isApprox(factor * ascent.image, 1e-13));
 }
