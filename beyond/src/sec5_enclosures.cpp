@@ -487,8 +487,7 @@ void reproduce(Report& report) {
    Hint: the value must lie between the bounds of the second table, its own error included.
 2. *Harder.* How much narrower would the energies of the chain's breathers have to be for their barrier to have a sign?
    `build/bin/sec32_barrier barrier --omega 1.1` gives `equal_frequency` = 1.62422e-11.
-   Hint: compare with the widths that `sec5_enclosures breather` prints for both centres.
-3. *Open.* The waves with $k \ge 2$: only the integrals of $|K|$ and $K_+$ change. How does the margin fall with $k$? */
+   Hint: compare with the widths that `sec5_enclosures breather` prints for both centres. */
 int main(int argc, char** argv) {
   return run({"sec5_enclosures", "5", "Breathers between bounds (section 5)", reproduce,
               commands<EnclosedDps, EnclosedBreather>()},

@@ -57,7 +57,7 @@ const PowerContact hertz{1.5, 0};
 
 /**
 For other $T$ no choice of the solution keeps $q$ localized, unless $f$ has no component at the frequency of the
-wells, $V = \int f\cos t\,dt = 0$ for even $d$. Such waves are of *type II* (chapter on families).
+wells, $V = \int f\cos t\,dt = 0$ for even $d$. Such waves are of *type II* (`sec5_travelling_breathers`).
 
 We call a wave *localized* if $d$ is not zero and tends to zero in both directions, and take the $q$ above for it,
 without $a\cos(t+\varphi)$. Multiplying Newton's law by $q$ and integrating gives $\int(\dot q^2 - q^2)\,dt = \int f
@@ -334,7 +334,7 @@ void report_exchanges(Report& report, const std::vector<TwoSigns>& all) {
 ## Type II
 
 Along the family that begins at $T = 2\pi$ (kernel_wave.hpp) $V$ changes its sign. The zero is the first orbit of type II of the
-chapter on families, found here by another method, with $T/2\pi =$ [0.897](num:sec5_kernel_equation.turns_type_two). */
+chapter on exact travelling breathers, found here by another method, with $T/2\pi =$ [0.897](num:sec5_kernel_equation.turns_type_two). */
 void report_type_two(Report& report) {
   std::array<std::vector<KernelWave>, 2> found;
   parallel_for(2, [&](std::size_t i) {
@@ -412,8 +412,7 @@ void reproduce(Report& report) {
 2. *Harder.* Which sign has the larger quotient at $\alpha = 3$?
    `build/bin/sec5_kernel_equation wave --alpha 3 --sign minus` gives `quotient` = 0.670594, and
    `build/bin/sec5_kernel_equation wave --alpha 3` gives `quotient` = 0.670570.
-   Hint: at $\alpha = 3/2$ it is the other sign; count the exchanges in between.
-3. *Open.* Near $\alpha = 3.104$ both phases are pinned. Follow the wave without symmetry between the zeros of $\kappa$. */
+   Hint: at $\alpha = 3/2$ it is the other sign; count the exchanges in between. */
 int main(int argc, char** argv) {
   return run(
       {"sec5_kernel_equation", "5", "A theorem: exact travelling breathers exist (section 5)",
