@@ -340,8 +340,8 @@ $\alpha$ for 1.5 in its derivative, and the last argument of `stationary`.
 3. *Harder.* Are the two energies as close for contacts of another exponent?
    `build/bin/sec32_barrier barrier --omega 1.01 --contact power --alpha 2` gives `equal_frequency` = 3.79482e-8. Hint:
    divide by the energy that `breather` prints with the same options, and compare with the gap of the norms for spheres.
-4. *Open.* At none of the computed exponents from 1.1 to 4 are the norms equal (`secB_other_numbers`). Is there an
-   argument why the one around a bond is smaller?
+4. *Open.* For spheres the breather around a bond has the smaller norm. Is this so for every exponent of the contacts, and
+   is there an argument why?
 5. *Open.* The strains obey a two-dimensional map. Which breathers with two or more humps follow from its stable and
    unstable manifolds? */
 int main(int argc, char** argv) {

@@ -558,8 +558,8 @@ law changes `contact_eigenvalues` and the factor 1.5 of `exponent`.
    two `build/bin/sec32_newton_breathers breather --omega 1.001 --contact power --alpha 2` gives `energy` = 7.443482e-7,
    and `build/bin/sec32_barrier barrier --omega 1.001 --contact power --alpha 2` gives `equal_frequency` = 5.924102e-10.
    Hint: compare barrier over energy with that of the first exercise, and `spectrum --alpha 2` with `spectrum`.
-3. *Open.* At no exponent from 1.1 to 4 that we tried is the margin zero (`secB_other_numbers`). Do breathers move more
-   freely where it is small, `--alpha 1.2`?
+3. *Open.* Is there an exponent `--alpha` of the contacts at which the margin is zero? Do breathers move more freely where
+   it is small, as with `--alpha 1.2`?
 4. *Open.* How does a breather depinned by noise finally lose its speed, and to what?
 
 `sec33_dps_stability spectrum --centre bond --mu 1 --sites 32` prints all exponents, two for each site

@@ -14,7 +14,7 @@
     request() { return [this.ask.frequency, this.ask.amplitude, this.ask.by === "base" ? 1 : 0, this.ask.lifetime, this.ask.time, 300]; }
     commands() {
       const a = this.ask;
-      return `build/bin/sec5_driving drive --frequency ${a.frequency} --amplitude ${a.amplitude} --by ${a.by} --lifetime ${a.lifetime} --time ${a.time}`;
+      return `build/bin/sec5_experiment drive --frequency ${a.frequency} --amplitude ${a.amplitude} --by ${a.by} --lifetime ${a.lifetime} --time ${a.time}`;
     }
 
     furnish() {

@@ -63,6 +63,11 @@ double threshold_law(Drive::By by, double omega) {
   return law_estimate(by, omega).value;
 }
 
+Estimate asymptotic_threshold(Drive::By by, double omega, double nu) {
+  const double delta = omega - 1, law = threshold_law(by, omega);
+  return {law, law * ((by == Drive::By::piston ? 1.3 : 3.5) * delta + std::pow(nu / delta, 2))};
+}
+
 double drive_size(const Drive& drive) {
   const double a = std::max(drive.amplitude, drive.from);
   return drive.by == Drive::By::piston ? a : a / (drive.omega - 1);
@@ -116,7 +121,6 @@ double farthest(const Quintic& x) {
 // What passes the detector, and what the drive gives
 Emission drive_chain(const DrivenChain& driven, double duration, std::size_t detector,
                      double step) {
-  const double size = drive_size(driven.drive);
   PacketCounter counter(driven.drive);
   Emission out;
   State<double> state(driven.chain.sites);
@@ -126,9 +130,7 @@ Emission drive_chain(const DrivenChain& driven, double duration, std::size_t det
   Quintic way{};
   out.budget = evolve(driven, state, grid, [&](const State<double>& now, const EnergyBudget& l) {
     const double y = now.y[detector - 1], v = now.v[detector - 1];
-    const double density = (y * y + v * v) / 2;
-    if (counter.passes(now.t, density)) out.passages.push_back(now.t);
-    out.loudest = std::max(out.loudest, density / (size * size));
+    if (counter.passes(now.t, (y * y + v * v) / 2)) out.passages.push_back(now.t);
     const double a = acceleration(driven.chain, now.y.data(), 0) +
                      driven.drive.force(now.t, now.y[0]) - driven.losses.rate * now.v[0];
     way = {way.x1, way.w1, way.g1, now.y[0], h * now.v[0], h * h * a / 2};
@@ -180,12 +182,12 @@ std::vector<DrivenQuantity> DrivenArray::quantities() const {
        "energy plus losses minus work, divided by the largest energy present or supplied; zero up "
        "to numerical errors"}};
   if (omega(frequency) <= 1) return out;
-  const Estimate law = law_estimate(by, omega(frequency));
+  const Estimate law = asymptotic_threshold(by, omega(frequency), rate(lifetime));
   out.push_back({"threshold_law",
                  {micrometres(law.value), micrometres(law.error)},
                  "um",
                  "amplitude at the fold of the non-emitting motion, by the asymptotic law of small "
-                 "amplitudes"});
+                 "amplitudes; the error is that of the law"});
   return out;
 }
 
