@@ -1,26 +1,28 @@
 /**
 # 5 What an experiment would see
 
-Section 3.6 of James, Kevrekidis and Cuevas (Physica D 251, 2013) proposes an array of steel cantilevers with Teflon beads.
-Their conclusion leaves three questions to an experiment. Does "dissipation ... overdamp the dynamics and completely destroy
-the breathers"? What does "the driving of a bead with a particular frequency" do? And are plane waves modulationally
-unstable, so that breathers form where no single bead is struck? We add friction, a piston at one end, and plane waves.
+Section 3.6 of James, Kevrekidis and Cuevas (Physica D 251, 2013) proposes an array of steel cantilevers with Teflon
+beads. Their conclusion leaves three questions to an experiment. It wonders "if dissipation may overdamp the dynamics
+and completely destroy the breathers", it names "the actuation of the system through the driving of a bead with a
+particular frequency", and it asks for an "extensive study of MI", the modulational instability, from which breathers
+might form where no single bead is struck. We add friction, a piston at one end, and plane waves.
 
 ![Energy of the beads of an array whose piston is below, above and far above its threshold. Drawn by x28_driven_maps.py:
 `energy` over `n` and `t`, for each `amplitude` of `maps`.](fig:x28)
 
-- *Damping* slows the packet of an impact, but it does not stop it. If a beam loses its energy in 10 ms, an impact of 1 m/s
-  travels [18.8](num:sec5_experiment.sites_10ms) sites in this time instead of [21.0](num:sec5_experiment.sites_undamped).
-  A breather at rest stays a breather while it decays, and its weak instability does not show.
-- *Driving* above the frequency of the beams moves only the first few of them, up to a threshold. Beyond it breathers leave
-  the piston. The threshold has a hysteresis of several per cent.
+- *Damping* slows the packet of an impact, but it does not stop it. If a beam loses its energy in 10 ms, the packet of 1
+  m/s travels [18.8](num:sec5_experiment.sites_10ms) sites in this time instead of
+  [21.0](num:sec5_experiment.sites_undamped). A breather at rest stays a breather while it decays, and its weak
+  instability does not show.
+- *Driving* above the frequency of the beams moves only the first few of them, up to a threshold. Beyond it breathers
+  leave the piston. The threshold has a hysteresis of several per cent.
 - *Side bands* of a plane wave grow if its wavenumber exceeds $\pi/2$. At an amplitude of one micrometre they grow by a
   factor of $e$ in [15.6](num:sec5_experiment.periods_at_1um) periods of a beam.
 
 ## Model
 
-Length and time are in the units $\xi$ and $\tau_c$ (25 µs) of section 3.6, in which a beam has the period $2\pi$, and the
-beads obey
+Length and time are in the units $\xi$ and $\tau_c$ (25 µs) of section 3.6, in which a beam has the period $2\pi$, and
+the beads obey
 $$\ddot y_n+y_n+\nu\dot y_n = (y_{n-1}-y_n)_+^{3/2}-(y_n-y_{n+1})_+^{3/2}.$$
 The ends are free. An *impact* is $\dot y_1(0) = V$ with all else at rest. A *piston* is a bead 0 that moves as $y_0 =
 u_0\sin\Omega t$ and cannot be pushed back. Plane waves run on a ring without friction.
@@ -35,13 +37,12 @@ u_0\sin\Omega t$ and cannot be pushed back. Plane waves run on a ring without fr
 | $q$, $Q$ | `q`, `modulation` | wavenumbers of a plane wave and of its modulation | 1/site |
 | $\epsilon$, $\tau = \epsilon^{1/2}t$ | `eps`, `tau` | amplitude scale and slow time of the DpS limit | 1 |
 
-Breathers of diatomic chains live for 10 ms (Boechler et al., Phys. Rev. Lett. 104, 244302, 2010), which the article takes
-over. It does not say whether this is the lifetime of the energy or of the amplitude, which is twice as long. Here $T_E$ is
-that of the energy. */
+The article takes 10 ms, the lifetime of breathers in diatomic chains (Boechler et al., Phys. Rev. Lett. 104,
+244302, 2010), without saying whether this is that of the energy or of the amplitude, which is twice as long. Here it is
+that of the energy, $T_E$. */
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -65,8 +66,8 @@ using By = Drive::By;
 /**
 ## An impact on a damped array
 
-Strike the first of 200 beams and follow, step by step, the force of every contact and the centre of the energy, Eq. (24)
-over the whole array. `evolve` alternates friction, solved exactly, with an event-corrected step of the chain
+Strike the first of 200 beams and follow, step by step, the force of every contact and the centre of the energy, Eq.
+(24) over the whole array. `evolve` alternates friction, solved exactly, with an event-corrected step of the chain
 (driven_chain.hpp). It returns by how much energy plus losses has changed, relative to the energy of the impact. */
 const Scales units = CantileverArray{}.scales();
 constexpr std::size_t beams = 200;
@@ -99,8 +100,8 @@ Arrivals follow_packet(const DrivenChain& array, double velocity, double ms, dou
 }
 
 /**
-The packet is at a contact when the push there is *strongest*. Between two contacts it moves evenly (arrivals.hpp). Every
-number comes from a run with the step 0.1 and one with 0.05; their difference is its error. */
+The packet is at a contact when the push there is *strongest*. Between two contacts it moves evenly (arrivals.hpp).
+Every number comes from a run with the step 0.1 and one with 0.05; their difference is its error. */
 using Packet = TwoRuns<Arrivals>;
 
 Packet two_runs(double velocity, double lifetime, double ms, double h, double viscous = 0) {
@@ -130,16 +131,16 @@ Estimate centre(const Packet& packet, double t) {
 /**
 ## The slow clock
 
-Why is the packet slowed down so little? At small amplitude $y_n = 2\epsilon\,\mathrm{Re}(A_ne^{it})$, and $A_n$ obeys the
-DpS equation, Eq. (12), to which we add friction,
+Why is the packet slowed down so little? At small amplitude $y_n = 2\epsilon\,\mathrm{Re}(A_ne^{it})$, and $A_n$ obeys
+the DpS equation, Eq. (12), to which we add friction,
 $$2i\tau_0\,\dot A_n = \epsilon^{1/2}(D_n-D_{n-1})-i\tau_0\nu\,A_n,\qquad D_n = (A_{n+1}-A_n)\,|A_{n+1}-A_n|^{1/2}.$$
 With $A_n = e^{-\nu t/2}\,b_n$ the friction drops out. The right side, of degree $\frac32$, keeps the factor $e^{-\nu
 t/4}$. So $b_n$ is a field without friction in the time of a slowing clock,
 $$\theta(t) = \int_0^te^{-\nu t'/4}\,dt' = \frac4\nu\bigl(1-e^{-\nu t/4}\bigr) < 4\,T_E.$$
 What happens without losses at the time $\theta$ happens with losses at the time $t$ at which the clock shows $\theta$;
-there is no free parameter. In the centre of the energy the factor of the field cancels. A force is weighted by $e^{-3\nu
-t/4} = (1-\nu\theta/4)^3$, so that the strongest push comes earlier. `slowed` (arrivals.hpp) moves every maximum of a run
-without losses from $\theta$ to $t$, weights it, and lets the strongest win. */
+there is no free parameter. In the centre of the energy the factor of the field cancels. A force is weighted by
+$e^{-3\nu t/4} = (1-\nu\theta/4)^3$, so that the strongest push comes earlier. `slowed` (arrivals.hpp) moves every
+maximum of a run without losses from $\theta$ to $t$, weights it, and lets the strongest win. */
 Packet slowed(const Packet& undamped, double lifetime) {
   const double nu = units.rate(lifetime);
   return {slowed(undamped.coarse, nu), slowed(undamped.fine, nu)};
@@ -158,8 +159,8 @@ We strike with three velocities and take seven lifetimes. With $T_E = 10$ ms the
 [0.834](num:sec5_experiment.speed_share) of that without losses and its frequency lower by the fraction
 [0.0182](num:sec5_experiment.frequency_change): moderate changes, as the article has it.
 
-![How far a packet travels in a damped array, and the slow clock. Drawn by x26_damped_array.py: `sites` and `sites_law` of
-`journeys` over `lifetime`.](fig:x26) */
+![How far a packet travels in a damped array, and the slow clock. Drawn by x26_damped_array.py: `sites` and `sites_law`
+of `journeys` over `lifetime`.](fig:x26) */
 struct DampedPacket {
   double velocity, lifetime;
   Packet found{};
@@ -213,14 +214,14 @@ void report_distances(Report& report, const std::vector<DampedPacket>& all) {
 /**
 How good is the law? [](finding:experiment.clock) The clock never shows more than $4\,T_E$. Yet with $T_E = 1$ ms the
 strongest push travels farther ([10.8](num:sec5_experiment.sites_1ms) sites) than without losses in 4 ms
-([8.35](num:sec5_experiment.sites_4_free)). A weak front runs ahead of the packet, and at a contact that the packet never
-reaches the push of the front is the strongest. Without the weight the law is off by
+([8.35](num:sec5_experiment.sites_4_free)). A weak front runs ahead of the packet, and at a contact that the packet
+never reaches the push of the front is the strongest. Without the weight the law is off by
 [0.399](num:sec5_experiment.way_off_bare).
 
-The law belongs to the limit of small amplitude, so its error should fall like the square root of the amplitude. After 10
-ms at 1 m/s and $T_E = 5$ ms it is [0.0196](num:sec5_experiment.way_off_5ms) of the distance. An impact 64 times weaker,
-with eight times the lifetime and the time, has [0.00212](num:sec5_experiment.way_off_weak), nine times less where eight is
-expected. */
+The law belongs to the limit of small amplitude, so its error should fall like the square root of the amplitude. After
+10 ms at 1 m/s and $T_E = 5$ ms it is [0.0196](num:sec5_experiment.way_off_5ms) of the distance. An impact 64 times
+weaker, with eight times the lifetime and the time, has [0.00212](num:sec5_experiment.way_off_weak), nine times less
+where eight is expected. */
 void report_law(Report& report, const std::vector<DampedPacket>& all) {
   Estimate off{}, bare_off{}, centre_off{};
   for (const auto& [velocity, lifetime, found] : all) {
@@ -252,20 +253,21 @@ void report_law(Report& report, const std::vector<DampedPacket>& all) {
 /**
 ## What a lifetime hides
 
-A breather at rest loses its energy, too, but stays on its branch: frequency and energy of both breathers of section 3.2,
-released at $\omega_b = 1.1$, agree with the exact ones to half a per cent for two lifetimes of 10 ms (a test,
-`beyond/tests/sec5/arrivals.cpp`). Does its instability show before it is gone? A disturbance is multiplied by the Floquet
-multiplier $\lambda$ in each period. The article calls it hidden if it does not grow by a factor of $e$ in one lifetime,
-$\lambda-1 < 0.015$. But the breather lives on, only weaker. In the DpS limit its growth rate falls with the clock, like
-$e^{-\nu t/4}$, so that a shift has four lifetimes to grow at the initial rate. The bound becomes $\lambda-1 <$
-[0.00361](num:sec5_experiment.epsilon_hidden_dps), a quarter of the article's. The breather around a site at $\omega_b =
+A breather at rest loses its energy, too, but stays on its branch: frequency and energy of both breathers of section
+3.2, released at $\omega_b = 1.1$, agree with the exact ones to half a per cent for two lifetimes of 10 ms (a test,
+`beyond/tests/sec5/arrivals.cpp`). Does its instability show before it is gone? A disturbance is multiplied by the
+Floquet multiplier $\lambda$ in each period. The article calls it hidden if it does not grow by a factor of $e$ in one
+lifetime, $\lambda-1 < 0.015$. But the breather lives on, only weaker. In the DpS limit its growth rate falls with the
+clock, like $e^{-\nu t/4}$, so that a shift has four lifetimes to grow at the initial rate. The bound becomes $\lambda-1
+<$ [0.00361](num:sec5_experiment.epsilon_hidden_dps), a quarter of the article's. The breather around a site at
+$\omega_b =
 1.1$ has [0.000214](num:sec5_experiment.epsilon), far below both.
 
-In the chain growth is slower still. A shift $X$ from rest obeys $\ddot X+\frac\nu4\dot X = \sigma^2X$, where $\sigma$ is
-the growth rate of the breather that is left. Its *area*, $2\pi$ times the action, falls like $e^{-\nu t}$, an adiabatic
-invariant but for friction. On a long stretch farther down the branch $\sigma^2 < 0$: the pair of multipliers is on the unit
-circle, and a shift that has grown reverses. We integrate this equation along the exact breathers (`largest_shift`,
-decay.hpp) until a hundredth of the area is left. [](finding:experiment.hidden) */
+In the chain growth is slower still. A shift $X$ from rest obeys $\ddot X+\frac\nu4\dot X = \sigma^2X$, where $\sigma$
+is the growth rate of the breather that is left. Its *area*, $2\pi$ times the action, falls like $e^{-\nu t}$, an
+adiabatic invariant but for friction. On a long stretch farther down the branch $\sigma^2 < 0$: the pair of multipliers
+is on the unit circle, and a shift that has grown reverses. We integrate this equation along the exact breathers
+(`largest_shift`, decay.hpp) until a hundredth of the area is left. [](finding:experiment.hidden) */
 void report_instability(Report& report) {
   // The branch from 1.01 to 1.1, equidistant in ln(omega - 1), and for the error every second member of it
   const std::size_t each = report.quick ? 8 : 1, last = 64 / each;
@@ -297,47 +299,26 @@ void report_instability(Report& report) {
 /**
 ## A piston at one end
 
-All beams have one frequency, [6.31](num:sec5_experiment.beam_kilohertz) kHz, so that linear waves carry no energy. A piston with a higher frequency therefore moves
-the first few beads only. But contacts harden: breathers are faster than the beams. We drive 120 beads at 7000 Hz, with $T_E
-= 10$ ms, and count what passes bead 20. A packet passes when the largest energy density of this bead in a period of the
-piston rises fourfold and above 0.03 $u_0^2$; it must fall to half before the next one counts (`PacketCounter`). */
-struct Sent {
-  std::vector<double> passages{};  // times at which packets pass
-  double far = 0;                  // largest displacement of the last bead
-};
-using Enough = std::function<bool(const Sent& so_far, double t)>;
+All beams have one frequency, [6.31](num:sec5_experiment.beam_kilohertz) kHz, so that linear waves carry no energy. A
+piston with a higher frequency therefore moves the first few beads only. But contacts harden: breathers are faster than
+the beams. We drive 120 beads at 7000 Hz, with $T_E = 10$ ms, and count what passes bead 20 (`drive_chain`,
+driven_array.hpp). A packet passes when the largest energy density of this bead in a period of the piston rises fourfold
+and above 0.03 $u_0^2$; it must fall to half before the next one counts. */
+constexpr std::size_t detector = 20;
 
 /// Beams at rest with the lifetime in ms (0: no losses). A piston is {by, Omega, u_0, u_0 at first, time to change}.
 DrivenChain driven_array(double lifetime, const Drive& drive, std::size_t beads = 120) {
   return {Chain{beads}, Losses{units.rate(lifetime), 0}, drive};
 }
 
-/// Drives an array from rest for some time, or until it is `enough`.
-Sent drive(const DrivenChain& array, double time, double step, const Enough& enough) {
-  constexpr std::size_t detector = 20;
-  State<double> state(array.chain.sites);
-  PacketCounter counter(array.drive);
-  Sent sent;
-  const auto look = [&](const State<double>& now, const EnergyBudget&) {
-    const double y = now.y[detector - 1], v = now.v[detector - 1];
-    if (counter.passes(now.t, (y * y + v * v) / 2)) sent.passages.push_back(now.t);
-    sent.far = std::max(sent.far, std::abs(now.y.back()));
-    return !enough(sent, now.t);
-  };
-  if (!(evolve(array, state, two_halves(time, step), look) < 1e-4))
-    throw Failure("the energy budget does not close");
-  if (!(sent.far < 1e-6 * drive_size(array.drive))) throw Failure("the far end has moved");
-  return sent;
-}
-
 /**
 ## The non-emitting motion and its fold (figure x27 a)
 
 Below the threshold the end of the array settles on a motion with the period of the piston, which decays along the chain
-faster than exponentially; ten beads hold all of it. Newton's method finds it: unknown are all positions and velocities at
-the beginning of a period, and they must return after it. The last unknown is $u_0$, because two such motions merge at a
-*fold*, a saddle-node bifurcation, and disappear beyond it. The solutions are a curve, which begins at rest without a drive
-and is followed in its own length (solution_curve.hpp). */
+faster than exponentially; ten beads hold all of it. Newton's method finds it: unknown are all positions and velocities
+at the beginning of a period, and they must return after it. The last unknown is $u_0$, because two such motions merge
+at a *fold*, a saddle-node bifurcation, and disappear beyond it. The solutions are a curve, which begins at rest without
+a drive and is followed in its own length (solution_curve.hpp). */
 Vector<double> return_error(DrivenChain array, const Vector<double>& x, std::size_t steps) {
   const Eigen::Index n = x.size() / 2;
   State<double> state{std::size_t(n)};
@@ -355,7 +336,7 @@ Vector<double> return_error(DrivenChain array, const Vector<double>& x, std::siz
 SolutionCurve non_emitting(double lifetime, double omega, std::size_t steps, double apart,
                            double beyond) {
   const DrivenChain array = driven_array(lifetime, {By::piston, omega}, 10);
-  const double unit = threshold_law(By::piston, omega), first = 0.2;
+  const double unit = threshold_law(By::piston, omega).value, first = 0.2;
   return follow_solutions([&](const auto& x) { return return_error(array, x, steps); },
                           Eigen::Index(2 * array.chain.sites + 1), first, apart, unit, beyond);
 }
@@ -369,21 +350,21 @@ Estimate fold_of(double lifetime, double omega) {
 /**
 Where does the fold lie? For small amplitudes write $y_n \simeq 2\epsilon U_n\cos\Omega t$, the piston being bead 0, and
 average Hertz's force over a period as in section 3.1. The motion is a static solution of Eq. (14) that decays into the
-chain, and $\epsilon = (2\tau_0\delta)^2$, because the contacts must make up for the detuning. Such solutions are a curve of
-one parameter, found by iterating a map of two lines (driven_array.hpp). The fold is at the first maximum of $|U_0|$ along
-it, which is, to nine digits, the largest displacement of the site-centred static breather: the piston has to lift the first
-bead to its top. This gives the *asymptotic threshold*
+chain, and $\epsilon = (2\tau_0\delta)^2$, because the contacts must make up for the detuning. Such solutions are a
+curve of one parameter, found by iterating a map of two lines (driven_array.hpp). The fold is at the first maximum of
+$|U_0|$ along it, which is, to nine digits, the largest displacement of the site-centred static breather: the piston has
+to lift the first bead to its top. This gives the *asymptotic threshold*
 $$u_0 = 8\tau_0^2\,\delta^2\,\max|U_0|\;\bigl(1+O(\delta)+O(\nu/\delta)^2\bigr).$$
 The computed fold lies above it by some 1.1 to 1.3 $\delta$ without losses (figure x27 c) and, with them, by about
 $(\nu/\delta)^2$ more. [](finding:driving.law)
 
 In chains with a band gap this mechanism is known as nonlinear supratransmission (Geniet and Leon, Phys. Rev. Lett. 89,
-134102, 2002). Leon (Phys. Lett. A 319, 130, 2003) explains the threshold by the largest amplitude at the end of a static
-decaying solution, Maniadis, Kopidakis and Aubry (Physica D 216, 121, 2006) study it with discrete breathers, and
+134102, 2002). Leon (Phys. Lett. A 319, 130, 2003) explains the threshold by the largest amplitude at the end of a
+static decaying solution, Maniadis, Kopidakis and Aubry (Physica D 216, 121, 2006) study it with discrete breathers, and
 Yousefzadeh and Phani (arXiv:1510.00058, 2015) in damped, finite and disordered structures.
 
-![A piston's non-emitting motion and its fold (a), thresholds by four ways of approach (b), and the fold over its asymptotic
-value (c). Drawn by x27_driven_thresholds.py from `quiet_orbits`, `thresholds` and `folds`.](fig:x27) */
+![A piston's non-emitting motion and its fold (a), thresholds by four ways of approach (b), and the fold over its
+asymptotic value (c). Drawn by x27_driven_thresholds.py from `quiet_orbits`, `thresholds` and `folds`.](fig:x27) */
 const double omega_7000 = units.omega(7000);
 
 Estimate in_um(const Estimate& a) {
@@ -406,7 +387,7 @@ Estimate report_folds(Report& report) {
                              estimate("ratio", "fold over its asymptotic value, lifetime of 10 ms"),
                              estimate("lossless", "the same without losses")});
   table.fill(omegas, [](double omega) {
-    const Estimate law = law_estimate(By::piston, omega);
+    const Estimate law = threshold_law(By::piston, omega);
     return Cells{omega - 1, quotient(fold_of(ten_ms, omega), law),
                  quotient(fold_of(0, omega), law)};
   });
@@ -427,9 +408,10 @@ Estimate report_folds(Report& report) {
 ## One threshold with its hysteresis (figure x27 b)
 
 Does emission begin at the fold? That depends on how the drive begins, and on what counts as emission. *Up*: $u_0$ rises
-slowly from zero, for 0.15 s, and the first packet decides. *Once*: the piston is switched on, and again the first packet
-decides. *Lasting*: it is switched on, and packets must still come at the end of the run, 0.2 s later. *Down*: the same for
-an amplitude that falls slowly from 1.2 times the fold. Emission is over after five lifetimes without a packet. */
+slowly from zero, for 0.15 s, and the first packet decides. *Once*: the piston is switched on, and again the first
+packet decides. *Lasting*: it is switched on, and packets must still come at the end of the run, 0.2 s later. *Down*:
+the same for an amplitude that falls slowly from 1.2 times the fold. Emission is over after five lifetimes without a
+packet. */
 enum class Way { up, once, lasting, down };
 constexpr std::array ways{"up", "once", "lasting", "down"};
 
@@ -440,25 +422,24 @@ bool emits(Way way, double fold, double amplitude, bool rough) {
   const double time = way == Way::up ? stays : way == Way::once ? 1500 : ramp + stays;
   const double from = way == Way::down ? 1.2 * fold : 0;
   const DrivenChain array = driven_array(ten_ms, {By::piston, omega_7000, amplitude, from, ramp});
-  if (way == Way::up || way == Way::once) {
-    const auto any = [](const Sent& sent, double) { return !sent.passages.empty(); };
-    return any(drive(array, time, step, any), time);
-  }
-  // Not yet over at the end
-  const double silence = 5 / array.losses.rate;
-  const auto over = [&](const Sent& sent) {
-    return silence + (sent.passages.empty() ? 0 : sent.passages.back());
+  const bool lasting = way == Way::lasting || way == Way::down;
+  // A first packet is enough; what shall last is over after five lifetimes without one, and not yet over at the end
+  const auto over = [&](const Emission& sent) {
+    return 5 / array.losses.rate + (sent.passages.empty() ? 0 : sent.passages.back());
   };
-  const auto decided = [&](const Sent& sent, double t) {
-    return over(sent) > time || t >= over(sent);
+  const auto decided = [&](const Emission& sent, double t) {
+    return lasting ? over(sent) > time || t >= over(sent) : !sent.passages.empty();
   };
-  return over(drive(array, time, step, decided)) > time;
+  const Emission sent = drive_chain(array, time, detector, step, decided);
+  if (!(sent.budget < 1e-4)) throw Failure("the energy budget does not close");
+  if (!(sent.far < 1e-6 * amplitude)) throw Failure("the far end has moved");
+  return lasting ? over(sent) > time : !sent.passages.empty();
 }
 
 /**
-Near the threshold of lasting emission packets cease after an erratic time: a stronger drive may fall silent where a weaker
-one still emits. Bisection would miss this. So we try thirteen amplitudes, from 0.9175 to 0.9775 of the fold; the threshold
-lies between the lowest one that emits and the highest one that does not. */
+Near the threshold of lasting emission packets cease after an erratic time: a stronger drive may fall silent where a
+weaker one still emits. Bisection would miss this. So we try thirteen amplitudes, from 0.9175 to 0.9775 of the fold; the
+threshold lies between the lowest one that emits and the highest one that does not. */
 Estimate threshold(Way way, double fold, bool rough) {
   const auto sends = [&](double share) { return emits(way, fold, share * fold, rough); };
   if (way == Way::up) return bisect_threshold(0.98, 1.01, 0.001, sends);
@@ -490,15 +471,16 @@ void report_thresholds(Report& report, const Estimate& fold) {
 }
 
 /**
-[](finding:driving.onset) In between the array emits or not, depending on its history: this is the hysteresis. The
-fold has the asymptotic value [6.2](num:sec5_experiment.recipe_7000_law) µm, its error being the departure above. A sudden drive shakes the first bead more than the non-emitting motion does. One packet then leaves below the
-threshold of lasting emission, and no other follows.
+[](finding:driving.onset) In between the array emits or not, depending on its history: this is the hysteresis. The fold
+has the asymptotic value [6.2](num:sec5_experiment.recipe_7000_law) µm, its error being the departure above. A sudden
+drive shakes the first bead more than the non-emitting motion does. One packet then leaves below the threshold of
+lasting emission, and no other follows.
 
 ## One map (figure x28)
 
 At 7000 Hz and amplitudes of 5, 8 and 20 µm, which rise for 10 ms, we draw the largest energy of each bead in short
-intervals. At 5 µm only the end moves, at 8 µm breathers leave one after the other, at 20 µm so many that the train becomes
-irregular. These are the drives of the live page; the command `drive` gives their rates and powers. */
+intervals. At 5 µm only the end moves, at 8 µm breathers leave one after the other, at 20 µm so many that the train
+becomes irregular. These are the drives of the live page; the command `drive` gives their rates and powers. */
 void report_maps(Report& report) {
   constexpr std::array amplitudes{5.0, 8.0, 20.0};
   const std::size_t bins = report.quick ? 40 : 160, drawn = DrivenArray::drawn;
@@ -533,24 +515,23 @@ void report_maps(Report& report) {
 /**
 ## Side bands of a plane wave
 
-Strike no bead, but let all oscillate as a wave. In the slow time $\tau$ the DpS equation is
-$2i\tau_0\,\partial_\tau A_n = D_n-D_{n-1}$, and plane waves $A_n = A\,e^{i(qn-\omega\tau)}$ solve it with $\omega =
--4\rho\sin^2\frac q2$ and the rate $\rho = |2A\sin\frac q2|^{1/2}/2\tau_0$ (James, Math. Models Methods Appl. Sci. 21, 2335,
-2011). A modulation changes $A_n$ by the factor $1+x\,e^{iQn+\sigma\tau}+\bar y\,e^{-iQn+\bar\sigma\tau}$. To first order a
-force $z|z|^{1/2}$ changes by $|z|^{1/2}(\frac54\,\delta z+\frac z{4\bar z}\,\delta\bar z)$, and the sums over both contacts
+Strike no bead, but let all oscillate as a wave. In the slow time $\tau$ the DpS equation is $2i\tau_0\,\partial_\tau
+A_n = D_n-D_{n-1}$, and plane waves $A_n = A\,e^{i(qn-\omega\tau)}$ solve it with $\omega = -4\rho\sin^2\frac q2$ and
+the rate $\rho = |2A\sin\frac q2|^{1/2}/2\tau_0$ (James, Math. Models Methods Appl. Sci. 21, 2335, 2011). A modulation
+changes $A_n$ by the factor $1+x\,e^{iQn+\sigma\tau}+\bar y\,e^{-iQn+\bar\sigma\tau}$. To first order a force
+$z|z|^{1/2}$ changes by $|z|^{1/2}(\frac54\,\delta z+\frac z{4\bar z}\,\delta\bar z)$, and the sums over both contacts
 of a bead give, with $c = \cos q$ and $C = \cos Q$,
 $$\frac{i\sigma}\rho\begin{pmatrix}x\\y\end{pmatrix} =
-  \begin{pmatrix}a+e & k\\ -k & e-a\end{pmatrix}\begin{pmatrix}x\\y\end{pmatrix},\qquad
-  a = \tfrac52cC-\tfrac12-2c,\quad e = -\tfrac52\sin q\sin Q,\quad k = \tfrac12(c-C).$$
-The eigenvalues are $\sigma = \rho\,(-ie\pm\sqrt{k^2-a^2})$: a modulation grows if the coupling of the side bands $q\pm Q$
-exceeds their detuning, $|k|>|a|$. The root factorises,
+  \begin{pmatrix}a+e & k\\ -k & e-a\end{pmatrix}\begin{pmatrix}x\\y\end{pmatrix},\qquad a = \tfrac52cC-\tfrac12-2c,\quad
+  e = -\tfrac52\sin q\sin Q,\quad k = \tfrac12(c-C).$$ The eigenvalues are $\sigma = \rho\,(-ie\pm\sqrt{k^2-a^2})$: a
+  modulation grows if the coupling of the side bands $q\pm Q$ exceeds their detuning, $|k|>|a|$. The root factorises,
 $$(\mathrm{Re}\,\sigma)^2 = \tfrac14\rho^2(1+5c)(1-C)\bigl[(5c-1)C-(1+3c)\bigr].$$
-The bracket is linear in $C$: it is $-2(1-c)$ for the longest modulations, $C = 1$, and $-8c$ for the shortest, $C = -1$.
-For $c\ge0$ it is positive nowhere, and nothing grows. Beyond $q = \pi/2$ the shortest modulations grow first, neighbours
-against each other, from the edge $\cos Q_* = (1+3c)/(5c-1)$ on. At $c = -\frac15$ the factor $1+5c$ changes its sign, and
-then the long ones grow, up to $Q_*$. There and at $q = \frac\pi2$ is $k^2 = a^2$, a double eigenvalue with one eigenvector:
-modulations grow in proportion to time. Rates go like $|A|^{1/2}$, and the band does not depend on the amplitude.
-[](finding:growth.bands)
+The bracket is linear in $C$: it is $-2(1-c)$ for the longest modulations, $C = 1$, and $-8c$ for the shortest, $C =
+-1$. For $c\ge0$ it is positive nowhere, and nothing grows. Beyond $q = \pi/2$ the shortest modulations grow first,
+neighbours against each other, from the edge $\cos Q_* = (1+3c)/(5c-1)$ on. At $c = -\frac15$ the factor $1+5c$ changes
+its sign, and then the long ones grow, up to $Q_*$. There and at $q = \frac\pi2$ is $k^2 = a^2$, a double eigenvalue
+with one eigenvector: modulations grow in proportion to time. Rates go like $|A|^{1/2}$, and the band does not depend on
+the amplitude. [](finding:growth.bands)
 
 ![Which waves are unstable to which modulations (a), how nearly the chain agrees (b), and the growth at $q = \pi/2$ (c).
 Drawn by x32_unstable_waves.py from `growth`, `edge` and `chain_growth`.](fig:x32) */
@@ -585,7 +566,8 @@ void report_bands(Report& report) {
 /**
 ## Side bands in the chain (figure x32 b and c)
 
-An experiment would start the chain with a wave and a little of its growing modulation, and watch the side band $q+Q$ of $y_n-i\dot y_n$, here from three to nine growth times on. */
+An experiment would start the chain with a wave and a little of its growing modulation, and watch the side band $q+Q$ of
+$y_n-i\dot y_n$, here from three to nine growth times on. */
 double growth_in_run(const ModulatedWave& wave, double eps, double step) {
   const Chain ring{wave.sites, Harmonic{}, Hertz{}, Ends::periodic};
   const double slow = std::sqrt(eps), side = wave.wave().q + wave.modulation();
@@ -604,15 +586,16 @@ double growth_in_run(const ModulatedWave& wave, double eps, double step) {
 
 /**
 The state of such a run is a wave of the chain up to $\epsilon^{1/2}$ only. We compute the chain's own waves by Newton's
-method, down to $\epsilon = 10^{-7}$, and with them the fastest growth on a ring (`chain_rates`, dps_waves.hpp). For $q = \pi$
-at $\epsilon = 10^{-3}$ the run has [0.999956](num:sec5_experiment.run_over_eigenvalue) of this rate. [](finding:growth.chain)
+method, down to $\epsilon = 10^{-7}$, and with them the fastest growth on a ring (`chain_rates`, dps_waves.hpp). For $q
+= \pi$ at $\epsilon = 10^{-3}$ the run has [0.999956](num:sec5_experiment.run_over_eigenvalue) of this rate.
+[](finding:growth.chain)
 
 The DpS equation is a limit that is reached slowly: at $\epsilon = 10^{-3}$ the wave $q = \pi$ grows at the rate
-[0.332](num:sec5_experiment.growth_3_8_4) instead of [0.374](num:sec5_experiment.greatest_growth), and this difference falls
-like $\epsilon^{1/2}$ only. At $q = \frac\pi2$ the limit is misleading. Where the DpS equation has growth in proportion to
-time, the chain has exponential growth, which falls like $\epsilon^{1/4}$: corrections of the size $\epsilon^{1/2}$ split a
-double exponent by the root of their size. At $\epsilon = 10^{-2}$, $10^{-3}$, $10^{-4}$ and $10^{-6}$ its rate is
-[0.0732](num:sec5_experiment.growth_quarter_2), [0.0810](num:sec5_experiment.growth_quarter_3),
+[0.332](num:sec5_experiment.growth_3_8_4) instead of [0.374](num:sec5_experiment.greatest_growth), and this difference
+falls like $\epsilon^{1/2}$ only. At $q = \frac\pi2$ the limit is misleading. Where the DpS equation has growth in
+proportion to time, the chain has exponential growth, which falls like $\epsilon^{1/4}$: corrections of the size
+$\epsilon^{1/2}$ split a double exponent by the root of their size. At $\epsilon = 10^{-2}$, $10^{-3}$, $10^{-4}$ and
+$10^{-6}$ its rate is [0.0732](num:sec5_experiment.growth_quarter_2), [0.0810](num:sec5_experiment.growth_quarter_3),
 [0.0534](num:sec5_experiment.growth_quarter_4) and [0.0180](num:sec5_experiment.growth_quarter_6). Four waves below
 $\frac\pi2$ show no growth beyond [5e-5](num:sec5_experiment.growth_below_quarter), the root of an error. */
 double growth_below_quarter(std::size_t steps) {
@@ -701,15 +684,16 @@ void report_array(Report& report) {
 /**
 ## How well is it known?
 
-Energy and losses are recorded in every step, and a run whose budget does not close is refused. The budget does not see the
-error of alternating losses, drive and motion; two steps do. Other programs with other integrators (`tests/second`) find the
-distances with and without losses, the fold at 7000 Hz, and growth rates in the chain. The tests compare friction with the
-closed form of one beam, the clock with the damped DpS equation, and the growth of a shift with damped chains.
+Energy and losses are recorded in every step, and a run whose budget does not close is refused. The budget does not see
+the error of alternating losses, drive and motion; two steps do. Other programs with other integrators (`tests/second`)
+find the distances with and without losses, the fold at 7000 Hz, and growth rates in the chain. The tests compare
+friction with the closed form of one beam, the clock with the damped DpS equation, and the growth of a shift with damped
+chains.
 
-The loss of a clamped beam to the ground is prescribed, not computed. Friction between beam and clamp, which is not linear,
-is left out, and so are losses in the contacts (but for the option `--restitution`). The thresholds are for one lifetime,
-one frequency and one sensitivity of the detector. Spectral stability of a wave is not stability for ever, and friction,
-which weakens a wave while its side band grows, is not in the rates. */
+The loss of a clamped beam to the ground is prescribed, not computed. Friction between beam and clamp, which is not
+linear, is left out, and so are losses in the contacts (but for the option `--restitution`). The thresholds are for one
+lifetime, one frequency and one sensitivity of the detector. Spectral stability of a wave is not stability for ever, and
+friction, which weakens a wave while its side band grows, is not in the rates. */
 void reproduce(Report& report) {
   const std::vector<DampedPacket> packets = damped_packets(report.quick);
   report_distances(report, packets);
@@ -727,15 +711,16 @@ void reproduce(Report& report) {
 
 **To change it.** Another array is another `CantileverArray` in `units` or another `Chain` in `damped_array` and
 `driven_array`. Another law of friction is a function beside `rub_beams` in driven_chain.cpp, another drive a line of
-`Drive::force`, another observation a line in the observer of `follow_packet` or `drive`. The figures read columns by name.
+`Drive::force`, another observation a line in the observer of `follow_packet` or `drive`. The figures read columns by
+name.
 
 1. *Easy.* Half the lifetime: by how much is the distance shorter?
    `build/bin/sec5_experiment damped --lifetime 5` gives `sites_10ms` = 17.0208.
    Hint: compare with the default lifetime. `slow_clock` is the time at which the energy of an array without losses has
    its centre at about `centre_10ms`; the strongest push is not there.
 2. *Harder.* Do losses move the threshold? With a lifetime of 1 ms and 7 µm nothing passes the detector:
-   `build/bin/sec5_experiment drive --amplitude 7 --lifetime 1 --time 20` gives `response` = 4.0521. Hint: either the fold
-   is above 7 µm now, or packets die before bead 20. Is the response that of a non-emitting or of an emitting end?
+   `build/bin/sec5_experiment drive --amplitude 7 --lifetime 1 --time 20` gives `response` = 4.0521. Hint: either the
+   fold is above 7 µm now, or packets die before bead 20. Is the response that of a non-emitting or of an emitting end?
 
 `damped` follows one packet, `drive` shows the result of one drive, `growth` a plane wave and its modulation. */
 struct DampedArray {

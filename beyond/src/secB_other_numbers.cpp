@@ -1,11 +1,11 @@
 /**
 # Appendix: numbers of other authors
 
-A library for chains of beads should also reproduce numbers that others have printed. Here we compute eighteen of them, for
-the classical system of this field, the chain *without* wells. The table at the end of this page has the printed values,
-ours with their errors, and the sources (`paper/literature.ecsv`). Only a number that we have read at its source, in text,
-data or abstract, gets a verdict; all thirteen are reproduced within what their digits allow. Five that are often quoted,
-and whose source we could not open, stand there as we remember them, without a verdict.
+A library for chains of beads should also reproduce numbers that others have printed. Here we compute eighteen of them,
+for the classical system of this field, the chain *without* wells. The table at the end of this page has the printed
+values, ours with their errors, and the sources (`paper/literature.ecsv`). Only a number that we have read at its
+source, in text, data or abstract, gets a verdict; all thirteen are reproduced within what their digits allow. Five that
+are often quoted, and whose source we could not open, stand there as we remember them, without a verdict.
 
 The equations are those of chain.hpp with $W = 0$ and, unless it says otherwise, all masses one:
 $$\ddot y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},\qquad \dot y_1(0) = 1.$$
@@ -53,8 +53,8 @@ In units in which mass and speed are one its overlap is a function $x(\xi)$ of $
 $$x(\xi) = \int_{-1}^1(1-|s|)\,f(\xi-s)\,ds .$$
 On a periodic grid the kernel multiplies the Fourier coefficient of the wave number $k$ by $(\sin\frac k2/\frac k2)^2$.
 Iterated as it stands the equation drives every guess to zero or to infinity. Petviashvili's factor removes this: each
-iterate is multiplied by $(\langle x,x\rangle/\langle x,x_{\rm new}\rangle)^3$. A bead between two contacts is accelerated
-by the difference of their forces, so its velocity is the integral of $f$ over the site around it. */
+iterate is multiplied by $(\langle x,x\rangle/\langle x,x_{\rm new}\rangle)^3$. A bead between two contacts is
+accelerated by the difference of their forces, so its velocity is the integral of $f$ over the site around it. */
 /// From the crest on, and integrals over a site.
 struct SolitaryWave {
   double h = 0;  // distance of two points, in sites
@@ -136,14 +136,14 @@ SolitaryWave solitary_wave(std::size_t points, std::size_t half_width) {
 /**
 ## The pulse of an impact
 
-Within some ten beads an impact turns into a solitary wave, which takes nearly all of the energy with
-it. The run gives its height, [0.682](num:secB_other_numbers.pulse_amplitude) of the impact's velocity (bead 80; the change
-since bead 40 is part of the error). All else follows from the wave, which is computed without a run: one of the amplitude
-$V$ has the speed $c = (V/V_1)^{1/5}$ if $V_1$ is the largest velocity in the wave of speed one. In the long-wave theory of
-Nesterenko $c = (4/5)^{2/5}V^{1/5}$, and the velocity is proportional to $\cos^4(\sqrt{2/5}\,\xi)$, five sites wide. Sen and
-Manciu wrote the displacement as a $\tanh$ with the slope $C_1/2$ at the centre, so that $C_1 = 4V/(c\,A)$ with the shift
-$A$ of every bead. Slepyan's kinetic part is 5/9. One source gives the width at a hundredth of the peak as it was sampled:
-bead 31 of 60 steel beads of 10 mm, every 2 microseconds, with straight lines between the samples. */
+Within some ten beads an impact turns into a solitary wave, which takes nearly all of the energy with it. The run gives
+its height, [0.682](num:secB_other_numbers.pulse_amplitude) of the impact's velocity (bead 80; the change since bead 40
+is part of the error). All else follows from the wave, which is computed without a run: one of the amplitude $V$ has the
+speed $c = (V/V_1)^{1/5}$ if $V_1$ is the largest velocity in the wave of speed one. In the long-wave theory of
+Nesterenko $c = (4/5)^{2/5}V^{1/5}$, and the velocity is proportional to $\cos^4(\sqrt{2/5}\,\xi)$, five sites wide. Sen
+and Manciu wrote the displacement as a $\tanh$ with the slope $C_1/2$ at the centre, so that $C_1 = 4V/(c\,A)$ with the
+shift $A$ of every bead. Slepyan's kinetic part is 5/9. One source gives the width at a hundredth of the peak as it was
+sampled: bead 31 of 60 steel beads of 10 mm, every 2 microseconds, with straight lines between the samples. */
 Estimate pulse_amplitude() {
   const auto heights = [](double step) {
     const BeadVelocities run = watch_beads(100, 110, step, step, {40, 80});
@@ -197,8 +197,8 @@ void report_pulse(Report& report) {
 ## Rebounding beads
 
 Behind the pulse one bead after the other loses its contacts and flies back. Hinch and Saint-Jean described this
-fragmentation in 1999; the digits that we compare with are those of a run of 100 steel balls with steps of ten picoseconds,
-put online with a program of Sokolow's. */
+fragmentation in 1999; the digits that we compare with are those of a run of 100 steel balls with steps of ten
+picoseconds, put online with a program of Sokolow's. */
 void report_fragments(Report& report) {
   constexpr double struck_with = 0.099188;  // m/s
   const auto velocities = [](double step) { return watch_beads(60, 30, step, 30, {}).end.v; };
@@ -211,12 +211,12 @@ void report_fragments(Report& report) {
 /**
 ## Alternating chains
 
-If the masses of the beads alternate, or the exponents of the contacts, the pulse leaves something behind at every second
-bead, and at particular mass ratios or exponents it does not. We find them from the loss of energy per site, which is
-quadratic there, so that its root is a straight line on either side. Jayaprakash, Starosvetsky and Vakakis found the mass
-ratios. Kekić writes exponents of the potential energy; his unit of length follows from the impact of 0.11 m/s. With the
-same strength $A$ of both laws in SI units, the second law has the strength $\frac{b+1}{a+1}\,\ell^{\,b-a}$ in units in
-which mass, impact velocity and the first law are one. */
+If the masses of the beads alternate, or the exponents of the contacts, the pulse leaves something behind at every
+second bead, and at particular mass ratios or exponents it does not. We find them from the loss of energy per site,
+which is quadratic there, so that its root is a straight line on either side. Jayaprakash, Starosvetsky and Vakakis
+found the mass ratios. Kekić writes exponents of the potential energy; his unit of length follows from the impact of
+0.11 m/s. With the same strength $A$ of both laws in SI units, the second law has the strength
+$\frac{b+1}{a+1}\,\ell^{\,b-a}$ in units in which mass, impact velocity and the first law are one. */
 struct Alternating {
   double mass = 1;                              // of every second bead
   double first = 1.5, second = 1.5, scale = 1;  // exponents and relative strength of the force
@@ -314,9 +314,9 @@ void report_alternating(Report& report) {
 }
 
 /**
-An agreement of printed digits says that two computations solve the same equations, not that a chain of real balls does. Some
-of the values that we read have only two digits, and a run of another program contains the errors of its own step and
-sampling. */
+An agreement of printed digits says that two computations solve the same equations, not that a chain of real balls does.
+Some of the values that we read have only two digits, and a run of another program contains the errors of its own step
+and sampling. */
 void reproduce(Report& report) {
   report_pulse(report);
   report_fragments(report);

@@ -37,7 +37,7 @@
       this.fact("power", "mean power of the drive in the second half", "W");
       this.fact("response", "largest displacement of the first bead in the second half", "µm");
       this.fact("budget", "energy plus losses minus work, relative");
-      if (law) this.fact("threshold_law", "asymptotic threshold of the DpS limit", "µm");
+      if (law) this.fact("threshold_law", "asymptotic threshold of the DpS limit, with the error of the limit", "µm");
     }
 
     draw() {

@@ -52,19 +52,15 @@ Estimate dps_threshold(Drive::By by) {
   return by == Drive::By::piston ? piston : base;
 }
 
-Estimate law_estimate(Drive::By by, double omega) {
+Estimate threshold_law(Drive::By by, double omega) {
   const double delta = omega - 1, root = 2 * tau_0() * delta;
   const double scale = (by == Drive::By::piston ? 2 : 4 * delta) * root * root;
   const Estimate top = dps_threshold(by);
   return {scale * top.value, scale * top.error};
 }
 
-double threshold_law(Drive::By by, double omega) {
-  return law_estimate(by, omega).value;
-}
-
 Estimate asymptotic_threshold(Drive::By by, double omega, double nu) {
-  const double delta = omega - 1, law = threshold_law(by, omega);
+  const double delta = omega - 1, law = threshold_law(by, omega).value;
   return {law, law * ((by == Drive::By::piston ? 1.3 : 3.5) * delta + std::pow(nu / delta, 2))};
 }
 
@@ -119,8 +115,8 @@ double farthest(const Quintic& x) {
 }  // namespace
 
 // What passes the detector, and what the drive gives
-Emission drive_chain(const DrivenChain& driven, double duration, std::size_t detector,
-                     double step) {
+Emission drive_chain(const DrivenChain& driven, double duration, std::size_t detector, double step,
+                     const Enough& enough) {
   PacketCounter counter(driven.drive);
   Emission out;
   State<double> state(driven.chain.sites);
@@ -140,7 +136,7 @@ Emission drive_chain(const DrivenChain& driven, double duration, std::size_t det
       out.response = std::max(out.response, farthest(way));
     out.power = (l.work - half) / (duration / 2);
     out.far = std::max(out.far, std::abs(now.y.back()));
-    return true;
+    return !enough || !enough(out, now.t);
   });
   return out;
 }

@@ -27,9 +27,7 @@ the tail, where $U_{n-1} = -U_n|U_n|^{-1/3}$, so that the solutions that decay a
 /// The first maximum of |U_0| for a piston, of |D_0| for a base, along this curve, from tails of two depths.
 Estimate dps_threshold(Drive::By by);
 /// The amplitude at which the solution that grows from rest ends, at the frequency omega > 1, as delta -> 0.
-Estimate law_estimate(Drive::By by, double omega);
-/// The same without its error.
-double threshold_law(Drive::By by, double omega);
+Estimate threshold_law(Drive::By by, double omega);
 /// The same with the error of an asymptotic law, by how much the fold lies above it where we have computed both: by the
 /// fraction 1.3 delta for a piston up to delta = 0.35, 3.5 delta for a base up to 0.2, and by (nu / delta)^2 with losses.
 Estimate asymptotic_threshold(Drive::By by, double omega, double nu);
@@ -69,8 +67,12 @@ struct Emission {
   double rate(double duration) const;
 };
 
-/// Runs the chain from rest for `duration`, with steps of length `step`; beads count from one.
-Emission drive_chain(const DrivenChain& driven, double duration, std::size_t detector, double step);
+/// Whether a run need not go on at the time t.
+using Enough = std::function<bool(const Emission& so_far, double t)>;
+
+/// Runs the chain from rest for `duration` or until it is `enough`, with steps of length `step`; beads count from one.
+Emission drive_chain(const DrivenChain& driven, double duration, std::size_t detector, double step,
+                     const Enough& enough = {});
 
 /**
 ## One drive of the array of section 3.6 */

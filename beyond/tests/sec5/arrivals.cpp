@@ -327,4 +327,7 @@ TEST_CASE("the slow clock weighs a push by a cube", "[unit][arrivals]") {
   const Arrival p = slowed(j, nu).contacts.at(0);
   check_close(p.t, -4 / nu * std::log(weight(2)), 1e-12);
   check_close(p.period, turn / (1 + (turn - 1) * weight(2)), 1e-12);
+  // Which push is the strongest is decided by the weight, too
+  j.contacts[0].pushes = {{0.5, 0.1}, {1, 1}, {2, 1.23}, {3, 0.1}};
+  CHECK(slowed(j, nu).contacts.at(0).period < 1);
 }
