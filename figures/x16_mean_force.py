@@ -1,4 +1,4 @@
-"""Figure x16: mean contact forces, searches and a localized state, without and with wells."""
+"""Figure x16: mean contact forces and a localized state, without and with wells."""
 
 import draw
 import matplotlib.pyplot as plt
@@ -14,14 +14,12 @@ def motion(name, column):
     return np.array([float(row[column]) for row in means if row["motion"] == name])
 
 
-figure, grid = plt.subplot_mosaic([["a", "a", "b", "b", "c", "c"], ["d", "d", "d", "e", "e", "e"]],
-                                  figsize=(draw.TWO_COLUMNS, 118 * draw.MM), height_ratios=[1.3, 1],
-                                  width_ratios=[1, 1, 1, 1, 1.5, 1.5])
-free, wells, ends, core, mean = (grid[name] for name in "abcde")
+figure, grid = plt.subplot_mosaic([["a", "b"], ["c", "d"]],
+                                  figsize=(draw.TWO_COLUMNS, 110 * draw.MM))
+free, wells, core, mean = (grid[name] for name in "abcd")
 for name, mark, label in [("ring_wave", "o-", "wave on a ring"),
                           ("uneven_ring", "s--", "uneven ring"),
-                          ("walls", "^:", r"walls, $\alpha = 2$"),
-                          ("mixed_exponents", "v-.", r"walls, mixed $\alpha_n$")]:
+                          ("walls", "^:", r"walls, $\alpha = 2$")]:
     free.plot(motion(name, "n"), motion(name, "force"), mark, ms=3.5, mfc="white", mew=0.8,
               lw=0.8, label=label)
 free.set(xlabel="contact $n$", ylabel=r"mean contact force $\bar F_n$", xticks=range(1, 10, 2))
@@ -36,19 +34,6 @@ wells.plot(n + 0.5, motion(name, "well"), ".", ms=3, color="black", label="mean 
 wells.set(xlabel="contact, from the centre", ylabel="mean force", xlim=(-7, 7))
 wells.set_ylim(None, 0.24)
 wells.legend(loc="upper left", handlelength=1.2, labelspacing=0.3)
-found = draw.records(f"{folder}/searches.ecsv")
-place = np.arange(len(found))
-for k, (column, color, hatch, label) in enumerate([
-        ("free_fine", "#56B4E9", "", "free, small"), ("wells_fine", "#D55E00", "////", "wells, small"),
-        ("free_large_fine", "#CCCCCC", "", "free, large"), ("walls_fine", "#009E73", "....", "walls, large")]):
-    counts = [int(row[column]) for row in found]
-    bars = ends.bar(place + 0.22 * (k - 1.5), counts, 0.22, color=color, hatch=hatch, ec="black",
-                    lw=0.4, label=label)
-    ends.bar_label(bars, [str(c) if c else "" for c in counts], fontsize=5.2, padding=1)
-ends.set_xticks(place, [row["ends_in"] for row in found], rotation=35, ha="right",
-                rotation_mode="anchor")
-ends.set(ylabel="searches", ylim=(0, 118))
-ends.legend(loc="upper right", handlelength=1.2, labelspacing=0.3)
 rows = draw.records(f"{folder}/dispersal.ecsv")
 for chain, style, color, label in [("free", "-", "#0072B2", "free chain"),
                                    ("wells", "--", "#D55E00", "in wells")]:

@@ -365,9 +365,9 @@ Four questions of the article cannot be answered in this way. Each has its own c
 | question | why not here | what we do | where |
 |---|---|---|---|
 | the barrier: by how much do the energies of the two kinds of breather differ? | [1.62422e-11 ± 8e-20](num:sec32_barrier.equal_frequency_linear_110), while the energies themselves are [0.000153599 ± 8e-20](num:sec32_barrier.energy_110_bond), of which this chapter knows four digits | contact events are located, orbits computed in extended precision | `sec32_barrier`, event_driven.hpp |
-| are the multipliers next to $+1$ on the circle? | an error $\eta$ of the monodromy moves them by $\sqrt\eta$: two that are exactly $+1$ appear at a distance of [0.003 ± 0.002](num:sec1_the_chain.fourth_distance) | symmetries remove the exact pair; $\kappa = (\lambda+\lambda^{-1}-2)/4$ instead of $\lambda$ | `sec33_floquet`, `sec33_multiplier_errors` |
+| are the multipliers next to $+1$ on the circle? | an error $\eta$ of the monodromy moves them by $\sqrt\eta$: two that are exactly $+1$ appear at a distance of [0.003 ± 0.002](num:sec1_the_chain.fourth_distance) | symmetries remove the exact pair; $\kappa = (\lambda+\lambda^{-1}-2)/4$ instead of $\lambda$ | `sec33_floquet` |
 | the smallest kick that sets a breather in motion | it adds $c^2/2 \approx 10^{-11}$ to the energy; within each period Verlet's method changes it by more | impulses of contacts are exact, drift is compared with kick | `sec33_mobility`, `secA_integrators` |
-| where is a packet long after it has turned? | the motion is chaotic: late fates depend on the last digit of the start | two runs that agree, or a count over many runs | `sec34_boomeron`, `sec34_boomeron_why` |
+| where is a packet long after it has turned? | the motion is chaotic: late fates depend on the last digit of the start | two runs that agree, or a count over many runs | `sec34_boomeron`, `sec34_boomeron_map` |
 
 The common cause is that the force has no second derivative where a contact opens or closes, so that integrators of high
 order lose their order, and the linearised flow suffers even more (event_corrected.hpp, tangent.hpp).
@@ -394,11 +394,8 @@ Each has one meaning unless a chapter says otherwise.
 1. *Easy.* The packet by the methods of the book:
    `build/bin/sec34_impact run --velocity 1 --s 0 --sites 80 --time 330` gives `speed` = 0.18780. Hint: `--sites 80`
    restricts the fit of the speed to sites 20 to 60.
-2. *Easy.* The same for the breather: `build/bin/sec32_newton_breathers breather --omega 1.1` gives `amplitude` =
-   0.0107480. Hint: how close does this chapter come with half the step?
-3. *Harder.* Without wells: `build/bin/sec34_impact run --well none --velocity 1.87` gives `speed` = 0.952600. Which
-   lines of this chapter must change for that? Hint: two, and the argument of `packet_speed`.
-4. *Open.* If several beads are struck at once, do they send out one packet or several? */
+2. *Harder.* Without wells: `build/bin/sec34_impact run --well none --velocity 1.87` gives `speed` = 0.952600. Which
+   lines of this chapter must change for that? Hint: two, and the argument of `packet_speed`. */
 void reproduce(Report& report) {
   report_impacts(report);
   report_breather(report);

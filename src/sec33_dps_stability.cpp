@@ -207,7 +207,7 @@ void report_margins(Report& report) {
 
 If $v_n(t)$ solves Eq. (11), so does $\mu^2v_n(\mu t)$. Hence $\lambda/\mu$ is a pure number. Neither Newton's method
 nor the matrix uses this law, so it tests both: over six decades of $\mu$ the pair is real, and $\lambda/\mu$ varies by
-no more than rounding (*linearity* in the next table). */
+no more than rounding. */
 void report_growth(Report& report) {
   std::vector<double> mus{1e-3, 1e-2, 0.1};
   for (int k = 1; k <= 20; ++k) mus.push_back(0.5 * k);
@@ -216,8 +216,7 @@ void report_growth(Report& report) {
       "growth",
       {number("mu", "frequency"),
        estimate("rate", "growth rate", rate_unit, "from two precisions and two chain lengths"),
-       number("line", "growth rate at mu = 1 times mu", rate_unit),
-       number("ratio", "growth rate divided by mu")});
+       number("line", "growth rate at mu = 1 times mu", rate_unit)});
   const auto margin = [](double mu) {
     return margin_of<long double>(Centre::site, mu, sites_of(Centre::site));
   };
@@ -226,7 +225,7 @@ void report_growth(Report& report) {
   for (const double mu : mus) {
     const Margin found = margin(mu);
     const Estimate& rate = found.exponent;
-    table.add({mu, mu * rate.value, mu * rate.error, mu * slope, rate.value});
+    table.add({mu, mu * rate.value, mu * rate.error, mu * slope});
     apart = larger(apart, relative_distance(rate, slope));
     weakest = smaller(weakest, found.safe());
   }
@@ -235,9 +234,9 @@ void report_growth(Report& report) {
 }
 
 /**
-## Two independent routes to the exponent
+## The exponent from the motion
 
-**The equation in time.** Does a perturbation of the nonlinear equation grow at this rate? The second eigenvector $V$ of
+Does a perturbation of the nonlinear equation grow at this rate? The second eigenvector $V$ of
 $M$ is the *translational mode*: $xV$ shifts the breather along the chain and $iyV$ pushes it. Near a site the growing
 direction is $y = \lambda x/(\mu-m_2)$, and the growing part of any perturbation is $\frac12(x+(\mu-m_2)y/\lambda)$. We
 displace the breather along this direction by a millionth of its size, and fit a line to the logarithm of the growing
@@ -255,37 +254,16 @@ double measured_rate(const PinnedBreather& site, double size, const Accuracy& ac
   return fit_line(t, growth).slope;
 }
 
-Estimate rate_of_matrix(const PinnedBreather& breather) {
-  const Margin extended = margin_of<long double>(breather.centre, mu_of_runs, breather.u.size());
-  return compare(mu_of_runs * extended.exponent.value, breather.pair.rate);
-}
-
 /**
-**The full matrix.** The article computes the exponents from a matrix of $2N$ rows, without splitting it (`remainders`,
-spectrum.hpp). It agrees on the pair near zero to $10^{-13}$. It also shows a difficulty: the double zero of the phase
-has only one eigenvector, so an error $\delta$ of the matrix moves the two zeros by $\sqrt\delta$, along either axis. A
-small real pair is evidence of an instability only if it is far larger than that, as it is here.
-
-| quantity | article | here |
-|---|---|---|
-| linearity: largest relative change of $\lambda/\mu$ | 0 | [2e-11 ± 2e-11](num:sec33_dps_stability.linearity) |
-| $\lambda$ around a site at $\mu = 10$, from $M$ | | [0.0155771 ± 9e-13](num:sec33_dps_stability.rate_of_matrix) |
-| the same, from the motion | | [0.0155771 ± 1e-8](num:sec33_dps_stability.rate_in_time) |
-| $M$ against the full matrix, $\mu = 1$ | | [1.9e-13 ± 5e-14](num:sec33_dps_stability.full_matrix_difference_double_site) |
-| the phase's zero in the full matrix, $\mu = 1$ | 0 | [2.3e-8 ± 4e-9](num:sec33_dps_stability.full_matrix_zero_double_site) | */
-void report_rates(Report& report, const PinnedBreather& site) {
-  const auto longer = remainders(stationary<double>(Centre::site, 1, sites_of(Centre::site) + 10));
-  const auto here = remainders(stationary<double>(Centre::site, 1, sites_of(Centre::site)));
-  report.facts.add("full_matrix_difference_double_site", compare(longer.pair, here.pair));
-  report.facts.add("full_matrix_zero_double_site", compare(longer.zero, here.zero));
-
-  // The motion, at two tolerances and at ten times the displacement
+At $\mu = 10$ the motion has $\lambda =$ [0.0156](num:sec33_dps_stability.rate_in_time), ten times the value of
+the table, as the law requires. */
+void report_rate(Report& report, const PinnedBreather& site) {
+  // At two tolerances and at ten times the displacement
   const double size = 1e-6 * std::abs(site.u[site_index(0, site.u.size())]);
   const Accuracy loose{1e-11, 1}, tight{1e-13, 2};
   Estimate rate = compare(measured_rate(site, size, loose), measured_rate(site, size, tight));
   rate.error += std::abs(rate.value - measured_rate(site, 10 * size, tight));
   report.facts.add("rate_in_time", rate, rate_unit);
-  report.facts.add("rate_of_matrix", rate_of_matrix(site), rate_unit);
 }
 
 /**
@@ -394,14 +372,13 @@ some breathers only fall into the minimum beside their site. Noise proportional 
 site and most from a bond. (The errors are those of the runs and do not include the sampling error of six or sixteen
 seeds.)
 
-| noise, its largest part | runs of each | from a site moved | median departure | from a bond left | counted by $t$ |
-|---|---|---|---|---|---|
-| complex, 0.01 (main) | [16](num:sec33_dps_stability.seeds_complex_site) | [16](num:sec33_dps_stability.moved_complex_site) | [113.1 ± 0.1](num:sec33_dps_stability.departure_complex_site) | [5](num:sec33_dps_stability.left_complex_bond) | 500 |
-| its controls | [16](num:sec33_dps_stability.seeds_complex_site) | [0](num:sec33_dps_stability.controls_moved_by_500) | [454.66 ± 0.07](num:sec33_dps_stability.departure_complex_control) | | 500 |
-| the same, later | | [10](num:sec33_dps_stability.controls_moved_by_1000) | | | 1000 |
-| complex, 0.005 (narrow) | [16](num:sec33_dps_stability.seeds_narrow_site) | [14](num:sec33_dps_stability.moved_narrow_site), left [16](num:sec33_dps_stability.left_narrow_site) | [160.14 ± 0.03](num:sec33_dps_stability.departure_narrow_site) | [0](num:sec33_dps_stability.left_narrow_bond) | 500 |
-| real, 0.01 | [6](num:sec33_dps_stability.seeds_real_site) | [3](num:sec33_dps_stability.moved_real_site) | [516.19 ± 0.02](num:sec33_dps_stability.departure_real_site) | [0](num:sec33_dps_stability.left_real_bond) | 750 |
-| $0.01\,u_n$ | [6](num:sec33_dps_stability.seeds_relative_bond) | [6](num:sec33_dps_stability.moved_relative_site) | | [5](num:sec33_dps_stability.left_relative_bond) | 750 |
+| noise, its largest part | runs of each | from a site moved | from a bond left | counted by $t$ |
+|---|---|---|---|---|
+| complex, 0.01 (main) | [16](num:sec33_dps_stability.seeds_complex_site) | [16](num:sec33_dps_stability.moved_complex_site) | [5](num:sec33_dps_stability.left_complex_bond) | 500 |
+| its controls | [16](num:sec33_dps_stability.seeds_complex_site) | [0](num:sec33_dps_stability.moved_complex_control) | | 500 |
+| complex, 0.005 (narrow) | [16](num:sec33_dps_stability.seeds_narrow_site) | [14](num:sec33_dps_stability.moved_narrow_site), left [16](num:sec33_dps_stability.left_narrow_site) | [0](num:sec33_dps_stability.left_narrow_bond) | 500 |
+| real, 0.01 | [6](num:sec33_dps_stability.seeds_real_site) | [3](num:sec33_dps_stability.moved_real_site) | [0](num:sec33_dps_stability.left_real_bond) | 750 |
+| $0.01\,u_n$ | [6](num:sec33_dps_stability.seeds_relative_bond) | [6](num:sec33_dps_stability.moved_relative_site) | [5](num:sec33_dps_stability.left_relative_bond) | 750 |
 
 Does the breather survive? Around a bond its participation number, $(\sum|v_n|^2)^2/\sum|v_n|^4$, grows by no more than
 the factor [1.01](num:sec33_dps_stability.bond_robust_spread), under any of these noises. */
@@ -425,8 +402,6 @@ void report_counts(Report& report, const std::vector<Group>& groups) {
   // The controls
   const auto &free = trials_of(groups, "_complex_site"),
              &controls = trials_of(groups, "_complex_control");
-  for (const double by : {500.0, 1000.0})
-    report.facts.add("controls_moved_by_" + short_text(by), passing(controls, 1, by));
   const Delay delay = delay_of(controls, free);
   report.facts.add("controls_later_share", delay.later);
   report.facts.add("controls_delay", delay.ratio);
@@ -434,12 +409,9 @@ void report_counts(Report& report, const std::vector<Group>& groups) {
 
   // All counts
   for (const Group& group : groups) {
-    const Estimate departure = median_departure(group.trials, group.counted_by);
     report.facts.add("seeds" + group.name(), exact(double(group.trials.size())));
     report.facts.add("left" + group.name(), passing(group.trials, 0.5, group.counted_by));
     report.facts.add("moved" + group.name(), passing(group.trials, 1, group.counted_by));
-    if (std::isfinite(departure.value))
-      report.facts.add("departure" + group.name(), departure, "unit of time");
   }
 }
 
@@ -482,34 +454,25 @@ Estimate depinning_push(const PinnedBreather& bond, int halvings) {
 }
 
 /**
-The threshold is two per cent above that of the pendulum. It predicts the fate of all sixteen bond-centred breathers.
-Norm and energy must be conserved well enough: a run stops if either drifts by more than $3\cdot10^{-8}$, a twentieth of
-what the push at the threshold adds to them.
-
-| quantity at $\mu = 10$ | here |
-|---|---|
-| depinning push, pendulum | [0.00641907 ± 2e-13](num:sec33_dps_stability.freeing_push_of_pendulum) |
-| depinning push, DpS equation | [0.006542 ± 3e-6](num:sec33_dps_stability.freeing_push) |
-| bond-centred breathers with a larger push | [5](num:sec33_dps_stability.pushed_over) of [16](num:sec33_dps_stability.seeds_complex_bond) |
-| fates predicted by the push | [16](num:sec33_dps_stability.told_by_push) of [16](num:sec33_dps_stability.seeds_complex_bond) | */
+The threshold is [0.00654](num:sec33_dps_stability.freeing_push), which is
+[1.02](num:sec33_dps_stability.freeing_push_over_pendulum) times that of the pendulum. It predicts the fate of
+[16](num:sec33_dps_stability.told_by_push) of the [16](num:sec33_dps_stability.seeds_complex_bond) bond-centred
+breathers. Norm and energy must be conserved well enough: a run stops if either drifts by more than $3\cdot10^{-8}$, a
+twentieth of what the push at the threshold adds to them. */
 void report_pendulum(Report& report, const std::vector<Group>& groups, const PinnedBreather& bond) {
   const Estimate push = depinning_push(bond, report.quick ? 3 : 9);
-  const Estimate rate = rate_of_matrix(bond);
-  const double predicted = bond.freeing_push();
   report.facts.add("freeing_push", push);
-  report.facts.add("freeing_push_of_pendulum",
-                   compare(predicted * (1 + rate.error / rate.value), predicted));
+  report.facts.add("freeing_push_over_pendulum",
+                   {push.value / bond.freeing_push(), push.error / bond.freeing_push()});
 
   // Pushes at a bond against the threshold, at both ends of its error
-  int over[2] = {}, told[2] = {};
+  int told[2] = {};
   for (const NoiseTrial& trial : trials_of(groups, "_complex_bond"))
     for (const int end : {0, 1}) {
       const double threshold = end ? push.value + push.error : push.value - push.error;
       const bool pushed = std::abs(trial.kick.imag()) > threshold;
-      over[end] += pushed;
       told[end] += pushed == ((end ? trial.fine : trial.coarse).reaches(1) > 0);
     }
-  report.facts.add("pushed_over", compare(over[0], over[1]));
   report.facts.add("told_by_push", compare(told[0], told[1]));
 }
 
@@ -519,12 +482,7 @@ void report_pendulum(Report& report, const std::vector<Group>& groups, const Pin
 The first three statements hold as printed. The fourth rests on simulations that the article does not show. We confirm
 it in this sense: under all noise that we tried the bond-centred breather stays localized, and under noise of width 0.01
 it also keeps its place, whereas the site-centred one leaves. Under noise of twice that width it may leave, too. This
-does not contradict the article: a stable breather that a push carries to the next bond is still stable.
-
-Sixteen seeds are few. In a longer test of the narrow reading, run once with 48 seeds (a number in
-`groups_under_noise`), all site-centred breathers left by $t = 500$, and one bond-centred one in ten times that time. A
-second program with another generator (not part of this repository) counted 48 and none, and with 1000 seeds 25 that
-left a bond by $t = 500$. */
+does not contradict the article: a stable breather that a push carries to the next bond is still stable. */
 void reproduce(Report& report) {
   report.output.note("seed", "GSL mt19937, 1 to 16 or 1 to 6; map: " + std::to_string(map_seed));
   report_spectra(report);
@@ -534,7 +492,7 @@ void reproduce(Report& report) {
   // All runs in time
   const PinnedBreather site(stationary<double>(Centre::site, mu_of_runs, sites_of(Centre::site)));
   const PinnedBreather bond(stationary<double>(Centre::bond, mu_of_runs, sites_of(Centre::bond)));
-  report_rates(report, site);
+  report_rate(report, site);
   std::vector<Group> groups = groups_under_noise(site, bond);
   run_trials(groups, report.quick);
   report_counts(report, groups);
@@ -558,9 +516,6 @@ law changes `contact_eigenvalues` and the factor 1.5 of `exponent`.
    two `build/bin/sec32_newton_breathers breather --omega 1.001 --contact power --alpha 2` gives `energy` = 7.443482e-7,
    and `build/bin/sec32_barrier barrier --omega 1.001 --contact power --alpha 2` gives `equal_frequency` = 5.924102e-10.
    Hint: compare barrier over energy with that of the first exercise, and `spectrum --alpha 2` with `spectrum`.
-3. *Open.* Is there an exponent `--alpha` of the contacts at which the margin is zero? Do breathers move more freely where
-   it is small, as with `--alpha 1.2`?
-4. *Open.* How does a breather depinned by noise finally lose its speed, and to what?
 
 `sec33_dps_stability spectrum --centre bond --mu 1 --sites 32` prints all exponents, two for each site
 (one_spectrum.hpp). */

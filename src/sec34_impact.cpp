@@ -450,14 +450,9 @@ and a row of `SweepPoint::measure`. The figures read columns by name.
 
 1. *Easy.* Where is the energy in a soft well? `build/bin/sec34_impact run --s -0.7 --velocity 0.9` gives
    `boundary_energy_fraction` = 0.76318 and `packet_energy_fraction` = 0.073459. Hint: with `--s 0` most of it travels.
-2. *Harder.* By which power of the impact does the speed grow without wells?
-   `build/bin/sec34_impact run --well none --velocity 1` gives `speed` = 0.840509, and
-   `build/bin/sec34_impact run --well none --velocity 4` gives `speed` = 1.109058. Hint: scale $\ddot y = y^{3/2}$.
-3. *Harder.* How close to the escape can one go? `build/bin/sec34_impact run --s -1/6 --velocity 2.02 --time 300` gives
+2. *Harder.* How close to the escape can one go? `build/bin/sec34_impact run --s -1/6 --velocity 2.02 --time 300` gives
    `boundary_energy_fraction` = 0.68959. Hint: part of the impact's energy leaves the first bead before it reaches the
    maximum. Try 2.11, 2.3 and 2.51.
-4. *Open.* Is there a fastest packet at $s = -1/6$? What determines the bands of survival?
-5. *Open.* Is the surface mode a time-periodic breather of the half-chain? Compute it by Newton's method.
 
 `run` also takes other wells and contacts (commands/one_impact.hpp). */
 void reproduce(Report& report) {

@@ -294,14 +294,9 @@ well needs its own period in `count_wells`. The figure reads columns by name.
 
 1. *Easy.* Does the kink need the whole chain? `build/bin/sec34_kink run --velocity 5 --sites 30` gives `moved` = 30.
    Hint: it forms within a few beads.
-2. *Easy.* Which quartic well is most like a pendulum?
-   `build/bin/sec34_impact run --well pendulum --velocity 1 --time 400` gives `speed` = 0.1817, and
-   `build/bin/sec34_impact run --s -1/6 --velocity 1 --time 400` gives `speed` = 0.1814. Hint: expand $\sin y$.
-3. *Harder.* A kink is much faster than a breather: `build/bin/sec34_impact run --well pendulum --velocity 5 --time 60`
+2. *Harder.* A kink is much faster than a breather: `build/bin/sec34_impact run --well pendulum --velocity 5 --time 60`
    gives `speed` = 0.7697, and `build/bin/sec34_impact run --well pendulum --velocity 3 --time 200` gives `speed` =
    0.2471. Hint: a bead that falls into the next well regains the energy of the maximum and can pass it on.
-4. *Open.* Which kinks stop in a longer chain, and where does their energy go? Why are just one or two beads ejected by
-   impacts up to 8?
 
 ## With your own parameters
 

@@ -196,9 +196,6 @@ is `cradle(g, contact_time)` (sec35/collision.hpp). Another law of contact is th
    `lambda` = 0.11702 and `contact_time` = 1.79796e-4. Hint: $\tau_h$ grows like $V^{-1/5}$.
 2. *Harder.* How hard must one strike for $\lambda = 1$? `build/bin/sec35_scales scales --velocity 21.35` gives
    `lambda` = 1.0000 and `lambda_5_2` = 1.0001. Hint: this is $\xi/\tau_c$, the unit of velocity of the chain.
-3. *Harder.* Give the beads the Young modulus of the beams' steel: `build/bin/sec35_scales scales` gives
-   `lambda_with_beam_modulus` = 14.63. Hint: harder contacts are shorter, and breathers need long ones.
-4. *Open.* Which cradle would show a travelling breather: with which string, and with which beads, how soft?
 
 `scales` prints all constants for your own impact (commands/all_scales.hpp). */
 int main(int argc, char** argv) {

@@ -5,8 +5,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 data, out = draw.arguments()
-courses = draw.read(f"{data}/sec5_travelling_packets/courses.ecsv")
-line = draw.read(f"{data}/sec5_travelling_packets/line_of_type_one.ecsv")
+courses = draw.read(f"{data}/sec5_travelling_breathers/courses.ecsv")
+line = draw.read(f"{data}/sec5_travelling_breathers/line_of_type_one.ecsv")
 
 figure, (a, b, c) = plt.subplots(1, 3, figsize=(draw.TWO_COLUMNS, 62 * draw.MM),
                                  layout="constrained")

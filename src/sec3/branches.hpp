@@ -15,11 +15,6 @@ it, and in soft wells it turns back. */
 
 namespace lattice {
 
-/// Where the branch through `start` turns back in frequency. Throws NoBranch if it does not.
-inline Estimate fold_of(const Shooting<double>& problem, const Orbit<double>& start) {
-  return fold_of({problem, along_omega<double>(), start, 1, {}, {.first = 0.05, .most = 0.2}});
-}
-
 /// The exponent of the amplitude in omega_b - 1 between two breathers: two near a bifurcation from rest, by Eq. (20),
 /// zero where a family begins at a finite amplitude.
 inline double growth_exponent(const Orbit<double>& lower, const Orbit<double>& upper) {

@@ -72,17 +72,6 @@ Estimate passing(const NoiseTrials& trials, double distance, double by) {
   });
 }
 
-Estimate median_departure(const NoiseTrials& trials, double by) {
-  return at_both([&](auto run) {
-    std::vector<double> departures;
-    for (const NoiseTrial& trial : trials) {
-      const double leaves = (trial.*run).reaches(0.5);
-      departures.push_back(leaves <= by ? leaves : HUGE_VAL);
-    }
-    return median(departures);
-  });
-}
-
 std::size_t torn(const NoiseTrials& trials) {
   return std::size_t(std::count_if(trials.begin(), trials.end(), [](const NoiseTrial& trial) {
     return std::isnan(trial.fine.reaches(1)) != std::isnan(trial.coarse.reaches(1));

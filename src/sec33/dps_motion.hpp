@@ -61,9 +61,6 @@ using NoiseTrials = std::vector<NoiseTrial>;
 /// How many pass a distance by the time `by`; exact if both tolerances give the same.
 Estimate passing(const NoiseTrials& trials, double distance, double by = HUGE_VAL);
 
-/// The median time of |X| = 1/2. One that has not left by then departs infinitely late.
-Estimate median_departure(const NoiseTrials& trials, double by);
-
 /// Trials that pass |X| = 1 at one tolerance and not at the other.
 std::size_t torn(const NoiseTrials& trials);
 

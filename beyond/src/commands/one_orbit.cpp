@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "lattice/numerics/progress.hpp"
-#include "sec5/branches_in_s.hpp"
 
 namespace lattice {
 
@@ -123,7 +122,7 @@ static OneOrbit::Found chosen_type_one(const OneOrbit& choice) {
 
 /**
 One can also ask for the orbit without a tail nearest to a shift time. It may be of type I, or of type II: those lie
-at somewhat shorter shift times, on families that begin at the orbits of type I (sec5_travelling_families.cpp). We
+at somewhat shorter shift times, on families that begin at the orbits of type I (sec5_travelling_breathers.cpp). We
 follow the family that begins at the next multiple of $2\pi$ above the time asked for. */
 static OneOrbit::Found chosen_near(const OneOrbit& choice, double near) {
   const auto above = std::size_t(std::max(1.0, std::ceil(near / two_pi)));

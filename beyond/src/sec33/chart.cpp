@@ -20,57 +20,51 @@ bool same_family(const Orbit<double>& orbit, const Orbit<double>& from) {
 }
 
 // A node from the orbit of its neighbour
-void visit(Centre centre, Node& node, const Node& from) {
+void visit(Node& node, const Node& from) {
   try {
-    const auto problem = problem_at(centre, node.spot);
+    const auto problem = problem_at(Centre::site, node.spot);
     node.orbit = follow(problem, from.orbit, chart_rule());
     if (!same_family(node.orbit, from.orbit)) {
       if (node.spot.s < 0) return;
       const Spot half{node.spot.omega_b, (node.spot.s + from.spot.s) / 2};
-      const auto between = follow(problem_at(centre, half), from.orbit, chart_rule());
+      const auto between = follow(problem_at(Centre::site, half), from.orbit, chart_rule());
       node.orbit = follow(problem, between, chart_rule());
       if (!same_family(between, from.orbit) || !same_family(node.orbit, between)) return;
     }
     const auto found =
         floquet_pairs(problem.chain, node.orbit.start, node.orbit.period(), chart_rule().events);
-    for (const auto& kappa : found.kappa) node.pairs.push_back({kappa, found.defect});
+    node.kappa = found.pinning(), node.defect = found.defect;
   } catch (const NewtonFailed&) {
   }
 }
 
+// From the linear well to either end of the family
+void visit_wells(Nodes& column) {
+  const std::size_t middle = column.size() / 2;
+  visit(column[middle], column[middle]);
+  for (std::size_t k = middle + 1; k < column.size() && column[k - 1].exists(); ++k)
+    visit(column[k], column[k - 1]);
+  for (std::size_t k = middle; k-- > 0 && column[k + 1].exists();) visit(column[k], column[k + 1]);
+}
+
 }  // namespace
 
-// From the linear well to either end of the family
-void visit_wells(Centre centre, Nodes& column) {
-  const std::size_t middle = column.size() / 2;
-  visit(centre, column[middle], column[middle]);
-  for (std::size_t k = middle + 1; k < column.size() && column[k - 1].exists(); ++k)
-    visit(centre, column[k], column[k - 1]);
-  for (std::size_t k = middle; k-- > 0 && column[k + 1].exists();)
-    visit(centre, column[k], column[k + 1]);
-}
-
-Nodes wells_at(double omega_b, int wells) {
-  Nodes column(2 * std::size_t(wells) + 1);
-  for (int k = -wells; k <= wells; ++k)
-    column[std::size_t(k + wells)].spot = {omega_b, double(k) / wells};
-  return column;
-}
-
 // The linear well node after node, then all the other wells side by side
-Chart chart(Centre centre, bool quick) {
+Chart chart(bool quick) {
   const int frequencies = quick ? 12 : 80, wells = quick ? 2 : 12;
   const double top = quick ? 1.2 : 2;
-  const auto middle = std::size_t(wells);
   Chart grid;
-  Orbit<double> seed = find_breather(problem_at(centre, {1.01, 0}));
+  Orbit<double> seed = find_breather(problem_at(Centre::site, {1.01, 0}));
   for (int i = 0; i < frequencies; ++i) {
     const double omega_b = 1.01 + (top - 1.01) * double(i) / (frequencies - 1);
-    Nodes column = wells_at(omega_b, wells);
-    seed = column[middle].orbit = follow(problem_at(centre, {omega_b, 0}), seed, chart_rule());
+    Nodes column(2 * std::size_t(wells) + 1);
+    for (int k = -wells; k <= wells; ++k)
+      column[std::size_t(k + wells)].spot = {omega_b, double(k) / wells};
+    seed = follow(problem_at(Centre::site, {omega_b, 0}), seed, chart_rule());
+    column[std::size_t(wells)].orbit = seed;
     grid.push_back(std::move(column));
   }
-  parallel_for("chart", grid.size(), [&](std::size_t i) { visit_wells(centre, grid[i]); });
+  parallel_for("chart", grid.size(), [&](std::size_t i) { visit_wells(grid[i]); });
   return grid;
 }
 

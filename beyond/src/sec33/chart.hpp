@@ -1,10 +1,10 @@
 #pragma once
 /**
-# A chart of breathers over the plane of frequency and anharmonicity
+# The site-centred breather over the plane of frequency and anharmonicity
 
-Each node of a grid in $\omega_b$ and $s$ gets the breather of one centre and all its multiplier pairs. First the
-breathers of the linear well are followed in $\omega_b$; from each of them we go up and down in $s$ until the family
-ends, which for soft wells is near its fold. */
+Each node of a grid in $\omega_b$ and $s$ gets the breather and $\kappa$ of its translational pair. First the breathers
+of the linear well are followed in $\omega_b$; from each of them we go up and down in $s$ until the family ends, which
+for soft wells is near its fold. */
 
 #include <cmath>
 #include <vector>
@@ -17,11 +17,8 @@ namespace lattice {
 struct Node {
   Spot spot{};
   Orbit<double> orbit{};
-  std::vector<Pair>
-      pairs{};  ///< the pinning pair first, each with the symplectic defect as its error
-  bool exists() const { return !pairs.empty(); }
-  double kappa() const { return exists() ? pairs[0].kappa.real() : std::nan(""); }
-  double defect() const { return exists() ? pairs[0].error : std::nan(""); }
+  double kappa = std::nan(""), defect = std::nan("");  ///< its error is the symplectic defect
+  bool exists() const { return std::isfinite(kappa); }
 };
 using Nodes = std::vector<Node>;   ///< of one frequency, from s = -1 to 1
 using Chart = std::vector<Nodes>;  ///< from the lowest frequency on
@@ -33,14 +30,8 @@ amplitude that changes by more than 15 per cent from one well to the next betray
 $s = 1$ no family ends, but a large breather changes quickly; there a step that is too long is halved. */
 NewtonRule<double> chart_rule();
 
-/// The nodes of one frequency with 2 `wells` + 1 values of s, before they are visited.
-Nodes wells_at(double omega_b, int wells);
-
-/// Fills the nodes of one frequency from the orbit of the middle one, the linear well.
-void visit_wells(Centre centre, Nodes& column);
-
 /// 80 frequencies from 1.01 to 2 and 25 wells; a quick one ends at 1.2, after three pairs of exchanges. Throws
 /// NewtonFailed if a breather of the linear well is not found.
-Chart chart(Centre centre, bool quick);
+Chart chart(bool quick);
 
 }  // namespace lattice

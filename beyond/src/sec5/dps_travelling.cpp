@@ -10,7 +10,7 @@ DpsMember dps_member(const DpsTravelling& problem, const Vector<double>& guess) 
   const Field field = problem.expand(found.x);
   double sum = 0;
   for (const auto& a : field) sum += a.imag();
-  return {problem.phase, found.x, field, sum, norm(field), energy(field, false, problem.alpha)};
+  return {found.x, field, sum, norm(field)};
 }
 
 Vector<double> cut_dps_packet(double from, std::size_t half_length) {
@@ -41,81 +41,6 @@ Vector<double> cut_dps_packet(double from, std::size_t half_length) {
     x[2 * Eigen::Index(n)] = a.imag();
   }
   return x;
-}
-
-namespace {
-
-/// With `more` sites on either side, at which nothing moves.
-Vector<double> widened(const Vector<double>& x, std::size_t more) {
-  Vector<double> out = Vector<double>::Zero(x.size() + 2 * Eigen::Index(more));
-  out.head(x.size()) = x;
-  return out;
-}
-
-/// The last two members of a family, and how far they are apart in its parameter.
-struct LastTwo {
-  Vector<double> x, before{};
-  double apart = 0;
-};
-
-/// One member `h` further on in the parameter that `problem` has now.
-void add_member(DpsTravelling& problem, LastTwo& last, double h) {
-  Vector<double> guess = last.x;
-  if (last.before.size() > 0) {
-    const double w = h / last.apart, ratio = sup(last.x) / sup(last.before);
-    guess = std::pow(ratio, w) * ((1 + w) * last.x - w * ratio * last.before);
-  }
-  problem.size = sup(guess);
-  NewtonRule<double> rule;
-  rule.events.tolerance = 1e-10;
-  rule.reuse_below = 1e-3;
-  Vector<double> x = newton(problem.equations(), guess, rule).x;
-  last = {std::move(x), std::move(last.x), h};
-  while (std::hypot(last.x[last.x.size() - 2], last.x[last.x.size() - 1]) > 1e-14 * sup(last.x)) {
-    last.x = widened(last.x, 1), last.before = widened(last.before, 1);
-    ++problem.half_length;
-  }
-}
-
-/// Follows a family while the parameter, which `set` hands to the problem, goes from `at` to `to`.
-template <class Set>
-void follow(DpsTravelling& problem, LastTwo& last, double at, double to, double step, Set set) {
-  last.before.resize(0);
-  for (double h = to < at ? -step : step; at != to;) {
-    const double next = std::abs(to - at) <= std::abs(h) ? to : at + h;
-    try {
-      set(problem, next);
-      add_member(problem, last, next - at);
-      at = next;
-      h *= std::abs(h) < step ? 2 : 1;
-    } catch (const NewtonFailed&) {
-      h /= 2;
-      if (std::abs(h) < step / 100) throw;
-    }
-  }
-}
-
-}  // namespace
-
-// The first member, then along the angle, then along the exponent
-std::pair<DpsTravelling, DpsMember> follow_dps_member(double alpha, double phase,
-                                                      double tolerance) {
-  DpsTravelling problem;
-  LastTwo last{cut_dps_packet(40, problem.half_length)};
-  problem.tolerance = 1e-11;
-  add_member(problem, last, 0);
-  follow(problem, last, 0, phase, 0.2, [](DpsTravelling& p, double at) { p.phase = at; });
-  follow(problem, last, 2, 1 / (alpha - 1), 0.25,
-         [](DpsTravelling& p, double b) { p.alpha = 1 + 1 / b; });
-  problem.alpha = alpha, problem.tolerance = tolerance;
-  return {problem, dps_member(problem, last.x)};
-}
-
-std::pair<DpsTravelling, DpsMember> in_wider_window(const DpsTravelling& problem,
-                                                    const DpsMember& member, double tolerance) {
-  DpsTravelling wide = problem;
-  wide.half_length += 2, wide.tolerance = tolerance;
-  return {wide, dps_member(wide, widened(member.x, 2))};
 }
 
 }  // namespace lattice

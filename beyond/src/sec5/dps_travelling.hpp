@@ -2,18 +2,16 @@
 /**
 # Travelling breathers of the DpS equation
 
-$A_n(\tau+\tau_T) = e^{i\varphi}A_{n-1}(\tau)$ in Eq. (12), for contacts of any exponent $\alpha$; the article's is
-$3/2$. We choose $\tau_T = 2\pi$, and all others follow by $A \to aA$, $\tau \to a^{1-\alpha}\tau$. With the symmetry
-$A_n(\tau) = -\bar A_{-n}(-\tau)$ and $w_n = e^{-i\varphi/2}A_n(\tau_T/2)$ the equations are
+$A_n(\tau+\tau_T) = e^{i\varphi}A_{n-1}(\tau)$ in Eq. (12). We choose $\tau_T = 2\pi$, and all others follow by
+$A \to aA$, $\tau \to a^{-1/2}\tau$. With the symmetry $A_n(\tau) = -\bar A_{-n}(-\tau)$ and
+$w_n = e^{-i\varphi/2}A_n(\tau_T/2)$ the equations are
 $$\mathrm{Re}\,(w_n + w_{1-n}) = 0,\qquad \mathrm{Im}\,(w_n - w_{1-n}) = 0,\qquad n = 1,\dots,L+1.$$
-Those of the first kind add up to $V\sin(\varphi/2) = 0$, where the conserved sum $\sum_nA_n$ is $iV$. Without the one
-with $n = 1$ there was a member for every $\varphi$ that we tried, $-0.4$ to 3; it is exact where that one holds too. */
+Those of the first kind add up to $V\sin(\varphi/2) = 0$, where the conserved sum $\sum_nA_n$ is $iV$. That of $n = 1$ is
+left out; what is found is exact where it holds too, and so at $\varphi = 0$. */
 
 #include <complex>
 #include <cstddef>
 #include <numbers>
-#include <string>
-#include <utility>
 
 #include "lattice/dps/dps_impact.hpp"
 #include "lattice/orbits/newton.hpp"
@@ -25,8 +23,6 @@ struct DpsTravelling {
   std::size_t half_length = 8;  ///< L
   double phase = 0;             ///< varphi
   double tolerance = 1e-13;     ///< of the integrator
-  double alpha = 1.5;           ///< exponent of the contact force
-  double size = 1;              ///< a field is known to the tolerance times 1e-4 of this
   static constexpr double shift_time = 2 * std::numbers::pi;
 
   /// The field at tau = 0, sites -L to L + 1.
@@ -42,8 +38,8 @@ struct DpsTravelling {
   }
   /// Carries a field over some slow time, by GSL.
   void flow(Field& a, double time) const {
-    evolve_dps(Dps{.sites = a.size(), .exponent = alpha}, a, time, 1,
-               Tolerance(1e-4 * tolerance * size, tolerance, gsl_odeiv2_step_rk8pd),
+    evolve_dps(Dps{a.size()}, a, time, 1,
+               Tolerance(1e-4 * tolerance, tolerance, gsl_odeiv2_step_rk8pd),
                [](double, const Field&) {});
   }
   /// All equations, that of n = 1 first.
@@ -70,31 +66,18 @@ struct DpsTravelling {
   }
 };
 
-/// A member of the family: its field at tau = 0, V, norm and energy.
+/// A solution: its unknowns, field at tau = 0, V and norm.
 struct DpsMember {
-  double phase;      ///< varphi
-  Vector<double> x;  ///< the unknowns
+  Vector<double> x;
   Field field;
-  double V, norm, energy;
+  double V, norm;
 };
 
-/// The member near the unknowns `guess`. Throws NewtonFailed.
+/// The one near the unknowns `guess`. Throws NewtonFailed.
 DpsMember dps_member(const DpsTravelling& problem, const Vector<double>& guess);
 
 /// A guess for phase 0: unknowns cut from the packet of a struck chain of spheres, behind site `from`, at the instant
 /// when its front and its back have the most nearly equal moduli. Throws std::runtime_error if no packet passes.
 Vector<double> cut_dps_packet(double from, std::size_t half_length);
-
-/**
-With the shift time fixed the amplitude is about the power $b = 1/(\alpha-1)$ of a number. So the continuation to other
-exponents is one in $b$, and shape and logarithm of the amplitude are extrapolated from the last two members. Towards
-$\alpha = 1$ breathers become wide, and sites are added where the outermost ones move by more than a rounding error. */
-/// The member of exponent `alpha` and angle `phase`, with its problem, in which the flow has the given tolerance.
-/// Throws NewtonFailed where the branch cannot be followed.
-std::pair<DpsTravelling, DpsMember> follow_dps_member(double alpha, double phase, double tolerance);
-
-/// The same member again with two more sites on either side, at another tolerance.
-std::pair<DpsTravelling, DpsMember> in_wider_window(const DpsTravelling& problem,
-                                                    const DpsMember& member, double tolerance);
 
 }  // namespace lattice

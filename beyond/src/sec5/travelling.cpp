@@ -21,10 +21,12 @@ Symmetry travelling_reversible(std::size_t half_length, bool free_period) {
   return s;
 }
 
+namespace {
+
 // About its centre a travelling breather is odd in position and even in velocity
-double asymmetry(const State<double>& z, std::size_t c, std::size_t width) {
+double asymmetry(const State<double>& z, std::size_t c) {
   double off = 0, size = 0;
-  for (std::size_t j = 1; j <= width; ++j) {
+  for (std::size_t j = 1; j <= 3; ++j) {
     const double y = z.y[c + j] + z.y[c - j], v = z.v[c + j] - z.v[c - j];
     off += y * y + v * v;
     size += z.y[c + j] * z.y[c + j] + z.v[c + j] * z.v[c + j] + z.y[c - j] * z.y[c - j] +
@@ -42,6 +44,8 @@ Vector<double> front_half(const State<double>& z, std::size_t c, std::size_t hal
   }
   return x;
 }
+
+}  // namespace
 
 State<double> between(const State<double>& a, const State<double>& b, double w) {
   State<double> z = a;
@@ -129,6 +133,15 @@ Orbit<double> type_two(Orbit<double> a, Orbit<double> b, const NewtonRule<double
   // An exact orbit satisfies all equations, with the shift time as one more unknown
   return newton(with_free_time(travelling_problem(shift_time(b), 0, half_length)),
                 with_time(b.x, shift_time(b)), rule);
+}
+
+// The equations are all imposed, and the shift time is an unknown
+Branch branch_in_s(const Orbit<double>& start, int direction, double longest) {
+  const double time = shift_time(start);
+  const auto problem = with_free_time(travelling_problem(time, 0, start.start.y.size() / 2 - 1));
+  const Orbit<double> orbit = newton(problem, with_time(start.x, time));
+  const Stride stride{.first = 0.02, .least = 1e-6, .most = longest};
+  return {problem, along_s<double>(), orbit, direction, {}, stride};
 }
 
 }  // namespace lattice

@@ -2,12 +2,9 @@
 /**
 # Travelling breathers
 
-An exact travelling breather repeats itself one site further on after the *shift time* $T$, $y_n(t+T) = y_{n-1}(t)$. In
-linear wells $(e^{-iT}-1)Z = 0$ for $Z = \sum_n(y_n+i\dot y_n)$ (sec5_travelling_breathers.cpp), so that it has
-$T = 2\pi k$ (type I) or $Z = 0$ (type II). The equations of `travelling_reversible` without the first one
-had a solution for every $T$ that we tried; these solutions form a *family*. With $Z(0) = iV$, $V = \sum\dot y_n$, the
-equation that was left out reads $V\sin(T/2) = 0$ (sec5_travelling_families.cpp): along a family a single number, $V$,
-shows where it passes through an exact orbit. */
+Orbits with $y_n(t+T) = y_{n-1}(t)$, their families, and the packet from which the first of them is found. The equations
+and the sum $V = \sum\dot y_n$, whose zeros along a family mark exact orbits, are explained in
+sec5_travelling_breathers.cpp. */
 
 #include <algorithm>
 #include <cmath>
@@ -20,25 +17,17 @@ shows where it passes through an exact orbit. */
 #include "lattice/numerics/estimate.hpp"
 #include "lattice/numerics/progress.hpp"
 #include "lattice/orbits/breather.hpp"
+#include "lattice/orbits/continuation.hpp"
 #include "lattice/orbits/floquet.hpp"
 
 namespace lattice {
 
-/**
-An orbit that is also invariant under $y_n(t) \to -y_{-n}(-t)$ has odd positions and even velocities in $n$ at $t = 0$.
-Together with $y_n(t+T) = y_{n-1}(t)$ this relates the times $T/2 \pm t$ and the sites $n$ and $1-n$:
-$$y_n + y_{1-n} = 0,\qquad \dot y_n - \dot y_{1-n} = 0 \qquad\text{at } t = T/2,\ n = 1,\dots,L+1.$$
-With the unknowns $y_1,\dots,y_L$, $\dot y_0,\dots,\dot y_L$ and $T$ there are as many equations as unknowns. If $T$ is
-given there is one too many, and the first, that of the positions of 0 and 1, is left out. At $T = 2\pi k$ nothing is
-lost by this: $Z$ is imaginary at the start, only turns, and is imaginary again at $T/2$, so that the equations for
-positions add up to zero whatever the unknowns are. */
-/// That symmetry, with $L$ = `half_length`; the site $L+1$ begins at rest.
+/// Odd positions and even velocities about the site 0 at t = 0 and about the next contact at T/2, with $L$ =
+/// `half_length`; the site $L+1$ begins at rest. If T is given, the first equation, of $y_0+y_1$, is left out.
 Symmetry travelling_reversible(std::size_t half_length, bool free_period);
 
-/**
-The chain has the sites $-L \le n \le L+1$, with $L$ = `half_length`. Both tails of a breather fall
-double-exponentially, and eight sites on either side are enough for double precision and the next wider
-type. */
+/// The chain has the sites -L to L+1. Both tails fall double-exponentially, and eight sites on either side are enough for
+/// double and extended precision.
 inline constexpr std::size_t usual_half_length = 8;
 
 /// The problem of the member of a family with the given shift time: all equations but the first.
@@ -60,8 +49,7 @@ Shooting<T> type_one(std::size_t k, std::size_t half_length = usual_half_length)
   return travelling_problem<T>(T(2) * pi<T>() * T(double(k)), 0, half_length);
 }
 
-/**
-If all equations are imposed the shift time becomes an unknown, and what is found is exact. */
+/// The same with all equations and the shift time as an unknown: what is found is exact.
 template <class T>
 Shooting<T> with_free_time(Shooting<T> problem) {
   problem.symmetry = travelling_reversible(problem.chain.sites / 2 - 1, true);
@@ -76,18 +64,10 @@ Vector<T> with_time(const Vector<T>& x, const T& shift_time) {
   return all;
 }
 
-/**
-Three numbers identify an orbit: its shift time, its central velocity $\dot y_0$, whose sign tells two
-orbits of the same $T$ apart, and $V$. */
 /// T.
 template <class T>
 T shift_time(const Orbit<T>& orbit) {
   return T(2) * pi<T>() / orbit.omega;
-}
-/// The velocity of site 0 at t = 0.
-template <class T>
-T central_velocity(const Orbit<T>& orbit) {
-  return orbit.start.v[orbit.start.v.size() / 2 - 1];
 }
 /// V, relative to the amplitude.
 template <class T>
@@ -97,42 +77,19 @@ T velocity_sum(const Orbit<T>& orbit) {
   return sum / orbit.amplitude;
 }
 
-/**
-## The first orbit
-
-Where does the first guess come from? If the end of a chain is struck, a packet leaves it (section 3.4)
-that is almost what we look for. We cut it out at an instant when its largest site passes through zero
-and the beads next to it are as nearly odd in position and even in velocity as they ever are. Ahead of
-the packet nothing has moved before, so we keep its front half and mirror it; this leaves out the waves
-behind it. */
-
-/// By how much the neighbours of site `c` violate the symmetry, relative to their size.
-double asymmetry(const State<double>& z, std::size_t c, std::size_t width = 3);
-
-/// The unknowns of the front half of the packet around site `c`.
-Vector<double> front_half(const State<double>& z, std::size_t c, std::size_t half_length);
-
-/**
-The zero of the largest site lies between two samples of the run; linear interpolation between them is good
-enough for a guess. */
 /// The state at the part `w` of the way from one state to another.
 State<double> between(const State<double>& a, const State<double>& b, double w);
 
-/**
-Of all such instants while the packet moves from one given site to another, the most symmetrical is
-taken. */
-/// Unknowns cut from the packet of an impact at `velocity` while its centre lies between the sites `from`
-/// and `to`; `sign` is that of the central velocity. Throws std::runtime_error if no packet passes.
+/// Unknowns cut from the packet of an impact at `velocity` while its centre lies between the sites `from` and `to`, at the
+/// instant when its largest site passes through zero and the beads next to it are most nearly odd in position and even in
+/// velocity. The front half is mirrored, which leaves out the waves behind. `sign` is that of the central velocity. Throws
+/// std::runtime_error if no packet passes.
 Vector<double> cut_packet(double velocity, double from, double to, int sign,
                           std::size_t half_length = usual_half_length);
 
 /**
-## From one orbit to the next
-
-From one orbit of type I we reach others. Small orbits are those of the DpS equation (dps_travelling.hpp),
-$y \propto 1/T^2$. In units of $1/k^2$ the members of type I change little with $1/k$, and a straight line
-through the last two predicts the next one. The tail is only scaled: it falls by many orders of magnitude
-and does not follow a straight line. */
+From one orbit of type I we reach others. In units of $1/k^2$, which is how small orbits scale, they change little with
+$1/k$, and a straight line through the last two predicts the next one. The far tail is only scaled. */
 class TypeOneOrbits {
  public:
   /// The orbits with this sign of the central velocity.
@@ -148,8 +105,6 @@ class TypeOneOrbits {
   /// The impact after which the packet moves by one site in about `first` oscillations.
   static constexpr double first_velocity = 0.0174;
 
-  /// The orbit that was reached last.
-  const Orbit<double>& orbit() const { return orbit_; }
   /// Goes up or down to k, in steps short enough for Newton's method. Throws NewtonFailed.
   const Orbit<double>& orbit_at(std::size_t k) {
     Progress progress("orbits up to k = " + std::to_string(k), 1);
@@ -161,17 +116,13 @@ class TypeOneOrbits {
     return orbit_;
   }
 
-  /**
-  At large k the derivative at the last orbit also serves the next one, which saves most of the time. If
-  two k differ by an odd number, the phase at $T/2$ differs by half a turn, and the derivative changes
-  its sign. */
  private:
   void remember(std::size_t k) {
     before_ = last_, last_ = orbit_.x * double(k * k);
     h_before_ = h_, h_ = 1 / double(k), k_ = k;
   }
-  /**
-  So a step predicts, scales and corrects. */
+  /// Predicts, scales and corrects. At large k the derivative at the last orbit serves, too; if two k differ by an odd
+  /// number, the phase at T/2 differs by half a turn, and the derivative changes its sign.
   void step(std::size_t k) {
     const double h = 1 / double(k);
     Vector<double> x = last_;
@@ -195,18 +146,9 @@ class TypeOneOrbits {
   double h_ = 0, h_before_ = 0;
 };
 
-/**
-An orbit that has been found only once has no error bar. So it is found again, from another guess and with
-other steps. */
 /// The energy of an orbit of type I, with the difference from that of the same orbit found from a guess
 /// that is slightly off, at eight times the tolerance.
 Estimate energy_of_type_one(std::size_t k, const Orbit<double>& orbit);
-
-/**
-## Along a family
-
-Now the shift time is changed in small steps. If $V$ changes its sign between two members, the family has
-passed through an orbit of type II, which the secant method finds and the full equations confirm. */
 
 /// The member with shift time `to`, extrapolated from two neighbours `a` and `b`, which may be the same.
 /// Throws NewtonFailed.
@@ -217,19 +159,15 @@ Orbit<double> next_member(const Orbit<double>& a, const Orbit<double>& b, double
 std::vector<Orbit<double>> follow_family(const Orbit<double>& start, double to, double step,
                                          const NewtonRule<double>& rule = {});
 
-/**
-The secant method looks for the zero of $V$ along the family; the last solution takes all equations and the
-shift time as an unknown. */
-/// The orbit of type II between two members with V of opposite signs.
+/// The orbit of type II between two members with V of opposite signs, by the secant method and then with T as an unknown.
 /// Throws NewtonFailed.
 Orbit<double> type_two(Orbit<double> a, Orbit<double> b, const NewtonRule<double>& rule = {});
 
-/**
-## In a resting chain
+/// The branch of an orbit of type I at s = 0 into hard (direction 1) or soft (-1) wells, with T as an unknown, by arclength
+/// in steps up to `longest`. Newton's method fails where beads of the tail only just touch. Throws NewtonFailed.
+Branch branch_in_s(const Orbit<double>& start, int direction, double longest = 0.25);
 
-To see an orbit travel we put it into a longer chain at rest, from site `place` on; beyond its own sites
-all is zero. */
-/// The state of `sites` beads that holds the orbit.
+/// The state of `sites` beads at rest that holds the orbit from site `place` on.
 template <class T>
 State<T> embed(const State<T>& orbit, std::size_t sites, std::size_t place) {
   State<T> state(sites);
@@ -238,10 +176,7 @@ State<T> embed(const State<T>& orbit, std::size_t sites, std::size_t place) {
   return state;
 }
 
-/**
-Following it over many sites takes no chain that holds them all: a frame goes along, beads that have been
-passed are dropped, and beads at rest come in ahead. */
-/// Moves the frame that a state holds on by `sites`.
+/// Moves the frame that a state holds on by `sites`: beads that have been passed are dropped, beads at rest come in ahead.
 inline void move_on(State<double>& state, std::size_t sites) {
   for (auto* q : {&state.y, &state.v}) {
     std::rotate(q->begin(), q->begin() + std::ptrdiff_t(sites), q->end());
@@ -271,10 +206,7 @@ Matrix<T> shifted_map(const Chain& chain, const State<T>& start,
   return shifted;
 }
 
-/**
-The eigenvalues of this map are the multipliers. Stability depends on the largest, the phase on those
-next to $+1$. */
-/// All multipliers, the largest first.
+/// All multipliers, its eigenvalues, the largest first.
 template <class T>
 std::vector<std::complex<T>> multipliers_of(const Matrix<T>& map) {
   std::vector<std::complex<T>> all = eigenvalues_of(map);

@@ -1,7 +1,6 @@
 #include "lattice/standing/spectrum.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
@@ -150,20 +149,6 @@ std::vector<std::complex<T>> full_exponents(const Stationary<T>& state) {
   return out;
 }
 
-template <class T>
-Remainders remainders(const Stationary<T>& state) {
-  using std::abs;
-  auto full = full_exponents(state);
-  std::sort(full.begin(), full.end(),
-            [](const auto& a, const auto& b) { return std::norm(a) < std::norm(b); });
-  // First come the two zeros of the phase, then the pinning pair
-  const T m = contact_spectrum(state).m[1], pair = lambda_modulus(state.mu, m, state.exponent);
-  const bool real = lambda_squared(state.mu, m, state.exponent) > T(0);
-  const T found = abs(real ? full[2].real() : full[2].imag());
-  const T wrong = abs(real ? full[2].imag() : full[2].real());
-  return {double(abs(found - pair) + wrong), double(abs(full[1]))};
-}
-
 // The plane in which a breather is shifted and pushed along the chain
 PinningPair::PinningPair(const ContactSpectrum<double>& spectrum)
     : V(spectrum.second),
@@ -191,8 +176,7 @@ void PinningPair::add(std::complex<double> z, Field& w) const {
 #define LATTICE_SPECTRUM(T)                                                   \
   template ContactSpectrum<T> contact_spectrum(const Stationary<T>&);         \
   template std::vector<std::pair<T, T>> exponents(const ContactSpectrum<T>&); \
-  template std::vector<std::complex<T>> full_exponents(const Stationary<T>&); \
-  template Remainders remainders(const Stationary<T>&);
+  template std::vector<std::complex<T>> full_exponents(const Stationary<T>&);
 
 #define LATTICE_COUNTED(T)                                                 \
   template std::vector<T> contact_roots(const Stationary<T>&);             \

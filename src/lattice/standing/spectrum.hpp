@@ -118,16 +118,6 @@ check: its entries come from the displacements, and nothing of its structure is 
 template <class T>
 std::vector<std::complex<T>> full_exponents(const Stationary<T>& state);
 
-/// How well the two routes to the pinning pair agree, including the part that should vanish, and how large a real part
-/// has to be before it means anything.
-struct Remainders {
-  double pair, zero;  ///< of the pinning pair; the larger one of the phase's two zeros
-};
-
-/// Remainders of the full matrix of `state`.
-template <class T>
-Remainders remainders(const Stationary<T>& state);
-
 /**
 ## The pinning pair
 

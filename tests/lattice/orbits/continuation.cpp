@@ -57,7 +57,8 @@ TEST_CASE("a branch passes its fold, beyond which there is no breather", "[prope
   Branch branch(p, along_omega<double>(), start, 1);
   const double turn = branch.fold();
   CHECK(branch.slope() < 0);
-  const Estimate fold = fold_of(p, start);
+  const Estimate fold =
+      fold_of({p, along_omega<double>(), start, 1, {}, {.first = 0.05, .most = 0.2}});
   CAPTURE(turn, fold.value, fold.error);
   CHECK((fold.value > 1.6 && fold.value < 1.65));
   CHECK(fold.error < 1e-5);

@@ -226,3 +226,26 @@ TEST_CASE("an orbit that shrinks to rest is none", "[unit][orbits]") {
     CHECK((small > 1e-9 && small < 2e-8));
   }
 }
+
+TEST_CASE("a wave of a ring without wells moves on by one site", "[unit][orbits]") {
+  const double q = 6 * std::numbers::pi / 9;
+  const Shooting<double> problem{{9, None{}, Hertz{.floor = 0}, Ends::periodic},
+                                 travelling(9, 1, true),
+                                 2 * std::numbers::pi / q};
+  const double amplitude = std::pow(0.457 * std::pow(2 * std::sin(q / 2), 2.5), -2);
+  State<double> guess(9);
+  for (std::size_t n = 0; n < 9; ++n) {
+    guess.y[n] = amplitude * std::cos(q * double(n));
+    guess.v[n] = amplitude * std::sin(q * double(n));
+  }
+  const Orbit<double> wave =
+      newton(problem, problem.reduce(guess), {.most_steps = 60, .damped = true, .rank = 1e-9});
+  State<double> end = wave.start;
+  flow(problem.chain, end, q);
+  const double shift = end.y[1] - wave.start.y[0];
+  CHECK(wave.amplitude > 0.1);
+  for (std::size_t n = 0; n < 9; ++n) {
+    check_close(end.y[(n + 1) % 9] - shift, wave.start.y[n], 1e-6 * wave.amplitude);
+    check_close(end.v[(n + 1) % 9], wave.start.v[n], 1e-6 * wave.amplitude);
+  }
+}
