@@ -192,7 +192,7 @@ book: install-book
 ## weave: build the book from the existing data and figures, in seconds
 weave: verdicts
 	@if sh tools/configure.sh $(B)/live book/live; then sh tools/build.sh $(B)/live $(JOBS) pages; else rm -f $(B)/live/*.wasm; fi
-	@[ ! -f $(D)/data/sec5_growth/facts.ecsv ] || $(MAKE) volume=beyond verdicts
+	@[ ! -f $(D)/data/sec5_experiment/facts.ecsv ] || $(MAKE) volume=beyond verdicts
 	@rm -rf $(D)/book.part $(D)/book.pages $(D)/book.read && mkdir -p $(D)/book.pages
 	@$(sphinx) -m sphinx -q -n -W --keep-going -D literate_build=$(D) -c book -d $(D)/book.read $(D)/book.pages $(D)/book.part
 	@rm -rf $(D)/book $(D)/book.read && mv $(D)/book.part $(D)/book

@@ -6,18 +6,18 @@ import numpy as np
 from matplotlib.colors import LogNorm
 
 data, out = draw.arguments()
-maps = draw.read(f"{data}/sec5_driving/maps.ecsv")
-ratios = np.unique(maps["ratio"])
+maps = draw.read(f"{data}/sec5_experiment/maps.ecsv")
+amplitudes = np.unique(maps["amplitude"])
 most = maps["energy"].max()
 
-figure, panels = plt.subplots(1, len(ratios), figsize=(draw.TWO_COLUMNS, 80 * draw.MM), sharey=True)
-for axes, ratio, name in zip(panels, ratios, "abc"):
-    image, extent = draw.grid(draw.where(maps, "ratio", ratio), "n", "t", "energy")
+figure, panels = plt.subplots(1, len(amplitudes), figsize=(draw.TWO_COLUMNS, 80 * draw.MM), sharey=True)
+for axes, amplitude, name in zip(panels, amplitudes, "abc"):
+    image, extent = draw.grid(draw.where(maps, "amplitude", amplitude), "n", "t", "energy")
     shown = axes.imshow(np.maximum(image, 1e-6 * most), extent=extent, origin="lower",
                         aspect="auto", norm=LogNorm(1e-6 * most, most), cmap="viridis",
                         interpolation="nearest")
     axes.set(xlabel="bead $n$")
-    axes.set_title(f"({name}) {ratio:g} of asymptotic threshold", loc="left", pad=3, fontsize=7)
+    axes.set_title(rf"({name}) $u_0 = {amplitude:g}$ $\mathrm{{\mu m}}$", loc="left", pad=3, fontsize=7)
 panels[0].set(ylabel="time (ms)")
 figure.colorbar(shown, ax=panels, label="energy of a bead (J)", fraction=0.05, pad=0.02)
 draw.save(figure, out)

@@ -1,15 +1,14 @@
-"""Figure x32: growth of modulations of plane waves without precompression, the chain against it, and the waves between."""
+"""Figure x32: growth of modulations of plane waves without precompression, the chain against it, and its marginal wave."""
 
 import draw
 import matplotlib.pyplot as plt
 import numpy as np
 
 data, out = draw.arguments()
-folder = f"{data}/sec5_growth"
+folder = f"{data}/sec5_experiment"
 growth = draw.read(f"{folder}/growth.ecsv")
 edge = draw.read(f"{folder}/edge.ecsv")
 chain = draw.read(f"{folder}/chain_growth.ecsv")
-marginal = draw.read(f"{folder}/marginal_growth.ecsv")
 
 figure, (chart, order, between) = plt.subplots(1, 3, figsize=(draw.TWO_COLUMNS, 70 * draw.MM),
                                                gridspec_kw={"width_ratios": [1.5, 1, 1]})
@@ -33,10 +32,11 @@ chart.text(0.45, 0.4, "no exponential\ngrowth", ha="center", rotation=90, va="ce
 chart.legend(loc="upper right")
 draw.letter(chart, "a")
 
-marks = [("#0072B2", "o"), ("#E69F00", "s"), ("#009E73", "^"), ("#CC79A7", "D"), ("#D55E00", "v")]
-for (color, mark), q in zip(marks, sorted(np.unique(np.round(chain["q"], 9)), reverse=True)):
-    rows = draw.where(chain, "q", q)
-    order.loglog(rows["eps"], rows["apart"], mark + "-", color=color, ms=3.5, lw=0.7, mfc="white",
+marks = [("#0072B2", "o"), ("#E69F00", "s"), ("#009E73", "^")]
+unstable = {name: x[chain["dps"] > 0] for name, x in chain.items()}
+for (color, mark), q in zip(marks, sorted(np.unique(np.round(unstable["q"], 9)), reverse=True)):
+    rows = draw.where(unstable, "q", q)
+    order.loglog(rows["eps"], np.abs(rows["growth"] / rows["dps"] - 1), mark + "-", color=color, ms=3.5, lw=0.7, mfc="white",
                  label=r"$q = \pi$" if q > 3.14 else rf"$q = {q / np.pi:.3g}\pi$")
 sizes = np.array([1e-7, 1e-4])
 order.loglog(sizes, 25 * np.sqrt(sizes), "k:", lw=0.9, label=r"slope $\frac{1}{2}$")
@@ -44,10 +44,8 @@ order.set(xlabel=r"amplitude scale $\epsilon$", ylabel="relative difference of t
 order.legend(loc="lower right", fontsize=6)
 draw.letter(order, "b")
 
-for color, mark, q, name in [("#0072B2", "o", np.pi / 2, r"$q = \frac{1}{2}\pi$"),
-                             ("#D55E00", "v", 22 * np.pi / 39, r"$\cos q \approx -\frac{1}{5}$")]:
-    rows = draw.where(marginal, "q", q)
-    between.loglog(rows["eps"], rows["growth"], mark + "-", color=color, ms=3.5, lw=0.7, mfc="white", label=name)
+rows = draw.where(chain, "q", np.pi / 2)
+between.loglog(rows["eps"], rows["growth"], "o-", color="#0072B2", ms=3.5, lw=0.7, mfc="white", label=r"$q = \frac{1}{2}\pi$")
 between.loglog(sizes, 1.1 * sizes**0.25, "k:", lw=0.9, label=r"slope $\frac{1}{4}$")
 between.set(xlabel=r"amplitude scale $\epsilon$", ylabel="growth rate in the chain")
 between.legend(loc="lower right", fontsize=6)

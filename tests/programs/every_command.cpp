@@ -61,5 +61,5 @@ TEST_CASE("every option of every command refuses what its help does not allow", 
     for (const auto& found : matches(help, "^  (--[a-z]+) \\{([a-z]+)"))
       refused(command, found[1], "corner", found[2]);
   }
-  CHECK(seen > 50);
+  CHECK(seen > 30);
 }

@@ -32,7 +32,7 @@ SECONDS = 30 * float(os.environ.get("LATTICE_SLACK", "1"))
 SIZES = {"sites": 2, "columns": 1.5, "rows": 1.5, "time": 1.5, "tau": 5, "patience": 2, "longest": 3, "k": 4, "near": 3,
          "reach": 2}
 LOOSE = {"tolerance": 1e-2}
-LONG = {"sec34_boomeron_map map", "sec5_driving chart",  # a point of a map is a run
+LONG = {"sec34_boomeron_map map",  # a point of a map is a run
         "sec33_floquet exchange", "sec33_mobility threshold",     # Newton and multipliers, or a run, many times
         "sec5_enclosures dps", "sec5_enclosures breather"}
 FREE = {"output", "out", "folder"}

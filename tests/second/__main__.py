@@ -14,7 +14,7 @@ COLUMNS = {"quantity": "string, description: 'name of the number'",
            "error": "float64, description: 'difference of the two accuracies plus rounding'",
            "unit": "string, description: 'empty in the scaled units of the article'",
            "method": "string, description: 'definition'"}
-UNITS = {"sec5_driving.recipe_7000": "um", "sec34_boomeron.apex_site_190": "site",
+UNITS = {"sec5_experiment.recipe_7000": "um", "sec34_boomeron.apex_site_190": "site",
          "sec5_experiment.sites_undamped": "sites", "sec5_experiment.sites_10ms": "sites"}
 
 parser = argparse.ArgumentParser(prog="second", description=__doc__)

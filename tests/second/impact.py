@@ -89,4 +89,4 @@ def fold(level):
         last, old, place = place, slope[-1], place + move
         x, slope = orbit(x + slope * move)
     text = "first maximum of the piston's amplitude along the orbits of its period; 7000 Hz; energy lost in 10 ms"
-    return [("sec5_driving.recipe_7000", x[-1] * LENGTH * 1e6, 1e-9, text)]
+    return [("sec5_experiment.recipe_7000", x[-1] * LENGTH * 1e6, 1e-9, text)]

@@ -74,6 +74,6 @@ def rates(level):
         x, delay = plane_wave(chain, sites, eps)
         end = shifted(chain, seed(np.tile(x.reshape(2, -1), ring // sites).ravel()), delay)
         time, fastest = delay * np.sqrt(eps), np.abs(np.linalg.eigvals(end[:, 1:])).max()
-        rows.append(("sec5_growth." + name, np.log(fastest) / time, 1e-14 / time,
+        rows.append(("sec5_experiment." + name, np.log(fastest) / time, 1e-14 / time,
                      f"fastest growth per slow time on a ring of {ring}; q = 2 pi/{sites}; eps = {eps:g}"))
     return rows

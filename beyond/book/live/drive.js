@@ -14,7 +14,7 @@
     request() { return [this.ask.frequency, this.ask.amplitude, this.ask.by === "base" ? 1 : 0, this.ask.lifetime, this.ask.time, 300]; }
     commands() {
       const a = this.ask;
-      return `build/bin/sec5_driving drive --frequency ${a.frequency} --amplitude ${a.amplitude} --by ${a.by} --lifetime ${a.lifetime} --time ${a.time}`;
+      return `build/bin/sec5_experiment drive --frequency ${a.frequency} --amplitude ${a.amplitude} --by ${a.by} --lifetime ${a.lifetime} --time ${a.time}`;
     }
 
     furnish() {
@@ -37,7 +37,7 @@
       this.fact("power", "mean power of the drive in the second half", "W");
       this.fact("response", "largest displacement of the first bead in the second half", "µm");
       this.fact("budget", "energy plus losses minus work, relative");
-      if (law) this.fact("threshold_law", "asymptotic threshold of the DpS limit", "µm");
+      if (law) this.fact("threshold_law", "asymptotic threshold of the DpS limit, with the error of the limit", "µm");
     }
 
     draw() {

@@ -16,23 +16,21 @@ double period_at(const std::vector<Maximum>& all, std::size_t i) {
   return i > 0 && i + 1 < all.size() ? (all[i + 1].t - all[i - 1].t) / 2 : 0;
 }
 
-/// The maximum that is the strongest one with the weight (1 - nu theta / 4)^power; none, `all.size()`, where all come
-/// too late.
-std::size_t strongest(const std::vector<Maximum>& all, double nu, int power) {
+/// The push that is the strongest one with the weight of the slow clock; none, `all.size()`, where all come too late.
+std::size_t strongest(const std::vector<Maximum>& all, double nu) {
   double most = 0;
   std::size_t out = all.size();
   for (std::size_t i = 0; i < all.size() && nu * all[i].t < 4; ++i) {
-    const double rate = 1 - nu * all[i].t / 4;
-    const double weighted = all[i].height * rate * rate * (power == 3 ? rate : 1);
+    const double rate = 1 - nu * all[i].t / 4, weighted = all[i].height * rate * rate * rate;
     if (weighted > most) most = weighted, out = i;
   }
   return out;
 }
 
-/// Maxima are a period apart: the top of a parabola through the weighted logarithms of one and its neighbours.
-double top_between(const std::vector<Maximum>& all, std::size_t i, double nu, int power) {
+/// Pushes are a period apart: the top of a parabola through the weighted logarithms of one and its neighbours.
+double top_between(const std::vector<Maximum>& all, std::size_t i, double nu) {
   const auto log = [&](std::size_t k) {
-    return std::log(all[k].height) + power * std::log1p(-nu * all[k].t / 4);
+    return std::log(all[k].height) + 3 * std::log1p(-nu * all[k].t / 4);
   };
   if (!(nu * all[i + 1].t < 4 && all[i - 1].height > 0 && all[i + 1].height > 0)) return all[i].t;
   const double a = all[i - 1].t - all[i].t, b = all[i + 1].t - all[i].t, middle = log(i);
@@ -61,13 +59,12 @@ void Maxima::add(double t, double x, double step) {
 }
 
 // Without losses all weights are one
-Arrival arrival(std::vector<Maximum> pushes, std::vector<Maximum> speeds) {
-  const std::size_t i = strongest(pushes, 0, 3), k = strongest(speeds, 0, 2);
+Arrival arrival(std::vector<Maximum> pushes) {
+  const std::size_t i = strongest(pushes, 0);
   Arrival out;
   if (i < pushes.size()) out.t = pushes[i].t;
-  if (k < speeds.size()) out.velocity = speeds[k].height;
   out.period = period_at(pushes, i);
-  out.pushes = std::move(pushes), out.speeds = std::move(speeds);
+  out.pushes = std::move(pushes);
   return out;
 }
 
@@ -108,33 +105,19 @@ double centre_after(const Arrivals& arrivals, double t) {
   return next[-1].height + part * (next->height - next[-1].height);
 }
 
-// Straight lines in the logarithm of the velocity
-double seen_until(const Arrivals& arrivals, double resolution) {
-  const auto& all = arrivals.contacts;
-  const auto low = std::find_if(all.begin(), all.end(),
-                                [&](const Arrival& p) { return p.velocity < resolution; });
-  const double n = double(low - all.begin());
-  if (low == all.end() || low == all.begin()) return n;
-  const double before = std::log(low[-1].velocity),
-               after = std::log(std::max(low->velocity, 1e-300));
-  return n + (before - std::log(resolution)) / (before - after);
-}
-
 // The internal clock runs on: what slows down are the turns beyond those of a linear oscillation
 Arrivals slowed(const Arrivals& undamped, double nu) {
   if (!(nu > 0)) return undamped;
   const double turn = 2 * std::numbers::pi;
   Arrivals out;
   for (const Arrival& from : undamped.contacts) {
-    const std::size_t i = strongest(from.pushes, nu, 3), k = strongest(from.speeds, nu, 2);
+    const std::size_t i = strongest(from.pushes, nu);
     Arrival p;
     if (const double period = period_at(from.pushes, i); period > 0) {
-      const double theta = top_between(from.pushes, i, nu, 3);
+      const double theta = top_between(from.pushes, i, nu);
       p.t = true_time(nu, theta);
       p.period = turn / (1 + (turn / period - 1) * (1 - nu * theta / 4));
     }
-    if (k < from.speeds.size())
-      p.velocity = from.speeds[k].height * std::pow(1 - nu * from.speeds[k].t / 4, 2);
     out.add(std::move(p));
   }
   for (const Maximum& c : undamped.centres)

@@ -2,12 +2,9 @@
 /**
 # Where a packet is
 
-A packet passes a contact in a train of pushes, and the strongest one counts as its *arrival*. A sensor on a bead sees
-the velocity instead. So a run keeps all maxima in time of both, and from these follow the distance, the speed and the
-range of a sensor; with friction of the beams also what a run without losses predicts, by the slow clock
-$$\theta(t) = \int_0^t e^{-\nu t'/4}\,dt' = \frac4\nu\bigl(1-e^{-\nu t/4}\bigr) < \frac4\nu.$$
-Proof for the DpS field: with $a_n = e^{-\nu t/2}b_n$ friction drops out of its equation, and the forces, of degree
-$\frac32$, keep the factor $e^{-\nu t/4} = d\theta/dt$. So $b_n$ is a field without friction at the time $\theta$. */
+A packet passes a contact in a train of pushes, and the strongest one counts as its *arrival*. So a run keeps all maxima
+in time of the pushes. From these follow the distance and the speed, and what a run without losses predicts for beams
+with friction, by the slow clock that the chapter derives (sec5_experiment.cpp). */
 
 #include <cstddef>
 #include <vector>
@@ -37,12 +34,11 @@ class Maxima {
   std::size_t seen_ = 0;
 };
 
-/// The strongest push of one contact and the largest velocity of the bead before it, and all maxima of both.
+/// The strongest push of one contact, and all of them.
 struct Arrival {
-  double t = 0, period = 0,
-         velocity = 0;   ///< period: half the time between the pushes before and after
-  bool reached = false;  ///< the push has a period, and is later than those before
-  std::vector<Maximum> pushes{}, speeds{};
+  double t = 0, period = 0;  ///< period: half the time between the pushes before and after
+  bool reached = false;      ///< the push has a period, and is later than those before
+  std::vector<Maximum> pushes{};
 };
 
 /// What a run has seen. Contact 1, that of the first two beads, has the index 0.
@@ -55,8 +51,8 @@ struct Arrivals {
   void add(Arrival next);
 };
 
-/// The arrival that belongs to the maxima of a contact's pushes and of the velocity of the bead before it.
-Arrival arrival(std::vector<Maximum> pushes, std::vector<Maximum> speeds);
+/// The arrival that belongs to the maxima of a contact's pushes.
+Arrival arrival(std::vector<Maximum> pushes);
 
 /**
 The way begins at the first contact at the time of the impact. Between two contacts the packet moves evenly and
@@ -74,12 +70,8 @@ Travelled travelled_after(const Arrivals& arrivals, double t);
 /// The centre of the energy at the time `t`; throws std::out_of_range if the run has ended before.
 double centre_after(const Arrivals& arrivals, double t);
 
-/// The place, between two beads, where the largest velocity falls below `resolution` for the first time, on a
-/// logarithmic scale; the last bead if it never does.
-double seen_until(const Arrivals& arrivals, double resolution);
-
-/// What the slow clock predicts for the energy rate nu: each maximum of a run without losses at the time at which the
-/// clock shows it, with the weight (1 - nu theta / 4)^2 for a speed and its power 3/2 for a force; the strongest wins.
+/// What the slow clock predicts for the energy rate nu: each push of a run without losses at the time at which the clock
+/// shows it, with the weight (1 - nu theta / 4)^3; the strongest wins.
 Arrivals slowed(const Arrivals& undamped, double nu);
 
 }  // namespace lattice

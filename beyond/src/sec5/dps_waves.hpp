@@ -7,12 +7,10 @@ stretched equally. With $D = |2A\sin\frac q2|^{1/2}$ and the rate $\rho = D/(2\t
 $$\Omega = -4\rho\,\sin^2\tfrac q2.$$
 In the chain it has the frequency $1-\epsilon^{1/2}\Omega$, which is above the band for every $q$.
 
-## What a modulation does
-
-The chapter (sec5_growth.cpp) derives the growth rates $\sigma$, with the matrix entries $a$, $e$ and $k$, and the band of
-modulations that grow. With $c = \cos q$ the fastest one is $Q = \pi$ if $-\frac15<c<0$, and halfway between $1$ and
-$\cos Q_*$ in the cosine if $c<-\frac15$. The square of the largest growth is $-4\rho^2c(1+5c)$, at most $\rho^2/5$, in
-the first case and $-\frac{\rho^2}4(1+5c)(1-c)^2/(1-5c)$ in the second, which rises up to $\frac23\rho^2$ at $c = -1$. */
+The chapter (sec5_experiment.cpp) derives the growth rate of a modulation and the band of those that grow. With $c =
+\cos q$ the fastest one is $Q = \pi$ if $-\frac15<c<0$, and halfway between $1$ and $\cos Q_*$ in the cosine if
+$c<-\frac15$. The square of the largest growth is $-4\rho^2c(1+5c)$, at most $\rho^2/5$, in the first case and
+$-\frac{\rho^2}4(1+5c)(1-c)^2/(1-5c)$ in the second, which rises up to $\frac23\rho^2$ at $c = -1$. */
 
 #include <cmath>
 #include <complex>
@@ -26,15 +24,6 @@ the first case and $-\frac{\rho^2}4(1+5c)(1-c)^2/(1-5c)$ in the second, which ri
 
 namespace lattice {
 
-/**
-## Marginal waves
-
-Where $k^2 = a^2\ne0$ the matrix without $e$ is nilpotent: it does not vanish and its square does, so that a
-modulation grows in proportion to time, by up to $2\rho\,|a|$ of itself per unit. At $Q = 0$ this is so for every
-wave and only says that the frequency depends on the amplitude. It is so at $Q = \pi$ if $q = \frac\pi2$, and where
-$c = -\frac15$ at every $Q$ but $\cos Q = -\frac15$, because there $a = k = -(\frac12C+\frac1{10})$. A small
-correction of such a matrix moves its double exponent by the *root* of its size, and the sign decides whether it
-grows: what the chain changes by $\epsilon^{1/2}$ can let these two waves grow like $\epsilon^{1/4}$. */
 /// The wave of wavenumber q and modulus `amplitude`; T is double or long double.
 template <class T>
 struct DpsWave {
@@ -51,22 +40,12 @@ struct DpsWave {
     const T s = sin(q / T(2));
     return T(-4) * rate() * (s * s);
   }
-  /// d Omega / d q, the speed at which the energy goes.
-  T group_velocity() const {
-    using std::cos, std::sin;
-    return T(-5) * rate() * sin(q / T(2)) * cos(q / T(2));
-  }
   /// The growth rate of a modulation of wavenumber Q, zero if it does not grow exponentially.
   T growth(T Q) const {
     using std::cos, std::sqrt;
     const T c = cos(q), C = cos(Q);
     const T square = (T(1) + T(5) * c) * (T(1) - C) * ((T(5) * c - T(1)) * C - (T(1) + T(3) * c));
     return square > T(0) ? rate() * sqrt(square) / T(2) : T(0);
-  }
-  /// How much of itself a modulation Q with k^2 = a^2 gains per unit of time.
-  T drift(T Q) const {
-    using std::abs, std::cos;
-    return rate() * abs(T(5) * cos(q) * cos(Q) - T(1) - T(4) * cos(q));
   }
   /// Whether any modulation grows exponentially.
   bool unstable() const {
@@ -95,25 +74,7 @@ Estimate in_two_precisions(double q, Of of, double amplitude = 1) {
                  double(of(DpsWave<long double>{q, amplitude})));
 }
 
-/**
-## The same without the formulas
-
-A ring of $N$ sites holds the waves $q = 2\pi k/N$ and the modulations $Q = 2\pi j/N$. In the frame that turns with
-the wave it stands still (evolve.hpp), and differences of the right-hand side of the DpS equation give a matrix of
-$2N$ rows, whose eigenvalues know nothing of the algebra. */
-/// All exponents of the wave with `waves` periods on a ring of `sites`.
-std::vector<std::complex<double>> ring_exponents(std::size_t sites, int waves);
-
-/// The largest distance of an exponent sigma of the closed form, for all modulations that fit on the ring but
-/// Q = 0, from the nearest of the ring, in units of the wave's rate.
-double exponents_apart(std::size_t sites, int waves);
-
-/**
-## Growth that is seen
-
-A run begins with the wave and its growing mode, $x = 1$ and $y = (i\,\mathrm{Re}\,\sigma/\rho-a)/k$, of relative
-size $10^{-7}$. The side band $q+Q$ is fitted from three to nine growth times on, the wave's own component gives the
-frequency. The DpS equation runs on a ring by GSL's method. */
+/// A plane wave and a modulation that fit on a ring.
 struct ModulatedWave {
   std::size_t sites;
   int waves, turns;  ///< periods of the wave and of the modulation on the ring
@@ -124,39 +85,23 @@ struct ModulatedWave {
   double modulation() const { return around(turns); }
   /// Re sigma.
   double growth() const { return wave().growth(modulation()); }
-  /// The field at the start, with the growing mode of this size. Throws std::invalid_argument if none grows.
+  /// The wave with its growing mode, x = size and y = (i Re sigma / rho - a) x / k. Throws std::invalid_argument if none
+  /// grows.
   Field start(double size) const;
 
  private:
   double around(int k) const { return 2 * std::numbers::pi * k / double(sites); }
 };
 
-/// Growth of the side band and frequency Omega of the wave, per unit of the slow time.
+/// Growth of a modulation and frequency Omega of the wave, per unit of the slow time.
 struct WaveRates {
   double growth = 0, frequency = 0;
 };
 
-/// Both rates fitted to a run of the DpS equation with this relative tolerance.
-WaveRates run_in_dps(const ModulatedWave& wave, double tolerance);
-
-/**
-Newton's cradle with linear wells runs from the state that stands for the same field, Eq. (13), and there $y_n-i\dot
-y_n$ takes the place of $2\epsilon A_ne^{it}$. That state is not quite a wave of the chain: it holds harmonics $mq$
-of the relative size $\epsilon^{1/2}$, which are modulations $(m-1)q$ and grow where these are unstable. They do no
-harm for $q = \pi$ and $q = \frac23\pi$, whose harmonics are stable modulations; the third harmonic of $q =
-\frac\pi2$ is its marginal one. */
-/// Carries `field` over the slow time `duration` in the chain of the amplitude `eps`, with steps of at most `step`, and
-/// shows y - i y' without its fast oscillation, over 2 eps, about as often as `every`.
-void evolve_in_chain(Field& field, double eps, double duration, double every, double step,
-                     const DpsLook& observe);
-
-/// Both rates fitted to a run of the chain.
-WaveRates run_in_chain(const ModulatedWave& wave, double eps, double step);
-
 /**
 ## The chain's own waves
 
-For others we compute the wave first. A travelling wave of the chain, $y_n(t) = u(qn+\omega t)$, is in the state
+A travelling wave of the chain, $y_n(t) = u(qn+\omega t)$, is in the state
 of its neighbour after the time $q/\omega$ (James 2011 proves that such waves exist near those of the DpS equation).
 On a ring of one period this is a problem for Newton's method: the state and $\omega$ are unknown, the component
 $\frac1N\sum(y_n-i\dot y_n)e^{-iqn} = 2\epsilon$ is given, and least squares deal with the equation that the

@@ -52,15 +52,16 @@ Estimate dps_threshold(Drive::By by) {
   return by == Drive::By::piston ? piston : base;
 }
 
-Estimate law_estimate(Drive::By by, double omega) {
+Estimate threshold_law(Drive::By by, double omega) {
   const double delta = omega - 1, root = 2 * tau_0() * delta;
   const double scale = (by == Drive::By::piston ? 2 : 4 * delta) * root * root;
   const Estimate top = dps_threshold(by);
   return {scale * top.value, scale * top.error};
 }
 
-double threshold_law(Drive::By by, double omega) {
-  return law_estimate(by, omega).value;
+Estimate asymptotic_threshold(Drive::By by, double omega, double nu) {
+  const double delta = omega - 1, law = threshold_law(by, omega).value;
+  return {law, law * ((by == Drive::By::piston ? 1.3 : 3.5) * delta + std::pow(nu / delta, 2))};
 }
 
 double drive_size(const Drive& drive) {
@@ -114,9 +115,8 @@ double farthest(const Quintic& x) {
 }  // namespace
 
 // What passes the detector, and what the drive gives
-Emission drive_chain(const DrivenChain& driven, double duration, std::size_t detector,
-                     double step) {
-  const double size = drive_size(driven.drive);
+Emission drive_chain(const DrivenChain& driven, double duration, std::size_t detector, double step,
+                     const Enough& enough) {
   PacketCounter counter(driven.drive);
   Emission out;
   State<double> state(driven.chain.sites);
@@ -126,9 +126,7 @@ Emission drive_chain(const DrivenChain& driven, double duration, std::size_t det
   Quintic way{};
   out.budget = evolve(driven, state, grid, [&](const State<double>& now, const EnergyBudget& l) {
     const double y = now.y[detector - 1], v = now.v[detector - 1];
-    const double density = (y * y + v * v) / 2;
-    if (counter.passes(now.t, density)) out.passages.push_back(now.t);
-    out.loudest = std::max(out.loudest, density / (size * size));
+    if (counter.passes(now.t, (y * y + v * v) / 2)) out.passages.push_back(now.t);
     const double a = acceleration(driven.chain, now.y.data(), 0) +
                      driven.drive.force(now.t, now.y[0]) - driven.losses.rate * now.v[0];
     way = {way.x1, way.w1, way.g1, now.y[0], h * now.v[0], h * h * a / 2};
@@ -138,7 +136,7 @@ Emission drive_chain(const DrivenChain& driven, double duration, std::size_t det
       out.response = std::max(out.response, farthest(way));
     out.power = (l.work - half) / (duration / 2);
     out.far = std::max(out.far, std::abs(now.y.back()));
-    return true;
+    return !enough || !enough(out, now.t);
   });
   return out;
 }
@@ -180,12 +178,12 @@ std::vector<DrivenQuantity> DrivenArray::quantities() const {
        "energy plus losses minus work, divided by the largest energy present or supplied; zero up "
        "to numerical errors"}};
   if (omega(frequency) <= 1) return out;
-  const Estimate law = law_estimate(by, omega(frequency));
+  const Estimate law = asymptotic_threshold(by, omega(frequency), rate(lifetime));
   out.push_back({"threshold_law",
                  {micrometres(law.value), micrometres(law.error)},
                  "um",
                  "amplitude at the fold of the non-emitting motion, by the asymptotic law of small "
-                 "amplitudes"});
+                 "amplitudes; the error is that of the law"});
   return out;
 }
 

@@ -19,24 +19,25 @@ namespace lattice {
 ## The asymptotic threshold
 
 In the DpS limit the motion of the period of the drive that decays into the chain is a static solution of Eq. (14),
-$-u_n = D_n - D_{n-1}$ for $n\ge1$. Read from right to left this is a map:
-$$D_{n-1} = D_n + u_n,\qquad u_{n-1} = u_n - D_{n-1}|D_{n-1}|^{-1/3}.$$
+$-U_n = D_n - D_{n-1}$ for $n\ge1$. Read from right to left this is a map:
+$$D_{n-1} = D_n + U_n,\qquad U_{n-1} = U_n - D_{n-1}|D_{n-1}|^{-1/3}.$$
 With it James (Math. Models Methods Appl. Sci. 21, 2011, arXiv:1008.1153) found the static breathers, and James and
 Starosvetsky (Localized Excitations in Nonlinear Complex Systems, Springer 2014) proved that they exist. It starts in
-the tail, where $u_{n-1} = -u_n|u_n|^{-1/3}$, so that the solutions that decay are a curve with one parameter. */
-/// The first maximum of |u_0| for a piston, of |D_0| for a base, along this curve, from tails of two depths.
+the tail, where $U_{n-1} = -U_n|U_n|^{-1/3}$, so that the solutions that decay are a curve with one parameter. */
+/// The first maximum of |U_0| for a piston, of |D_0| for a base, along this curve, from tails of two depths.
 Estimate dps_threshold(Drive::By by);
 /// The amplitude at which the solution that grows from rest ends, at the frequency omega > 1, as delta -> 0.
-Estimate law_estimate(Drive::By by, double omega);
-/// The same without its error.
-double threshold_law(Drive::By by, double omega);
+Estimate threshold_law(Drive::By by, double omega);
+/// The same with the error of an asymptotic law, by how much the fold lies above it where we have computed both: by the
+/// fraction 1.3 delta for a piston up to delta = 0.35, 3.5 delta for a base up to 0.2, and by (nu / delta)^2 with losses.
+Estimate asymptotic_threshold(Drive::By by, double omega, double nu);
 
 /**
 ## Packets at a detector
 
 The energy density of a bead, as its maximum in each period of the drive, must rise fourfold from its last minimum and
 above 0.03 of `drive_size` squared to count as a packet, and fall to half before the next one can. */
-/// The displacement that a drive gives to the first bead, but for a factor: a for a piston, a / delta for a base.
+/// The displacement that a drive gives to the first bead, but for a factor: u_0 for a piston, u_0 / delta for a base.
 double drive_size(const Drive& drive);
 
 /// Sees the energy density of a bead at one time after the other.
@@ -60,15 +61,18 @@ struct Emission {
   double power = 0;                ///< mean power of the drive in the second half of the run
   double response = 0;             ///< largest displacement of the first bead in the second half
   double far = 0;                  ///< and of the last one in the whole run
-  double loudest = 0;              ///< largest energy density at the detector over drive_size^2
   double budget = 0;               ///< the largest imbalance, see driven_chain.hpp
 
   /// Packets per unit of time in the second half of a run of this length.
   double rate(double duration) const;
 };
 
-/// Runs the chain from rest for `duration`, with steps of length `step`; beads count from one.
-Emission drive_chain(const DrivenChain& driven, double duration, std::size_t detector, double step);
+/// Whether a run need not go on at the time t.
+using Enough = std::function<bool(const Emission& so_far, double t)>;
+
+/// Runs the chain from rest for `duration` or until it is `enough`, with steps of length `step`; beads count from one.
+Emission drive_chain(const DrivenChain& driven, double duration, std::size_t detector, double step,
+                     const Enough& enough = {});
 
 /**
 ## One drive of the array of section 3.6 */

@@ -12,18 +12,18 @@ TEST_CASE("a line that cannot be meant is refused by what is beyond the article"
       {map + "--part 0/4", "--part"},
       {map + "--folder ''", "--folder: "},
       {map + "--folder /proc/nowhere", "--folder: cannot write to '/proc/nowhere'"},
-      {"sec5_driving chart --part 5/4", "--part"},
       {orbit + "--near 6 --k 1",
        "--near: '6' cannot be combined with --k (allowed: one of the two)"},
       {orbit + "--s 1", "folds"}};
   for (const auto& [line, complaint] : lines) check_refused(line, complaint);
-  check_reason("sec5_growth growth --q 1", "edge",
+  check_reason("sec5_experiment growth --q 1", "edge",
                "the wave is stable: none of its modulations grows");
 }
 
 TEST_CASE("a band of modulations has the side that is told", "[cli]") {
   for (const auto& [q, growing] : {std::pair{"1.6", true}, {"1.77", true}, {"1.78", false}}) {
-    const Result answer = call("sec5_growth growth --q " + std::string(q) + " --modulation 3.14");
+    const Result answer =
+        call("sec5_experiment growth --q " + std::string(q) + " --modulation 3.14");
     const std::string side = text_of(answer, "edge", "meaning");
     CAPTURE(q, side);
     CHECK((quantity(answer, "growth") > 0) == growing);
@@ -44,22 +44,15 @@ TEST_CASE("what is left of a tail is known to nothing but its size", "[cli][trav
   }
 }
 
-TEST_CASE("a computation beyond the article that fails says why", "[cli]") {
-  const std::vector<std::pair<const char*, const char*>> all{
-      {"sec5_driving packet --strength 0.5", "packet 1 has not passed the beads 12 to 28"}};
-  for (const auto& [command, said] : all) check_failure(command, said);
-}
-
 TEST_CASE("every command of volume two reports its quantities", "[cli]") {
   const auto any = std::nan("");
   check_answers(
-      {{"sec5_driving packet --strength 0", {}},
-       {"sec5_driving drive --amplitude 20 --time 20",
+      {{"sec5_experiment drive --amplitude 20 --time 20",
         {{"outcome", 1}, {"budget", 0, 1e-10}, {"power", any}}},
        {"sec5_enclosures dps", {}},
        {"sec5_enclosures breather", {}},
        {"sec5_experiment damped", {{"sites_10ms", any}, {"periods_10ms", any}, {"speed", any}}},
-       {"sec5_growth growth --modulation 0.8410686705679303",
+       {"sec5_experiment growth --modulation 0.8410686705679303",
         {{"growth", 0.3736744433810828, 0, 1e-12},
          {"fastest_growth", 0.3736744433810828, 0, 1e-12},
          {"edge", 1.230959417340775, 0, 1e-12},
@@ -78,7 +71,7 @@ TEST_CASE("every command of volume two reports its quantities", "[cli]") {
          {"tail", 0, 1e-11},
          {"residual", 0, 1e-13},
          {"multiplier_modulus", 1.000018856, 1e-8}}}},
-      {"sec34_boomeron_map map", "sec5_driving chart"});
+      {"sec34_boomeron_map map"});
   check_rows("sec5_travelling_breathers orbit --profile", "\nn,y,v\n-8,", 18);
 }
 
@@ -98,5 +91,5 @@ TEST_CASE("a damped packet is where another program has it", "[cli][arrivals]") 
 TEST_CASE("orbits by another name, and a stable wave", "[cli]") {
   const Result near = call("sec5_travelling_breathers orbit --near 5.6");
   check_close(quantity(near, "shift_time"), 5.63857165159, 0, 1e-10);
-  CHECK(quantity(call("sec5_growth growth --q 1.5"), "growth") == 0);
+  CHECK(quantity(call("sec5_experiment growth --q 1.5"), "growth") == 0);
 }

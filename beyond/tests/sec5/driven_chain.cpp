@@ -9,9 +9,7 @@
 #include "lattice/model/dps.hpp"
 #include "lattice/standing/stationary.hpp"
 #include "sec5/driven_array.hpp"
-#include "sec5/packet_members.hpp"
 #include "sec5/solution_curve.hpp"
-#include "sec5/travelling.hpp"
 #include "support/check.hpp"
 
 using namespace lattice;
@@ -174,14 +172,17 @@ TEST_CASE("a drive has to lift the breather of the DpS limit to its top", "[unit
   check_close(piston.value, 0.05041478528676755684, 0, 1e-14);
   check_close(base.value, 0.028116631620059160114, 0, 1e-14);
   const double width = 2 * tau_0() * 0.07;
-  check_close(law_estimate(Drive::By::piston, 1.07).value, 2 * width * width * piston.value, 0,
+  check_close(threshold_law(Drive::By::piston, 1.07).value, 2 * width * width * piston.value, 0,
               1e-12);
-  check_close(law_estimate(Drive::By::base, 1.07).value, 4 * 0.07 * width * width * base.value, 0,
+  check_close(threshold_law(Drive::By::base, 1.07).value, 4 * 0.07 * width * width * base.value, 0,
               1e-12);
   for (Drive::By by : {Drive::By::piston, Drive::By::base}) {
-    const Estimate law = law_estimate(by, 1.07), top = dps_threshold(by);
+    const Estimate law = threshold_law(by, 1.07), top = dps_threshold(by);
     check_close(law.error / law.value, top.error / top.value, 0, 1e-12);
-    CHECK(law.value == threshold_law(by, 1.07));
+    // As delta and nu go to zero, the fold tends to the law
+    check_close(asymptotic_threshold(by, 1 + 1e-6, 0).error / threshold_law(by, 1 + 1e-6).value, 0,
+                1e-5);
+    CHECK(asymptotic_threshold(by, 1.07, 0.01).error > asymptotic_threshold(by, 1.07, 0).error);
   }
 }
 
@@ -228,98 +229,6 @@ TEST_CASE("rates and bisections", "[unit][driven]") {
   CHECK(found.error < 1e-3);
   CHECK_THROWS_AS(bisect_threshold(0.4, 1, 1e-3, [](double a) { return a > 0.3; }),
                   std::runtime_error);
-}
-
-TEST_CASE("a breather of a family is measured as what it is", "[property][traveller]") {
-  const double turn = 2 * std::numbers::pi, phase = 0.4;
-  const Orbit<double> start = TypeOneOrbits(1).orbit_at(3);
-  const Orbit<double> member = follow_family(start, 3 * turn - phase, 0.2).back();
-  const MemberGrid grid = member_grid(3, 3, {0, phase});
-  const DrivenChain driven{Chain{32}};
-  for (const bool of_type_one : {true, false}) {
-    const Orbit<double>& orbit = of_type_one ? start : member;
-    const State<double> state = embed(orbit.start, 32, 0);
-    const Traveller seen = traveller_on(driven, state, 400, 0.1, {11, 13});
-    CAPTURE(shift_time(orbit));
-    check_close(seen.shift_time, shift_time(orbit), 0, 1e-3);
-    check_close(seen.phase, 3 * turn - shift_time(orbit), 5e-3);
-    check_close(seen.energy, orbit.energy, 0, 5e-3);
-    // The grid has the same one
-    const Traveller& same = grid.members.at(of_type_one ? 0 : 1).at(0);
-    check_close(seen.energy, same.energy, 0, 1e-4);
-    check_close(seen.width, same.width, 0, 1e-4);
-  }
-  CHECK(member.energy > 1.3 * start.energy);
-  CHECK_THROWS_AS(member_grid(3, 3, {0.1, phase}), std::invalid_argument);
-}
-
-TEST_CASE("packets of a train are told apart", "[unit][traveller]") {
-  // Two packets of the shape of a breather, eleven sites apart
-  const Orbit<double> start = TypeOneOrbits(1).orbit_at(3);
-  const DrivenChain driven{Chain{60}};
-  State<double> two = embed(start.start, 60, 11);
-  const State<double> behind = embed(start.start, 60, 0);
-  for (std::size_t n = 0; n < 60; ++n) two.y[n] += behind.y[n], two.v[n] += behind.v[n];
-  const double time = shift_time(start);
-  for (std::size_t which : {1, 2}) {
-    TravellerWatch watch(driven.chain, 25, 29, which);
-    State<double> state = two;
-    double end = 0;
-    evolve(driven, state, time_grid(40 * time, 0.4, 0.2),
-           [&](const State<double>& now, const auto&) {
-             end = now.t;
-             return watch.look(now);
-           });
-    // The first one has its centre at index 19, the second one at index 8
-    check_close(end / time, which == 1 ? 9 : 20, 0.6);
-    check_close(watch.traveller().shift_time, time, 0, 2e-2);
-  }
-  CHECK_THROWS_AS(traveller_on(driven, two, 40 * time, 0.2, {25, 29, 3}), std::runtime_error);
-  CHECK_THROWS_AS(TravellerWatch(driven.chain, 3, 9), std::invalid_argument);
-  CHECK_THROWS_AS(TravellerWatch(driven.chain, 9, 9), std::invalid_argument);
-  CHECK_THROWS_AS(TravellerWatch(driven.chain, 9, 55), std::invalid_argument);
-  CHECK_THROWS_AS(TravellerWatch(driven.chain, 9, 20, 0), std::invalid_argument);
-}
-
-TEST_CASE("a packet that has passed does not come again", "[unit][traveller]") {
-  // Two packets six sites apart, of which now the one and now the other has more energy where it is looked at
-  const Chain chain{60};
-  const auto ends = [&](std::size_t which) {
-    TravellerWatch watch(chain, 25, 29, which);
-    State<double> now(60);
-    for (; now.t < 200; now.t += 0.4) {
-      const double place = 14 + now.t / 4, swing = 0.2 * std::sin(now.t);
-      for (std::size_t n = 0; n < 60; ++n) {
-        const double ahead = double(n) - place, behind = ahead + 6;
-        now.v[n] =
-            (1 + swing) * std::exp(-ahead * ahead) + (1 - swing) * std::exp(-behind * behind);
-      }
-      if (!watch.look(now)) break;
-    }
-    check_close(watch.traveller().shift_time, 4, 0, 0.05);
-    return now.t;
-  };
-  // Bead 29 has the index 28
-  check_close(ends(1), 4 * 14, 3);
-  check_close(ends(2), 4 * 20, 3);
-}
-
-TEST_CASE("members are joined by polynomials in speed and phase", "[unit][traveller]") {
-  const auto width = [](double c, double phase) { return 3 + c * c - phase * phase * c; };
-  const auto energy = [](double c, double phase) {
-    return std::exp(2 + c - c * c + phase - phase * phase / 2) * c * c * c * c;
-  };
-  MemberGrid grid{{-0.4, 0, 0.3}, {}};
-  for (double phase : grid.phases) {
-    auto& row = grid.members.emplace_back();
-    for (double c : {0.02, 0.05, 0.08})
-      row.push_back({1 / c, phase, energy(c, phase), width(c, phase)});
-  }
-  const Traveller p{1 / 0.06, 0.2, 1, 1};
-  const Traveller found = member_like(grid, p), rough = member_like(grid, p, 1);
-  check_close(found.energy, energy(0.06, 0.2), 0, 1e-12);
-  check_close(found.width, width(0.06, 0.2), 0, 1e-12);
-  CHECK(std::abs(rough.energy / energy(0.06, 0.2) - 1) > 1e-3);  // two points make a straight line
 }
 
 TEST_CASE("units of the array", "[unit][driven]") {
