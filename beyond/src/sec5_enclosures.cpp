@@ -2,9 +2,9 @@
 # 5 Breathers between bounds
 
 Do the breathers of section 3 exist on the infinite chain? Is the DpS breather around a site unstable, which its second
-eigenvalue decides by five millionths? Do the two travelling waves of the preceding chapter differ? A number with an error
-bar cannot prove it; bounds can. Here each number is an interval that contains the exact value, whatever was rounded on the
-way; the digits in parentheses are the last ones of both ends. The answer is yes to all three.
+eigenvalue decides by five millionths? Do the two travelling waves of the preceding chapter differ? A number with an
+error bar cannot prove it; bounds can. Here each number is an interval that contains the exact value, whatever was
+rounded on the way; the digits in parentheses are the last ones of both ends. The answer is yes to all three.
 
 | breather | quantity | around a site | around a bond |
 |---|---|---|---|
@@ -41,20 +41,22 @@ using Numbers = std::vector<Number>;
 /**
 ## The equation
 
-A stationary solution $v_n = u_ne^{i\mu t}$ of Eq. (11) obeys Eq. (14), and by scaling, $u = \mu^2u^{(1)}$, it suffices to
-take $\mu = 1$. Where neighbours move in opposite directions, $u_{n+1}-u_n = \pm(-1)^nr_n$ with *strains* $r_n > 0$, and Eq.
-(14) says
+A stationary solution $v_n = u_ne^{i\mu t}$ of Eq. (11) obeys Eq. (14), and by scaling, $u = \mu^2u^{(1)}$, it suffices
+to take $\mu = 1$. Where neighbours move in opposite directions, $u_{n+1}-u_n = \pm(-1)^nr_n$ with *strains* $r_n > 0$,
+and Eq. (14) says
 $$F(r)_n = r_n - [\varphi(r_{n-1}) + 2\varphi(r_n) + \varphi(r_{n+1})] = 0,\qquad \varphi(x) = x|x|^{1/2}.$$
-Conversely every bounded zero of $F$ gives a solution, $|u_n| = \varphi(r_{n-1})+\varphi(r_n)$. Contact $n$ lies between the
-sites $n$ and $n+1$. Around a bond $r_{-n} = r_n$, around a site $r_{-1-n} = r_n$, so the contacts $n \ge 0$ suffice. On
-bounded sequences, with the largest modulus as the norm, $F$ is continuously differentiable, $\varphi' = \frac32|x|^{1/2}$.
+Conversely every bounded zero of $F$ gives a solution, $|u_n| = \varphi(r_{n-1})+\varphi(r_n)$. Contact $n$ lies between
+the sites $n$ and $n+1$. Around a bond $r_{-n} = r_n$, around a site $r_{-1-n} = r_n$, so the contacts $n \ge 0$
+suffice. On bounded sequences, with the largest modulus as the norm, $F$ is continuously differentiable, $\varphi' =
+\frac32|x|^{1/2}$.
 
-Section 3.2 computes a profile $c$. We keep twelve contacts of it, zero behind, and take for $A$ an approximate inverse of
-$DF(c)$ on these twelve and the identity behind them. Let the map $r \mapsto r-AF(r)$ move the guess by at most $\eta$, and let
-it multiply distances in the ball of radius $\rho$ around it by at most $q$. If
+Section 3.2 computes a profile $c$. We keep twelve contacts of it, zero behind, and take for $A$ an approximate inverse
+of $DF(c)$ on these twelve and the identity behind them. Let the map $r \mapsto r-AF(r)$ move the guess by at most
+$\eta$, and let it multiply distances in the ball of radius $\rho$ around it by at most $q$. If
 $$\eta+q\,\rho \le \rho,\qquad q < 1,$$
-it maps the ball into itself, and by Banach's theorem the ball contains exactly one fixed point. That is a zero of $F$, since $q <
-1$ makes $A$ invertible (contraction.hpp). Guess and inverse may come from anywhere: the proof would fail if they were wrong. */
+it maps the ball into itself, and by Banach's theorem the ball contains exactly one fixed point. That is a zero of $F$,
+since $q < 1$ makes $A$ invertible (contraction.hpp). Guess and inverse may come from anywhere: the proof would fail if
+they were wrong. */
 /// A F(c) in the window; the first contact behind it has the strain `after`.
 Numbers newton_step(const DpsGuess& guess, const Number& after) {
   const Numbers c = ball(guess, 0);
@@ -118,9 +120,9 @@ std::pair<Contraction, Contraction> dps_lemma(const DpsGuess& guess) {
 
 ![Both DpS breathers, the search for others, and where the inequality holds.](fig:x25)
 
-Panel c draws $\eta/\rho+q(\rho)$. It is below one between two radii: within the smaller, some $10^{-16}$, the solution lies;
-within the larger, [0.00781](num:sec5_enclosures.unique_radius_site), there is no other. The latter is about a twelfth
-of $r_0$. */
+Panel c draws $\eta/\rho+q(\rho)$. It is below one between two radii: within the smaller, some $10^{-16}$, the solution
+lies; within the larger, [0.00781](num:sec5_enclosures.unique_radius_site), there is no other. The latter is about a
+twelfth of $r_0$. */
 void report_lemma(Report& report) {
   Table& table = report.table("lemma", {number("radius", "radius of the ball, in strains"),
                                         number("site", "eta / radius + q, site-centred"),
@@ -136,9 +138,9 @@ void report_lemma(Report& report) {
 /**
 ## Signs and digits
 
-The ball leaves open what sign the small strains have. Let $r_j$ be certainly positive, let $|r_n| < \frac1{16}$ for all $n >
-j$, and let $-z$ be the infimum of these. If $z$ were positive, the equation would give $r_n \ge -4\varphi(z)$ for all of them,
-hence $z \le 4z^{3/2} < z$. So they are not negative, and by the equation positive one after the other. */
+The ball leaves open what sign the small strains have. Let $r_j$ be certainly positive, let $|r_n| < \frac1{16}$ for all
+$n > j$, and let $-z$ be the infimum of these. If $z$ were positive, the equation would give $r_n \ge -4\varphi(z)$ for
+all of them, hence $z \le 4z^{3/2} < z$. So they are not negative, and by the equation positive one after the other. */
 /// Clips the strains at zero where that argument allows it. Throws NotProved where it does not.
 void demand_no_negative(DpsBreather& b) {
   double largest = magnitude(b.tail);
@@ -152,9 +154,9 @@ void demand_no_negative(DpsBreather& b) {
 }
 
 /**
-The solution is a fixed point, so each of its strains lies in the interval that the map makes of the ball, in the form of the
-mean value. Repeated, that gives the last digits. A mean value is taken on the way from the guess to the solution, so the
-intervals have to hold both. */
+The solution is a fixed point, so each of its strains lies in the interval that the map makes of the ball, in the form
+of the mean value. Repeated, that gives the last digits. A mean value is taken on the way from the guess to the
+solution, so the intervals have to hold both. */
 /// Each strain as narrow as repeated images make it.
 void tighten(const DpsGuess& guess, DpsBreather& b) {
   Numbers& r = b.r;
@@ -176,9 +178,9 @@ void tighten(const DpsGuess& guess, DpsBreather& b) {
 }
 
 /**
-That strains decrease in the window is read from the intervals. Beyond, let $r_n$ be the largest strain from $n$ on. Then $R =
-\sup_{j>n}r_j$ obeys $R \le r_n^{3/2}+3R^{3/2}$ and $\sup_{j>n+1}r_j \le R^{3/2}/(1-3\sqrt R) < r_n^{3/2} \le r_{n+1}$ if $R <
-\frac1{100}$, so that $r_{n+1}$ is the largest from $n+1$ on. With $r_n^{3/2} \le r_{n+1} \le
+That strains decrease in the window is read from the intervals. Beyond, let $r_n$ be the largest strain from $n$ on.
+Then $R = \sup_{j>n}r_j$ obeys $R \le r_n^{3/2}+3R^{3/2}$ and $\sup_{j>n+1}r_j \le R^{3/2}/(1-3\sqrt R) < r_n^{3/2} \le
+r_{n+1}$ if $R < \frac1{100}$, so that $r_{n+1}$ is the largest from $n+1$ on. With $r_n^{3/2} \le r_{n+1} \le
 r_n^{3/2}/(1-3\sqrt{r_{n+1}})$ the tail falls double-exponentially. */
 /// Positive, decreasing, and the tail below 1/100. Throws NotProved otherwise.
 void demand_decrease(const DpsBreather& b) {
@@ -204,8 +206,8 @@ DpsBreather enclose_dps(Centre centre) {
 
 /**
 So for each of the two centres there is a DpS breather on the infinite lattice whose strains alternate in sign, decrease
-outwards and fall double-exponentially (panel a). Existence was known (James and Starosvetsky 2014); the bounds are new. Each
-bound goes to a table and, as its middle and half of its width rounded up, to the facts. */
+outwards and fall double-exponentially (panel a). Existence was known (James and Starosvetsky 2014); the bounds are new.
+Each bound goes to a table and, as its middle and half of its width rounded up, to the facts. */
 struct Bounds {
   Table table{{label("quantity", "name of the enclosed quantity"), number("lower", "lower bound"),
                number("upper", "upper bound"), label("meaning", "meaning of the quantity")}};
@@ -232,10 +234,11 @@ void report_strains(Report& report, const DpsBreather& b, const std::string& who
 /**
 ## No other profile
 
-With $r_0$ given, the equation yields $r_1$, $r_2$ and so on, and each must be positive and no larger than the one before.
-Intervals of $r_0$ are followed outwards until this fails, or until all their profiles lie in the ball in which there is just
-one (panel b; search_profiles in dps_enclosure.hpp). None remains. So among the nonzero profiles of this symmetry whose strains
-alternate, tend to zero and do not increase outwards the breather is the only one, up to its sign. */
+With $r_0$ given, the equation yields $r_1$, $r_2$ and so on, and each must be positive and no larger than the one
+before. Intervals of $r_0$ are followed outwards until this fails, or until all their profiles lie in the ball in which
+there is just one (panel b; search_profiles in dps_enclosure.hpp). None remains. So among the nonzero profiles of this
+symmetry whose strains alternate, tend to zero and do not increase outwards the breather is the only one, up to its
+sign. */
 void report_search(Report& report, const DpsBreather& b, const std::string& who) {
   Table& table =
       report.table("search" + who,
@@ -258,15 +261,16 @@ with $(\nabla x)_n = x_{n+1}-x_n$, by $\lambda^2 = -(1-m)(1-\frac32m)$. $M$ is c
 1$ and simple, and a real pair exists for each further $m > \frac23$. As many eigenvalues exceed $\frac23$ as the
 elimination of $M-\frac23$ has positive pivots, and intervals give each pivot a certain sign:
 $$\text{site: } m_2 > \tfrac23 > m_3,\qquad \text{bond: } \tfrac23 > m_2.$$
-Around a site the linearised equation has exactly one real pair, of modulus [0.00156](num:sec5_enclosures.exponent_site); around
-a bond it has none.
+Around a site the linearised equation has exactly one real pair, of modulus
+[0.00156](num:sec5_enclosures.exponent_site); around a bond it has none.
 
-The bond-centred breather is even stable in the full equation: what starts close to it in $\ell^2$ stays close to its multiples
-$e^{i\theta}u$ for all times. The argument is the one for which Weinstein (1986) and Grillakis, Shatah and Strauss (1987) are
-known. Energy $H = \frac25\sum|v_{n+1}-v_n|^{5/2}$ and norm $N = \sum|v_n|^2$ are conserved, and solutions exist for all times
-because the right side of Eq. (11) is locally Lipschitz on $\ell^2$ and $N$ is bounded. Take $v = e^{i\theta}(u+x+iy)$ with
-$N(v) = N(u)$ and with the phase that is closest, so that $y\perp u$. Then $2\langle x,u\rangle = -|x|^2-|y|^2$: to first order
-$x\perp u$ as well. Since $H$ is twice differentiable with a Hölder continuous second derivative,
+The bond-centred breather is even stable in the full equation: what starts close to it in $\ell^2$ stays close to its
+multiples $e^{i\theta}u$ for all times. The argument is the one for which Weinstein (1986) and Grillakis, Shatah and
+Strauss (1987) are known. Energy $H = \frac25\sum|v_{n+1}-v_n|^{5/2}$ and norm $N = \sum|v_n|^2$ are conserved, and
+solutions exist for all times because the right side of Eq. (11) is locally Lipschitz on $\ell^2$ and $N$ is bounded.
+Take $v = e^{i\theta}(u+x+iy)$ with $N(v) = N(u)$ and with the phase that is closest, so that $y\perp u$. Then $2\langle
+x,u\rangle = -|x|^2-|y|^2$: to first order $x\perp u$ as well. Since $H$ is twice differentiable with a Hölder
+continuous second derivative,
 $$H(u)-H(v) = \tfrac12\langle x,(1-\tfrac32M)x\rangle+\tfrac12\langle y,(1-M)y\rangle+O(|x|^{5/2}+|y|^{5/2}).$$
 On $u^\perp$ the first form is at least $(1-\frac32m_2)|x|^2$ and the second $(1-m_2)|y|^2$, both positive.
 So $H$ has a strict maximum at the orbit of $u$ among states of its norm, with a quadratic bound, and a
@@ -291,10 +295,11 @@ void add_breather(Bounds& bounds, const DpsBreather& b) {
 /**
 ## The barrier
 
-The norms of both breathers agree to six digits. In intervals their difference keeps eight digits, and it has a sign: the energy
-of the site-centred breather minus that of the bond-centred one is [2.85e-9](num:sec5_enclosures.barrier_equal_mu) at $\mu = 1$. At
-equal norm, the physically relevant comparison, it is [-7.14e-10](num:sec5_enclosures.barrier_equal_norm). There the bond-centred
-breather, the stable one, is the higher of the two and a local *maximum* of $H$. [](finding:dps.enclosed) */
+The norms of both breathers agree to six digits. In intervals their difference keeps eight digits, and it has a sign:
+the energy of the site-centred breather minus that of the bond-centred one is
+[2.85e-9](num:sec5_enclosures.barrier_equal_mu) at $\mu = 1$. At equal norm, the physically relevant comparison, it is
+[-7.14e-10](num:sec5_enclosures.barrier_equal_norm). There the bond-centred breather, the stable one, is the higher of
+the two and a local *maximum* of $H$. [](finding:dps.enclosed) */
 void add_barrier(Bounds& bounds, const DpsBreather& site, const DpsBreather& bond) {
   const DpsBarrier barrier = dps_barrier(site, bond);
   if (!(barrier.equal_mu > Number(0) && barrier.equal_norm < Number(0)))
@@ -325,12 +330,13 @@ void report_dps(Report& report, Bounds& bounds) {
 /**
 ## The breathers of the chain
 
-The same lemma serves Eqs. (6) and (10) in the linear well, $s = 0$, at $\omega_b = 1.1$ (chain_enclosure.hpp). The unknowns are
-now functions of time, the compressions of all contacts, and the guess is a sum of cosines. For each of the two centres there is a
-periodic solution with this frequency and the symmetry of its centre, even in time, which falls double-exponentially along the
-chain. The table `constants` has what the proof needs, rounded upwards: $\beta \ge \|A\|-1$, the errors $\delta$ and $\epsilon$ of
-the approximate inverse, the residual, $\eta \le (1+\beta)\,$residual, and $q$. The energies differ by $10^{-11}$, far less than
-their bounds resolve, and nothing is proved about Floquet multipliers. */
+The same lemma serves Eqs. (6) and (10) in the linear well, $s = 0$, at $\omega_b = 1.1$ (chain_enclosure.hpp). The
+unknowns are now functions of time, the compressions of all contacts, and the guess is a sum of cosines. For each of the
+two centres there is a periodic solution with this frequency and the symmetry of its centre, even in time, which falls
+double-exponentially along the chain. The table `constants` has what the proof needs, rounded upwards: $\beta \ge
+\|A\|-1$, the errors $\delta$ and $\epsilon$ of the approximate inverse, the residual, $\eta \le (1+\beta)\,$residual,
+and $q$. The energies differ by $10^{-11}$, far less than their bounds resolve, and nothing is proved about Floquet
+multipliers. */
 const std::pair<int, int> omega_b{11, 10};
 
 Columns constants() {
@@ -375,17 +381,17 @@ void report_chain(Report& report, Bounds& bounds, Table& table) {
 /**
 ## The travelling waves
 
-The theorem of the preceding chapter gives one wave of $d = K*d_+^{3/2}$, $K(\sigma) = -\sin|\sigma|$ for $|\sigma| \le 2\pi$, but
-neither says that it is even nor that there is a second one. For each of the two signs of the central velocity it is
-proved here (wave_enclosure.hpp) that there is an even solution $d$, within
-[1.78e-12](num:sec5_enclosures.wave_radius_plus) (plus) or [1.94e-12](num:sec5_enclosures.wave_radius_minus) (minus) of the guess at
-all times, and that it is the only even one within [1.53e-5](num:sec5_enclosures.wave_unique_radius_plus). The guess is cubic on
-cells, its tail is zero, and the true tail is bounded by the inequality of the theorem: one shift later the largest compression is
-at most four times its power $3/2$.
+The theorem of the preceding chapter gives one wave of $d = K*d_+^{3/2}$, $K(\sigma) = -\sin|\sigma|$ for $|\sigma| \le
+2\pi$, but neither says that it is even nor that there is a second one. For each of the two signs of the central
+velocity it is proved here (wave_enclosure.hpp) that there is an even solution $d$, within
+[1.78e-12](num:sec5_enclosures.wave_radius_plus) (plus) or [1.94e-12](num:sec5_enclosures.wave_radius_minus) (minus) of
+the guess at all times, and that it is the only even one within [1.53e-5](num:sec5_enclosures.wave_unique_radius_plus).
+The guess is cubic on cells, its tail is zero, and the true tail is bounded by the inequality of the theorem: one shift
+later the largest compression is at most four times its power $3/2$.
 
-Energy and peak are uncertain by the order of the small radius. The action $\int d_+^{5/2}dt$ is a critical value, so its error is
-of second order in the radius and is dominated by the residual. The actions of the two signs agree to ten digits and yet do not
-overlap. [](finding:travelling.two_waves) */
+Energy and peak are uncertain by the order of the small radius. The action $\int d_+^{5/2}dt$ is a critical value, so
+its error is of second order in the radius and is dominated by the residual. The actions of the two signs agree to ten
+digits and yet do not overlap. [](finding:travelling.two_waves) */
 constexpr std::pair<int, const char*> signs[] = {{1, "_plus"}, {-1, "_minus"}};
 
 void report_waves(Report& report, Bounds& bounds, Table& table) {
@@ -416,8 +422,8 @@ void report_waves(Report& report, Bounds& bounds, Table& table) {
 /**
 ## With your own parameters
 
-`sec5_enclosures dps --centre bond` prints the bounds for the DpS equation, and `sec5_enclosures breather --centre site` those for
-the chain, at the frequency of the article's example. The barriers belong to both centres. */
+`sec5_enclosures dps --centre bond` prints the bounds for the DpS equation, and `sec5_enclosures breather --centre site`
+those for the chain, at the frequency of the article's example. The barriers belong to both centres. */
 struct OneCentre {
   static constexpr const char* certified = "A quantity that cannot be certified is not printed.";
   Centre centre = Centre::site;
@@ -457,15 +463,15 @@ struct EnclosedBreather : OneCentre {
 /**
 ## Limits
 
-A proof of this kind relies on its program, the compiler and the arithmetic of the processor; interval.hpp says what is assumed of
-them. It does not rely on the numbers that it starts from. Nobody outside has refereed it. We prove nothing about DpS breathers
-without these signs or symmetries, nor whether the instability of the linearised equation implies that of the full one. Whether
-the wave plus is the maximum of the theorem remains open.
+A proof of this kind relies on its program, the compiler and the arithmetic of the processor; interval.hpp says what is
+assumed of them. It does not rely on the numbers that it starts from. Nobody outside has refereed it. We prove nothing
+about DpS breathers without these signs or symmetries, nor whether the instability of the linearised equation implies
+that of the full one. Whether the wave plus is the maximum of the theorem remains open.
 
-The interval arithmetic is tested on a million random operations against four-fold precision. A second program in another
-language, with other intervals and eighty digits, repeats for the DpS equation all but the search for other profiles; its intervals
-lie in ours. Chain and waves are only compared with what Newton's method finds. Errors that the tests introduce into the proof, one
-at a time, make it fail. */
+The interval arithmetic is tested on a million random operations against four-fold precision. A second program in
+another language, with other intervals and eighty digits, repeats for the DpS equation all but the search for other
+profiles; its intervals lie in ours. Chain and waves are only compared with what Newton's method finds. Errors that the
+tests introduce into the proof, one at a time, make it fail. */
 void reproduce(Report& report) {
   Bounds bounds;
   bounds.facts = &report.facts;

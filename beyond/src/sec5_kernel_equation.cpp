@@ -1,16 +1,16 @@
 /**
 # 5 A theorem: exact travelling breathers exist
 
-After an impact the article finds packets that travel like breathers. They are *approximate* travelling breathers: a packet leaves
-something behind at every site. The article calls the computation of exact ones, which repeat themselves one site further on
-after a shift time $T$, an open problem, and the preceding chapters compute them as orbits of a lattice. Do they exist? In
-linear wells they do, whatever the exponent of the contacts, for every integer $k$ with $T = 2\pi k$.
-[](finding:travelling.existence)
+After an impact the article finds packets that travel like breathers. They are *approximate* travelling breathers: a
+packet leaves something behind at every site. The article calls the computation of exact ones, which repeat themselves
+one site further on after a shift time $T$, an open problem, and the preceding chapters compute them as orbits of a
+lattice. Do they exist? In linear wells they do, whatever the exponent of the contacts, for every integer $k$ with $T =
+2\pi k$. [](finding:travelling.existence)
 
 For these $T$ the whole lattice can be replaced by one scalar equation for one function,
 $$d = K * d_+^{3/2},\qquad K(\sigma) = -\sin|\sigma| \ \text{ for } |\sigma| \le 2\pi k,\ \text{else } 0,$$
-where $d(t)$ is the compression that every contact sees in its own time, and $*$ the convolution. The proof finds a solution
-where an integral is largest. It is complete on this page, and nobody outside has refereed it. */
+where $d(t)$ is the compression that every contact sees in its own time, and $*$ the convolution. The proof finds a
+solution where an integral is largest. It is complete on this page, and nobody outside has refereed it. */
 
 #include <algorithm>
 #include <array>
@@ -73,7 +73,8 @@ times continuously differentiable, such that $y_n(t) = q(t-2\pi kn)$ solves $\dd
 - (y_n-y_{n+1})_+^\alpha$ on the infinite chain. $|q|$ falls double-exponentially in both directions, and the energy
 is finite.*
 
-**Corollary.** *No localized wave with the same $k$ and $\alpha$ has a smaller action than the one that the proof finds.*
+**Corollary.** *No localized wave with the same $k$ and $\alpha$ has a smaller action than the one that the proof
+finds.*
 
 ## The proof
 
@@ -89,9 +90,9 @@ maximizing sequence may spread out ever more thinly, or fall into pieces that mo
 5. *Its equation*: because $f \ge 0$ was asked for, the positive part appears by itself.
 6. *Smoothness and decay* follow from the equation.
 
-*Bounds.* Young's inequality gives $Q(f) \le \|K_+\|_\theta\|f\|_p^2$ with $2/p + 1/\theta = 2$, that is $\theta = (\alpha+1)/2$, so
-$S$ is finite. Two narrow pulses of equal height and width $w$ at the distance $3\pi/2$, at which $K = 1$, while
-$K(0) = 0$, have $Q > 0$ for small $w$, so $S > 0$. By scaling, $Q(f) \le S\|f\|_p^2$.
+*Bounds.* Young's inequality gives $Q(f) \le \|K_+\|_\theta\|f\|_p^2$ with $2/p + 1/\theta = 2$, that is $\theta =
+(\alpha+1)/2$, so $S$ is finite. Two narrow pulses of equal height and width $w$ at the distance $3\pi/2$, at which $K =
+1$, while $K(0) = 0$, have $Q > 0$ for small $w$, so $S > 0$. By scaling, $Q(f) \le S\|f\|_p^2$.
 
 *No vanishing.* Divide the line into cells of length one and let $a_i$ be the norm of $f$ in cell $i$. Since $|K| \le
 1$ and its support has the length $2T$, $Q(f) \le C\sum a_i^2 \le C(\max a_i)^{2-p}\sum a_i^p$, with $C$ depending on
@@ -112,9 +113,9 @@ continuous, so on a bounded interval $f \to K*f$ maps bounded sets of $L^p$ into
 from $L^p$ to $L^{p'}$. There $Q(f_j) \to Q(f)$, and by tightness what is outside changes nothing: $Q(f) = S$. As
 $Q(f) \le S\|f\|_p^2$, no mass is lost, $\|f\|_p = 1$, and $f_j \to f$ strongly.
 
-*Its equation.* For $h \ge 0$ bounded and with bounded support, $Q(f+\epsilon h) \le S\|f+\epsilon h\|_p^2$ for $\epsilon
-\ge 0$, with equality at $\epsilon = 0$. The derivative there says $\int h\,(K*f) \le S\int h f^{1/\alpha}$, so
-$K*f \le Sf^{1/\alpha}$ almost everywhere. But $\int f(Sf^{1/\alpha} - K*f)\,dt = S - S = 0$, so that equality holds
+*Its equation.* For $h \ge 0$ bounded and with bounded support, $Q(f+\epsilon h) \le S\|f+\epsilon h\|_p^2$ for
+$\epsilon \ge 0$, with equality at $\epsilon = 0$. The derivative there says $\int h\,(K*f) \le S\int h f^{1/\alpha}$,
+so $K*f \le Sf^{1/\alpha}$ almost everywhere. But $\int f(Sf^{1/\alpha} - K*f)\,dt = S - S = 0$, so that equality holds
 where $f > 0$; where $f = 0$ we have $K*f \le 0$. Both together are $Sf^{1/\alpha} = (K*f)_+$. Then
 $S^{-\alpha/(\alpha-1)}f$ satisfies $f = (K*f)_+^\alpha$, and its $d = K*f$ is what we looked for.
 
@@ -122,9 +123,10 @@ $S^{-\alpha/(\alpha-1)}f$ satisfies $f = (K*f)_+^\alpha$, and its $d = K*f$ is w
 continuous, $d$ continuously differentiable, hence so is $f$, as $\alpha > 1$, and $q$ three times. Let $M(t)$ be the
 largest value of $d_+$ beyond $t$. Since $\int K_+ = 4k$,
 $$M(t+T) \le 4k\,M(t)^\alpha,$$
-so $(4k)^{1/(\alpha-1)}M$ is at most the power $\alpha$ of its value one shift before. Once that is below one, its negative logarithm
-grows at least by the factor $\alpha$ with every shift; the same holds for $t \to -\infty$. And $|q(t)|$ and $|\dot q(t)|$ are at most $4k
-\max f$ over $[t, t+T]$, so that they fall alike and the sums over the sites converge. $\square$
+so $(4k)^{1/(\alpha-1)}M$ is at most the power $\alpha$ of its value one shift before. Once that is below one, its
+negative logarithm grows at least by the factor $\alpha$ with every shift; the same holds for $t \to -\infty$. And
+$|q(t)|$ and $|\dot q(t)|$ are at most $4k \max f$ over $[t, t+T]$, so that they fall alike and the sums over the sites
+converge. $\square$
 
 ## What else follows
 
@@ -135,16 +137,18 @@ By the last step of the proof every localized wave of this $T$ falls double-expo
   S^{-(\alpha+1)/(\alpha-1)}$ of all. From now on the *quotient* of a wave is this power of its $A$.
 - *Any maximizing sequence* converges in $L^p$, up to translations, along a subsequence.
 - *Peaks.* From $\max d \le 4k(\max d)^\alpha$ every localized wave has $\max d \ge (4k)^{-1/(\alpha-1)}$.
-- *No compacton.* If $f$ ended at $b$, then for $b+T-\pi < t < b+T$ the integral $d(t) = \int_{t-T}^b K(t-s)f(s)\,ds$ would have
-  $K > 0$ only, since $T-\pi < t-s < T$. So $d(t) > 0$ and $f(t) > 0$ beyond $b$, a contradiction; the other end is the same.
+- *No compacton.* If $f$ ended at $b$, then for $b+T-\pi < t < b+T$ the integral $d(t) = \int_{t-T}^b K(t-s)f(s)\,ds$
+  would have $K > 0$ only, since $T-\pi < t-s < T$. So $d(t) > 0$ and $f(t) > 0$ beyond $b$, a contradiction; the other
+  end is the same.
 - *Contacts open.* $\int K = 0$, so $\int d\,dt = 0$ and $d$ is negative somewhere.
-- *Energy.* With constants $c$ and $C$ that depend on $\alpha$ only and may change from place to place, the energy of the maximum
-  lies between $ck^{-2/(\alpha-1)}$ and $Ck^{-2/(\alpha-1)}$; for Hertzian contacts that is the fourth power of the speed. At some
-  instant two neighbours differ by $\max d$, so that $E \ge \frac14(4k)^{-2/(\alpha-1)}$. For the other bound take $k \ge 2$ equal
-  pulses of width $w$ whose centres are $2\pi-\pi/2k$ apart. Between two centres that are $j$ places apart $K = \sin(j\pi/2k) > 0$,
-  on average over all pairs at least a constant, and the widths change $K$ by $w$ at most. So a small $w$ that does not depend on
-  $k$ gives $Q(f) \ge ck^2$, while $\|f\|_p^2 = Ck^{2/p}$, hence $S \ge ck^{2/(\alpha+1)}$ and $A \le Ck^{-2/(\alpha-1)}$. In the
-  mean over a shift $\int(q^2+\dot q^2)\,dt = \iint(T-|s-s'|)_+\cos(s-s')\,f(s)f(s')\,ds\,ds'$, by Young's inequality at most
+- *Energy.* With constants $c$ and $C$ that depend on $\alpha$ only and may change from place to place, the energy of
+  the maximum lies between $ck^{-2/(\alpha-1)}$ and $Ck^{-2/(\alpha-1)}$; for Hertzian contacts that is the fourth power
+  of the speed. At some instant two neighbours differ by $\max d$, so that $E \ge \frac14(4k)^{-2/(\alpha-1)}$. For the
+  other bound take $k \ge 2$ equal pulses of width $w$ whose centres are $2\pi-\pi/2k$ apart. Between two centres that
+  are $j$ places apart $K = \sin(j\pi/2k) > 0$, on average over all pairs at least a constant, and the widths change $K$
+  by $w$ at most. So a small $w$ that does not depend on $k$ gives $Q(f) \ge ck^2$, while $\|f\|_p^2 = Ck^{2/p}$, hence
+  $S \ge ck^{2/(\alpha+1)}$ and $A \le Ck^{-2/(\alpha-1)}$. In the mean over a shift $\int(q^2+\dot q^2)\,dt =
+  \iint(T-|s-s'|)_+\cos(s-s')\,f(s)f(s')\,ds\,ds'$, by Young's inequality at most
   $CT^{1+2/(\alpha+1)}A^{2\alpha/(\alpha+1)}$. Divided by $T$ this is $Ck^{-2/(\alpha-1)}$, and $A/T$ is less.
 
 The proof uses only that $K$ is even, Lipschitz continuous, of compact support, not negative at zero and positive
@@ -161,34 +165,36 @@ somewhere. So it holds with no other change for
 
 ## Where it stands
 
-All linear waves of the chain at rest have the frequency 1, so a wave of any speed is in resonance with one of them and would in
-general drag a tail. At $T = 2\pi k$ that one is the uniform oscillation, which no contact feels. Solitary waves in resonance with a
-band are called embedded solitons (Champneys, Malomed, Yang and Kaup, Physica D 152, 340, 2001); here an identity protects them.
+All linear waves of the chain at rest have the frequency 1, so a wave of any speed is in resonance with one of them and
+would in general drag a tail. At $T = 2\pi k$ that one is the uniform oscillation, which no contact feels. Solitary
+waves in resonance with a band are called embedded solitons (Champneys, Malomed, Yang and Kaup, Physica D 152, 340,
+2001); here an identity protects them.
 
-That a resonance can be removed in this way is known from mass-in-mass chains, beads with one resonator each, as *anti-resonance*.
-Kevrekidis, Stefanov and Xu (arXiv:1502.01995) prove that bell-shaped travelling waves exist there under anti-resonance conditions
-between the mass of the resonator and the speed; with one resonator our identical linear cells meet their theorem. Away from
-anti-resonance Faver (arXiv:1910.12313) proves waves with periodic tails for small resonators. In our chain the bead in its well is
-itself the resonator, the kernel changes its sign, and the waves oscillate. Of these two works we read the abstracts. Others we
-have not read and name for what they are known for: solitary waves without wells (Friesecke and Wattis, Commun. Math. Phys. 161,
-391, 1994), their double-exponential fall in Hertzian chains (English and Pego, Proc. AMS 133, 1763, 2005) and
-concentration-compactness (Lions, Ann. Inst. H. Poincaré C 1, 109, 1984).
+That a resonance can be removed in this way is known from mass-in-mass chains, beads with one resonator each, as
+*anti-resonance*. Kevrekidis, Stefanov and Xu (arXiv:1502.01995) prove that bell-shaped travelling waves exist there
+under anti-resonance conditions between the mass of the resonator and the speed; with one resonator our identical linear
+cells meet their theorem. Away from anti-resonance Faver (arXiv:1910.12313) proves waves with periodic tails for small
+resonators. In our chain the bead in its well is itself the resonator, the kernel changes its sign, and the waves
+oscillate. Of these two works we read the abstracts. Others we have not read and name for what they are known for:
+solitary waves without wells (Friesecke and Wattis, Commun. Math. Phys. 161, 391, 1994), their double-exponential fall
+in Hertzian chains (English and Pego, Proc. AMS 133, 1763, 2005) and concentration-compactness (Lions, Ann. Inst. H.
+Poincaré C 1, 109, 1984).
 
-In the freely accessible literature we found no theorem like this one; journals behind a paywall were not searched. The proof has
-not been refereed. It does not say whether the maximum is even, unique or stable, nor which sign its central velocity has, and says
-nothing about other speeds or wells with $s \ne 0$. For waves that repeat themselves only after $m$ sites, or for masses of period
-$m$ in wells of one frequency, the resonance leaves $m-1$ complex conditions.
+In the freely accessible literature we found no theorem like this one; journals behind a paywall were not searched. The
+proof has not been refereed. It does not say whether the maximum is even, unique or stable, nor which sign its central
+velocity has, and says nothing about other speeds or wells with $s \ne 0$. For waves that repeat themselves only after
+$m$ sites, or for masses of period $m$ in wells of one frequency, the resonance leaves $m-1$ complex conditions.
 
 ## Waves of both signs
 
 ![The kernel, two waves, and the quotients of both signs.](fig:x24)
 
-Newton's method (kernel_wave.hpp) finds two even solutions for each $k$, one with the central contact closed at $t = 0$ and one with
-it open (panel b). They are the two orbits of the chapters before, named by the sign of the central velocity $\dot y_0$ at the
-instant at which positions are odd. Two grids give the errors. At $k = 1$ both have the energy
-[0.181](num:sec5_kernel_equation.energy_plus); the next chapter proves that they exist and that their actions differ, in the
-eleventh digit. The sign plus, whose phase is pinned, has the smaller action, so the wave minus is not the maximum of the theorem.
-Whether the wave plus is remains open. Panel c shows how fast both fall. */
+Newton's method (kernel_wave.hpp) finds two even solutions for each $k$, one with the central contact closed at $t = 0$
+and one with it open (panel b). They are the two orbits of the chapters before, named by the sign of the central
+velocity $\dot y_0$ at the instant at which positions are odd. Two grids give the errors. At $k = 1$ both have the
+energy [0.181](num:sec5_kernel_equation.energy_plus); the next chapter proves that they exist and that their actions
+differ, in the eleventh digit. The sign plus, whose phase is pinned, has the smaller action, so the wave minus is not
+the maximum of the theorem. Whether the wave plus is remains open. Panel c shows how fast both fall. */
 std::vector<TwoGridWave> waves(const std::vector<std::size_t>& ks) {
   std::vector<std::vector<TwoGridWave>> found(2 * ks.size());
   parallel_for(found.size(), [&](std::size_t i) {
@@ -249,11 +255,11 @@ void report_profiles(Report& report, const std::vector<TwoGridWave>& all) {
 /**
 ## Other exponents
 
-At $\alpha = 3/2$ the quotients of the two signs differ in the eleventh digit, at larger $\alpha$ much earlier, and not always in
-the same sense (panel d). We compare them together with $\kappa$ of the internal phase (chapter on exact travelling breathers),
-which is negative where the phase is pinned: does stability pass from one sign to the other where the quotients exchange their
-order? The signs can be told apart down to $\alpha = 1.38$; below that their difference is rounding, and below $\alpha = 3/2$ so is
-$\kappa$ (two_signs.hpp). */
+At $\alpha = 3/2$ the quotients of the two signs differ in the eleventh digit, at larger $\alpha$ much earlier, and not
+always in the same sense (panel d). We compare them together with $\kappa$ of the internal phase (chapter on exact
+travelling breathers), which is negative where the phase is pinned: does stability pass from one sign to the other where
+the quotients exchange their order? The signs can be told apart down to $\alpha = 1.38$; below that their difference is
+rounding, and below $\alpha = 3/2$ so is $\kappa$ (two_signs.hpp). */
 std::vector<double> contact_exponents(bool quick) {
   if (quick) return {2, 3, 4};
   return {1.2,  1.3, 1.35, 1.38, 1.4, 1.42, 1.44, 1.46, 1.48, 1.5, 1.52, 1.55, 1.58, 1.6, 1.62,
@@ -268,9 +274,10 @@ bool larger_is_pinned(const TwoSigns& c) {
 }
 
 /**
-[](finding:travelling.exchanges) Beyond the largest exchange, up to $\alpha = 8$, the sign minus has the larger quotient. At
-[35](num:sec5_kernel_equation.phases_agree) of the [35](num:sec5_kernel_equation.phases_compared) exponents at which the
-difference and $\kappa$ are beyond their errors, the phase of the larger quotient is pinned and that of the other is not.
+[](finding:travelling.exchanges) Beyond the largest exchange, up to $\alpha = 8$, the sign minus has the larger
+quotient. At [35](num:sec5_kernel_equation.phases_agree) of the [35](num:sec5_kernel_equation.phases_compared) exponents
+at which the difference and $\kappa$ are beyond their errors, the phase of the larger quotient is pinned and that of the
+other is not.
 
 | exchange | of the quotients, $\alpha$ | phase plus pinned | phase minus pinned |
 |---|---|---|---|
@@ -284,8 +291,8 @@ difference and $\kappa$ are beyond their errors, the phase of the larger quotien
 | 8 | [1.44347 ± 6e-7](num:sec5_kernel_equation.exchange_8) | | |
 | 9 | [1.39092 ± 5e-5](num:sec5_kernel_equation.exchange_9) | | |
 
-Stability does not pass from one sign to the other at a single exponent. At the second exchange both phases are pinned over a
-short range of $\alpha$, at the first one neither is: a third wave, without symmetry, should exist at both. */
+Stability does not pass from one sign to the other at a single exponent. At the second exchange both phases are pinned
+over a short range of $\alpha$, at the first one neither is: a third wave, without symmetry, should exist at both. */
 void report_quotients(Report& report, const std::vector<TwoSigns>& all) {
   Table& table = report.table(
       "quotients",
@@ -333,8 +340,9 @@ void report_exchanges(Report& report, const std::vector<TwoSigns>& all) {
 /**
 ## Type II
 
-Along the family that begins at $T = 2\pi$ (kernel_wave.hpp) $V$ changes its sign. The zero is the first orbit of type II of the
-chapter on exact travelling breathers, found here by another method, with $T/2\pi =$ [0.897](num:sec5_kernel_equation.turns_type_two). */
+Along the family that begins at $T = 2\pi$ (kernel_wave.hpp) $V$ changes its sign. The zero is the first orbit of type
+II of the chapter on exact travelling breathers, found here by another method, with $T/2\pi =$
+[0.897](num:sec5_kernel_equation.turns_type_two). */
 void report_type_two(Report& report) {
   std::array<std::vector<KernelWave>, 2> found;
   parallel_for(2, [&](std::size_t i) {

@@ -2,13 +2,13 @@
 /**
 # Breathers without a mirror, held at a centre
 
-Breathers with their centre between a site and a bond (sec33_between.cpp) are at rest at $t = 0$ like the others and obey
-$\dot y_n(T_b/2) = 0$, one equation per site; but the derivative of these equations is almost singular, because the breather
-can be shifted along the chain almost freely. What is missing is a condition on its place. In return a parameter $p$ of the
-chain, $s$ or $\omega_b$, may be left open. So we prescribe the centre $Q$, counted from the middle of the chain, and solve
-for the positions and for $p$. The family is the curve $p(Q)$. A reflection about its centre changes the sign of a
-bond-centred breather, and that of a site-centred one also exchanges the two times; in either case $Q$ is exactly the bond
-or the site, and $p$ there is the branch point. */
+Breathers with their centre between a site and a bond (sec33_between.cpp) are at rest at $t = 0$ like the others and
+obey $\dot y_n(T_b/2) = 0$, one equation per site; but the derivative of these equations is almost singular, because the
+breather can be shifted along the chain almost freely. What is missing is a condition on its place. In return a
+parameter $p$ of the chain, $s$ or $\omega_b$, may be left open. So we prescribe the centre $Q$, counted from the middle
+of the chain, and solve for the positions and for $p$. The family is the curve $p(Q)$. A reflection about its centre
+changes the sign of a bond-centred breather, and that of a site-centred one also exchanges the two times; in either case
+$Q$ is exactly the bond or the site, and $p$ there is the branch point. */
 
 #include <cstddef>
 

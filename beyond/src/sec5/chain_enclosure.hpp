@@ -14,7 +14,8 @@ of $F$ into a motion of the chain. In $C^0$ the map $F$ is continuously differen
 $DF(d)v = v-G(\Delta(av))$, $a = \frac32(d_+)^{1/2}$, and the supremum norm lets the proof see that a square
 root is bad near zero and near zero only: what counts is an integral over time.
 
-What the proof takes from analysis has a function for each constant, so that a test can hold it against what it bounds. */
+What the proof takes from analysis has a function for each constant, so that a test can hold it against what it bounds.
+*/
 
 #include <vector>
 
@@ -57,12 +58,12 @@ ChainGuess chain_guess(Centre centre, int numerator, int denominator, const Fine
 /**
 ## The residual
 
-The Fourier coefficients of $f = (c_+)^{3/2}$ are computed from $M$ samples. The discrete ones contain those at
-$k+jM$ too. As $f'$ has bounded variation, $|f_k| \le V/(2\pi k^2)$, and integration by parts on each interval of
-contact gives $V \le 3\int c_+^{1/2}|c''|\,d\theta$: of $f'' = \frac32c^{1/2}c''+\frac34c'^2c^{-1/2}$ the second term
-has the integral $-\frac32\int c^{1/2}c''$. So a coefficient of $\cos k\theta$ is at most $2V/(2\pi k^2)$; what is folded back
-has $\sum_{j\ne0}(jM+k)^{-2} \le \frac{\pi^2}3(M-k)^{-2}$, and beyond the harmonics of the guess
-$|G_k| \le k^{-2}/(\omega^2-K^{-2})$ for $k > K$. */
+The Fourier coefficients of $f = (c_+)^{3/2}$ are computed from $M$ samples. The discrete ones contain those at $k+jM$
+too. As $f'$ has bounded variation, $|f_k| \le V/(2\pi k^2)$, and integration by parts on each interval of contact gives
+$V \le 3\int c_+^{1/2}|c''|\,d\theta$: of $f'' = \frac32c^{1/2}c''+\frac34c'^2c^{-1/2}$ the second term has the integral
+$-\frac32\int c^{1/2}c''$. So a coefficient of $\cos k\theta$ is at most $2V/(2\pi k^2)$; what is folded back has
+$\sum_{j\ne0}(jM+k)^{-2} \le \frac{\pi^2}3(M-k)^{-2}$, and beyond the harmonics of the guess $|G_k| \le
+k^{-2}/(\omega^2-K^{-2})$ for $k > K$. */
 /// An upper bound of V / (2 pi); cosine sums are bounded by the sums of the moduli of their coefficients.
 Interval<double> variation_of_force(const std::vector<double>& c);
 /// The largest error of a coefficient below `harmonics`, over V / (2 pi).
@@ -78,10 +79,10 @@ std::vector<double> chain_residuals(const ChainGuess& guess, const Fineness& fin
 /**
 ## The inverse of the derivative
 
-It is that of contraction.hpp with $B = G\Delta\tilde a$ and $m+1$ nodes on the half circle, so that
-$\epsilon = \frac18(\pi/m)^2\sup|(Bv)''|$. The entries of $CNB$, a matrix of functions, are linear combinations of $g$, between
-two nodes a combination of two sines, and we integrate their modulus from the values at the nodes. Behind the window rows are
-bounded by $\gamma$ times the stiffness there. */
+It is that of contraction.hpp with $B = G\Delta\tilde a$ and $m+1$ nodes on the half circle, so that $\epsilon =
+\frac18(\pi/m)^2\sup|(Bv)''|$. The entries of $CNB$, a matrix of functions, are linear combinations of $g$, between two
+nodes a combination of two sines, and we integrate their modulus from the values at the nodes. Behind the window rows
+are bounded by $\gamma$ times the stiffness there. */
 class ChainProof {
  public:
   /// Makes A and bounds it.

@@ -5,10 +5,10 @@
 All enclosures of this section end in one lemma. Let $F$ be continuously differentiable on a Banach space,
 $c$ a guess, $A$ a linear map, and let the ball $|x-c| \le \rho$ be such that
 $$|AF(c)| \le \eta, \qquad \|1-A\,DF(x)\| \le q \text{ for all $x$ in the ball}, \qquad q < 1, \qquad
-  \eta+q\rho \le \rho.$$
-Then $x \mapsto x-AF(x)$ maps the ball into itself and contracts it, and there is exactly one fixed point in the ball. That
-is a zero of $F$ if $A$ is injective. Our $A$ is the identity plus a map of finite rank, hence injective as soon as it is
-surjective, and it is surjective because $A\,DF(c)$ is invertible, $q$ being less than one.
+  \eta+q\rho \le \rho.$$ Then $x \mapsto x-AF(x)$ maps the ball into itself and contracts it, and there is exactly one
+  fixed point in the ball. That is a zero of $F$ if $A$ is injective. Our $A$ is the identity plus a map of finite rank,
+  hence injective as soon as it is surjective, and it is surjective because $A\,DF(c)$ is invertible, $q$ being less
+  than one.
 
 Both conditions are needed. Without $q < 1$ the identity would pass with $\eta = 0$, and has no single fixed
 point; with $\eta = 0$ put in by mistake $x \mapsto \frac12x+10$ would have a fixed point near zero. Since
@@ -71,14 +71,14 @@ std::pair<Contraction, Contraction> two_balls(double eta, double largest, Bound 
 /**
 ## When the unknown is a function of time
 
-For the chain and for the kernel equation $DF(d) = 1-B_d$ with an integral operator $B_d$, and $A$ is made in the same way.
-On nodes, functions are replaced by broken lines, an operation $\Pi$ of norm one. Let $B$ be $B_c$ with a stiffness that is
-constant on small cells and zero behind a window, $N$ the values at the nodes, $E$ the broken line through values,
-$\mathfrak B = NBE$, and $C$ a matrix, an approximate inverse of $1-\mathfrak B$. We take
+For the chain and for the kernel equation $DF(d) = 1-B_d$ with an integral operator $B_d$, and $A$ is made in the same
+way. On nodes, functions are replaced by broken lines, an operation $\Pi$ of norm one. Let $B$ be $B_c$ with a stiffness
+that is constant on small cells and zero behind a window, $N$ the values at the nodes, $E$ the broken line through
+values, $\mathfrak B = NBE$, and $C$ a matrix, an approximate inverse of $1-\mathfrak B$. We take
 $$A = 1+ECNB, \qquad
-  1-A(1-B) = (1-\Pi)B+E[1-C(1-\mathfrak B)]NB+ECNB(1-\Pi)B,$$
-an identity. All its terms are small. With $\|(1-\Pi)B\| \le \epsilon$, a bound from $(Bv)''$ and the distance of the nodes,
-$\|1-C(1-\mathfrak B)\| \le \delta$ and $\|CNB\| \le \beta$, and for any $d$ in the ball,
+  1-A(1-B) = (1-\Pi)B+E[1-C(1-\mathfrak B)]NB+ECNB(1-\Pi)B,$$ an identity. All its terms are small. With $\|(1-\Pi)B\|
+  \le \epsilon$, a bound from $(Bv)''$ and the distance of the nodes, $\|1-C(1-\mathfrak B)\| \le \delta$ and $\|CNB\|
+  \le \beta$, and for any $d$ in the ball,
 $$\|1-A\,DF(d)\| \le (1+\beta)(\epsilon+\|B_d-B\|)+\delta\|B\|$$
 in the window. Behind it $A$ is the identity, and what is left of $B_d$ there has to contract by itself. */
 struct ApproximateInverse {

@@ -2,9 +2,9 @@
 /**
 # Strains of the DpS breathers in intervals
 
-The stationary DpS equation at $\mu = 1$ for strains of alternating signs is $F(r) = 0$ (chapter on bounds). This file has $F$
-and its derivative in intervals, a guess, and what follows from strains that are enclosed: stability, energies, and the search
-for other profiles. The proof itself stands in the chapter. */
+The stationary DpS equation at $\mu = 1$ for strains of alternating signs is $F(r) = 0$ (chapter on bounds). This file
+has $F$ and its derivative in intervals, a guess, and what follows from strains that are enclosed: stability, energies,
+and the search for other profiles. The proof itself stands in the chapter. */
 
 #include <vector>
 

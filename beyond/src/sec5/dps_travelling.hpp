@@ -6,8 +6,8 @@ $A_n(\tau+\tau_T) = e^{i\varphi}A_{n-1}(\tau)$ in Eq. (12). We choose $\tau_T = 
 $A \to aA$, $\tau \to a^{-1/2}\tau$. With the symmetry $A_n(\tau) = -\bar A_{-n}(-\tau)$ and
 $w_n = e^{-i\varphi/2}A_n(\tau_T/2)$ the equations are
 $$\mathrm{Re}\,(w_n + w_{1-n}) = 0,\qquad \mathrm{Im}\,(w_n - w_{1-n}) = 0,\qquad n = 1,\dots,L+1.$$
-Those of the first kind add up to $V\sin(\varphi/2) = 0$, where the conserved sum $\sum_nA_n$ is $iV$. That of $n = 1$ is
-left out; what is found is exact where it holds too, and so at $\varphi = 0$. */
+Those of the first kind add up to $V\sin(\varphi/2) = 0$, where the conserved sum $\sum_nA_n$ is $iV$. That of $n = 1$
+is left out; what is found is exact where it holds too, and so at $\varphi = 0$. */
 
 #include <complex>
 #include <cstddef>

@@ -44,9 +44,9 @@ Vector<double> normalized(const PowerContact& law, const Vector<double>& weight,
 }
 
 /**
-Where the quotient $\int f\,(K*f)\,dt/\|f\|_p^2$ is largest, $K*f = Sf^{1/\alpha}$ wherever $f > 0$. So we write $f = u^\alpha$ with
-$u \ge 0$ and repeat $u \leftarrow (K*u^\alpha+\mu u)_+$ with the norm kept at one. Since $K$ is not positive, the step may go down if
-$\mu$ is too small; it is then refused and repeated with twice the $\mu$. */
+Where the quotient $\int f\,(K*f)\,dt/\|f\|_p^2$ is largest, $K*f = Sf^{1/\alpha}$ wherever $f > 0$. So we write $f =
+u^\alpha$ with $u \ge 0$ and repeat $u \leftarrow (K*u^\alpha+\mu u)_+$ with the norm kept at one. Since $K$ is not
+positive, the step may go down if $\mu$ is too small; it is then refused and repeated with twice the $\mu$. */
 Vector<double> ascended(const HalfLine& line, const PowerContact& law, Vector<double> u) {
   constexpr double enough = 1e-7;  // the relative growth with which the ascent ends
   const Vector<double> weight = 2 * line.weight();

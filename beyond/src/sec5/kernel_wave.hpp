@@ -2,8 +2,8 @@
 /**
 # Waves of the kernel equation
 
-The chapter (sec5_kernel_equation.cpp) shows that travelling breathers of linear wells with $T = 2\pi k$ obey one equation
-for the compression $d$ of a contact, with the force $f = d_+^\alpha$,
+The chapter (sec5_kernel_equation.cpp) shows that travelling breathers of linear wells with $T = 2\pi k$ obey one
+equation for the compression $d$ of a contact, with the force $f = d_+^\alpha$,
 $$d = K * d_+^\alpha,\qquad K(\sigma) = -\sin|\sigma| \ \text{ for } |\sigma| \le T.$$
 
 For even $d$ and any $T$ let $X(t) = \int_{|t|}^\infty \sin(s-|t|)\,f(s)\,ds$ and $V = \int f\cos

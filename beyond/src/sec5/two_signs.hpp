@@ -5,9 +5,10 @@
 A wave of type I is computed on two grids, whose difference is its error. At $k = 1$ the waves of both signs differ so
 little at small exponents that they need denser grids than each of them by itself: unless $2\alpha$ is an integer the
 force is not analytic on the panels. The error of the difference of their quotients is that of the grids, but at least
-the rounding of two quotients. Beside it we put $\kappa$ of the internal phase of both, negative where the phase is pinned. It
-follows from the multipliers of the lattice's flow (travelling.hpp). Unless $2\alpha$ is an integer the force is not analytic
-in the root of the time since a contact has closed either, and the flow has to be content with a larger tolerance.
+the rounding of two quotients. Beside it we put $\kappa$ of the internal phase of both, negative where the phase is
+pinned. It follows from the multipliers of the lattice's flow (travelling.hpp). Unless $2\alpha$ is an integer the force
+is not analytic in the root of the time since a contact has closed either, and the flow has to be content with a larger
+tolerance.
 
 Where the difference, or $\kappa$, changes its sign between two exponents its zero is found on both grids. */
 

@@ -44,10 +44,10 @@ std::vector<double> wave_residuals(const CubicLine& d, const ForceIntegrals& int
 /**
 ## The inverse of the derivative
 
-It is that of contraction.hpp with $B = K*\tilde a$. The shift is a whole number of distances of nodes, so that between two
-nodes $K$ is a combination of two sines. As $|K| \le 1$, $\|B_d-B\|$ is at most the largest integral of $|a_d-\tilde a|$ over
-two shifts, and the Hölder continuous root costs no more than an integral over the instants at which contacts close and open.
-Behind the window rows are bounded by the integral of $a_d$ over two shifts around what lies there. */
+It is that of contraction.hpp with $B = K*\tilde a$. The shift is a whole number of distances of nodes, so that between
+two nodes $K$ is a combination of two sines. As $|K| \le 1$, $\|B_d-B\|$ is at most the largest integral of $|a_d-\tilde
+a|$ over two shifts, and the Hölder continuous root costs no more than an integral over the instants at which contacts
+close and open. Behind the window rows are bounded by the integral of $a_d$ over two shifts around what lies there. */
 class WaveProof {
  public:
   /// Makes A and bounds it.
