@@ -13,7 +13,7 @@ contours = draw.read(f"{data}/sec34_boomeron_map/contours.ecsv")
 
 figure, (axes, line) = plt.subplots(1, 2, figsize=(draw.TWO_COLUMNS, 80 * draw.MM),
                                     width_ratios=[1.25, 1], layout="constrained")
-vs, chis = np.unique(cells["velocity"]), np.unique(cells["kappa"])
+vs, chis = np.unique(cells["velocity"]), np.unique(cells["chi"])
 
 
 def edges(x):
@@ -23,7 +23,7 @@ def edges(x):
 
 def image(column):
     shown = np.full((len(chis), len(vs)), np.nan)
-    shown[np.searchsorted(chis, cells["kappa"]), np.searchsorted(vs, cells["velocity"])] = \
+    shown[np.searchsorted(chis, cells["chi"]), np.searchsorted(vs, cells["velocity"])] = \
         cells[column]
     return shown
 
@@ -39,7 +39,7 @@ axes.contour(vs, chis, np.log10(image("s")), levels=np.log10(levels), colors="bl
              linewidths=0.6, linestyles="dotted")
 for s, v in zip(levels, [33, 7.1, 1.53, 0.33]):
     axes.text(v, 0.78, f"$s={s:g}$", fontsize=6.5, rotation=72, ha="left", va="bottom")
-axes.plot(law["velocity"], law["kappa"], "o", ms=3, mfc="white", mec="black", mew=0.7)
+axes.plot(law["velocity"], law["chi"], "o", ms=3, mfc="white", mec="black", mew=0.7)
 axes.set(xscale="log", yscale="log", xlabel="impact velocity $v_0$", ylabel=r"$\chi = s\,v_0^{3/2}$",
          xlim=(edges(vs)[0], edges(vs)[-1]), ylim=(edges(chis)[0], edges(chis)[-1]))
 axes.set_yticks([1, 2, 5, 10, 20], ["1", "2", "5", "10", "20"])
@@ -53,12 +53,12 @@ bar.ax.set_yticklabels(["5", "10", "20", "40"])
 bar.ax.minorticks_off()
 bar.set_label("turning point (site)")
 
-line.plot(law["root_velocity"], law["kappa"], "o", ms=3, mfc="white", mec="#0072B2", mew=0.8,
+line.plot(law["root_velocity"], law["chi"], "o", ms=3, mfc="white", mec="#0072B2", mew=0.8,
           label="turns at site 40")
 for site, mark, colour in [(20, "^", "#009E73"), (80, "v", "#D55E00")]:
     part = draw.where(contours, "site", site)
-    if len(part["kappa"]):
-        line.plot(np.sqrt(part["velocity"]), part["kappa"], mark, ms=3.5, mfc="none", mec=colour,
+    if len(part["chi"]):
+        line.plot(np.sqrt(part["velocity"]), part["chi"], mark, ms=3.5, mfc="none", mec=colour,
                   mew=0.8, label=f"turns at site {site}")
 fitted = law["velocity"] < 3
 line.plot(law["root_velocity"][fitted], law["law"][fitted], color="black", lw=1,

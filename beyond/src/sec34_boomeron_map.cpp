@@ -101,8 +101,7 @@ freely and their amplitudes change slowly, as in the DpS equation (`sec34_dps_im
 In units of this slow time the motion depends only on the ratio of the two, $s\,y^{3/2}$, and, as $y$ is proportional to
 $v_0$, on the *scaled hardness*
 $$\chi = s\,v_0^{3/2},$$
-called `kappa` in tables and facts, though unrelated to multipliers. So we expect packets to turn before a given site if
-$s$ is above
+So we expect packets to turn before a given site if $s$ is above
 $$s_c(v_0) = v_0^{-3/2}\,(\chi_0 + \chi_1 v_0^{1/2} + \dots),$$
 where the second term is the first correction, in $y^{1/2}$, to that limit. The contour crosses many decades of $s$
 while $\chi$ changes little, so we place the points of each velocity at equal ratios of $\chi$, from 0.7 to 20.
@@ -125,13 +124,13 @@ Sweep turning_map_sweep(const std::filesystem::path& folder, const MapGrid& grid
   const std::vector<Column> columns{
       number("velocity", "impact velocity"),
       number("s", "anharmonicity of the well"),
-      number("kappa", "the scaled hardness chi = s v0^(3/2)"),
+      number("chi", "the scaled hardness chi = s v0^(3/2)"),
       count("fate",
             "0 escapes, 1 turns back, 2 stays, 3 undecided or different for two time steps"),
       number("apex", "farthest mean centre of a packet that turns back; nan for others", "site"),
       number("apex_difference", "difference between two time steps", "site")};
   std::ostringstream key;
-  key << grid.columns << " x " << grid.rows << " points, kappa from " << grid.least << " to "
+  key << grid.columns << " x " << grid.rows << " points, chi from " << grid.least << " to "
       << grid.most;
   return {folder, "reversal_map", columns, grid.columns * grid.rows, key.str()};
 }
@@ -250,7 +249,7 @@ void report_law(Report& report) {
                      number("root_velocity", "square root of the impact velocity"),
                      estimate("s", "anharmonicity above which the packet does not pass site 40", "",
                               "from two time steps and the last interval of the bisection"),
-                     number("kappa", "chi = s v0^(3/2)"), number("law", "chi_0 + chi_1 v0^(1/2)")});
+                     number("chi", "s v0^(3/2)"), number("law", "chi_0 + chi_1 v0^(1/2)")});
   std::vector<double> log_v, log_s;
   for (std::size_t i = 0; i < count; ++i) {
     const double v = c.velocity[i], root = std::sqrt(v);
@@ -263,17 +262,17 @@ void report_law(Report& report) {
   for (std::size_t i = 0; i < law.root.size(); ++i)
     if (const double off = std::abs(law.chi[i] / law.at(law.root[i]) - 1); off > scatter.value)
       scatter = {off, law.error[i]};
-  report.facts.add("law_kappa_1", law.line.estimate());
-  report.facts.add("law_kappa_0", law.chi_0());
+  report.facts.add("law_chi_1", law.line.estimate());
+  report.facts.add("law_chi_0", law.chi_0());
   report.facts.add("law_largest_deviation", scatter, "relative");
   report.facts.add("power_large_impacts", fit_line(log_v, log_s).estimate());
 }
 
 /**
 Site 40 is our choice. If the contour were the boundary between packets that turn and packets that do not turn at all,
-it would not depend on it. At $v_0=0.1$ we find $\chi_c =$ [1.55](num:sec34_boomeron_map.kappa_010_site_20) for a
-turning point at site 20, [1.34](num:sec34_boomeron_map.kappa_010_site_40) at 40 and
-[1.18](num:sec34_boomeron_map.kappa_010_site_80) at 80. Do they approach a limit? Three do not tell. */
+it would not depend on it. At $v_0=0.1$ we find $\chi_c =$ [1.55](num:sec34_boomeron_map.chi_010_site_20) for a
+turning point at site 20, [1.34](num:sec34_boomeron_map.chi_010_site_40) at 40 and
+[1.18](num:sec34_boomeron_map.chi_010_site_80) at 80. Do they approach a limit? Three do not tell. */
 void report_horizons(Report& report) {
   struct Point {
     double site, velocity;
@@ -297,7 +296,7 @@ void report_horizons(Report& report) {
           {number("site", "site of the turning point", "site"),
            number("velocity", "impact velocity"),
            estimate(
-               "kappa", "chi = s v0^(3/2)", "",
+               "chi", "s v0^(3/2)", "",
                "from two time steps and the last interval of the bisection, against the largest")})
       .fill(points, row, "horizons");
 
@@ -305,7 +304,7 @@ void report_horizons(Report& report) {
   for (std::size_t i = 0; i < points.size(); i += count) {
     const auto& [site, v, s] = points[i];
     const double scale = v * std::sqrt(v);
-    report.facts.add("kappa_010_site_" + short_text(site), {s.value * scale, s.error * scale});
+    report.facts.add("chi_010_site_" + short_text(site), {s.value * scale, s.error * scale});
   }
 }
 
