@@ -191,7 +191,7 @@ void report_norms(Report& report) {
 If $u$ solves the equation at $\mu = 1$, $\mu^2u$ solves it at $\mu$: the amplitude grows like $\mu^2$ at unchanged
 width. To test the computation by this law, we continue the branch from $\mu = 1$ to 64 and to 1/64 in steps of an
 eighth of an octave, and each time start Newton's method from the *unscaled* strains of the neighbour, the four around
-its centre. At every site $\ln|u_n/u_n(1)|$ over $\ln\mu$ must be two ([2.00](num:dps.scaling)). */
+its centre. At either end and at every site $\ln|u_n/u_n(1)|$ over $\ln\mu$ must be two ([2.00](num:dps.scaling)). */
 template <class T>
 double exponent_farthest_from_two(Centre centre, int steps) {
   using std::exp2, std::log, std::abs;
@@ -199,15 +199,14 @@ double exponent_farthest_from_two(Centre centre, int steps) {
   double farthest = 2;
   for (int direction : {1, -1}) {
     auto state = one;
-    for (int k = 1; k <= steps; ++k) {
-      const T mu = exp2(T(direction * k) / T(8));
-      state = stationary_from<T>(centre, mu, {state.strain.begin(), state.strain.begin() + 4},
-                                 sites_of(centre));
-      for (std::size_t i = 0; i < one.u.size(); ++i) {
-        if (!(abs(one.u[i]) > T(1e-6))) continue;  // the sites that carry the breather
-        const double exponent = rounded<T>(log(abs(state.u[i] / one.u[i])) / log(mu));
-        if (std::abs(exponent - 2) > std::abs(farthest - 2)) farthest = exponent;
-      }
+    for (int k = 1; k <= steps; ++k)
+      state =
+          stationary_from<T>(centre, exp2(T(direction * k) / T(8)),
+                             {state.strain.begin(), state.strain.begin() + 4}, sites_of(centre));
+    for (std::size_t i = 0; i < one.u.size(); ++i) {
+      if (!(abs(one.u[i]) > T(1e-6))) continue;  // the sites that carry the breather
+      const double exponent = rounded<T>(log(abs(state.u[i] / one.u[i])) / log(state.mu));
+      if (std::abs(exponent - 2) > std::abs(farthest - 2)) farthest = exponent;
     }
   }
   return farthest;
