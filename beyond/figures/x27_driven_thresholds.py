@@ -15,7 +15,7 @@ figure, (quiet, ways, law) = plt.subplots(1, 3, figsize=(draw.TWO_COLUMNS, 62 * 
 
 quiet.plot(orbits["amplitude"], orbits["response"], "o-", color="#0072B2", ms=2.5, lw=0.9)
 quiet.set(xlabel=r"amplitude $u_0$ of the piston ($\mathrm{\mu m}$)",
-          ylabel=r"amplitude of the first bead ($\mathrm{\mu m}$)", xlim=(0, None), ylim=(0, None))
+          ylabel=r"$(y_1^2+\dot y_1^2)^{1/2}$ of the first bead ($\mathrm{\mu m}$)", xlim=(0, None), ylim=(0, None))
 quiet.axvline(fold, color="#888888", lw=0.8, ls=":")
 quiet.annotate("fold", (fold, 0), xytext=(-3, 4), textcoords="offset points", ha="right", fontsize=7)
 draw.letter(quiet, "a")

@@ -6,7 +6,8 @@ Where do the two breathers exchange their stability, and what happens there? Sec
 bifurcations to future work. At $\omega_b = 1.1$ we find the exchanges of the two breathers at values of $s$ that differ
 by [3.22e-7](num:sec33_between.width_between_in_s). Between the two values both breathers are stable, and a third,
 asymmetric one, centred neither on a site nor on a bond, exists and is unstable. In the linear well, $s = 0$, there are
-six exchanges up to $\omega_b = 2$, and at one of them the roles are reversed.
+six exchanges up to $\omega_b = 2$. At two of them both breathers are unstable in between; at one of these we find the
+third breather, which is stable.
 
 Why should a third breather exist? Let the centre $X$ of a breather, in sites from a site, move in a potential with two
 harmonics, $V = a\cos2\pi X+b\cos4\pi X$ (the Peierls-Nabarro potential of `sec32_barrier`, with the sign for which a
@@ -220,7 +221,9 @@ The argument from two harmonics can be tested. Half way, at $a = 0$, all three c
 $\kappa$, proportional to minus the curvature, is as large there for the third breather as for the site-centred one,
 whose $\kappa$ has grown from zero over half the interval. Half of the interval times the slope
 [7.55e-8](num:sec33_floquet.exchange_slope) is within four per cent of the $\kappa$ that we find,
-[1.26e-14](num:sec33_between.kappa_between_in_s). We do not know what determines the sign of $b$.
+[1.26e-14](num:sec33_between.kappa_between_in_s). In the other family two harmonics are not enough: they would make
+$\kappa$ symmetric about the middle, and there it is larger towards the bond, by a seventh at a tenth of a site. We do
+not know what determines the sign of $b$.
 
 ![Centre, energy and stability of the intermediate breathers.](fig:x14) */
 /// Two exchanges close together on a cut: the ends of a family of intermediate breathers.

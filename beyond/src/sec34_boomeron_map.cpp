@@ -6,13 +6,13 @@ Kevrekidis and Cuevas (Physica D 251, 2013) says that it does so for $s\ge0.005$
 impacts and how far out. It leaves open why, and names one possibility: waves confined between the packet and the end
 that was hit. We map where packets turn, and absorb the waves behind them.
 
-- How far a packet gets depends mainly on one number, $\chi = s\,v_0^{3/2}$. The values of $s$ at which it turns at site
-  40 follow a law with two coefficients. There is no boundary between packets that turn and packets that do not, only
-  such contours.
+- After weak impacts the site at which a packet turns depends on one number, $\chi = s\,v_0^{3/2}$. The values of $s$ at
+  which it turns at site 40 follow a fit with two coefficients. This contour is not a boundary: in softer wells packets
+  turn farther out. Whether contours of ever farther sites approach one is open.
 - Each of four packets that turn goes at least twice as far if the waves more than six sites behind it are absorbed. If
   they are absorbed at the end that was hit, the one we tried turns nevertheless, a little later.
-- So waves close behind a packet make it turn early. *Why* they do is open, and so is what slows a packet down that has
-  lost them.
+- So what is close behind a packet makes it turn early, waves or the rear of the packet itself. *Why* is open, and so is
+  what slows a packet down that has lost it.
 
 ## Model
 
@@ -201,10 +201,10 @@ Estimate critical_s(double velocity, int bisections, double site = horizon) {
 The expected law is a line when $\chi_c = s_c v_0^{3/2}$ is plotted against $v_0^{1/2}$. We fit it for $v_0 < 3$, a
 bound that is our choice, and quote its largest relative deviation, because the curvature of a contour would show at the
 ends of the line and not in the mean. The limit $v_0=0$ lies outside the range of the points, so the error of $\chi_0$
-is that of the slope times the root mean square of $v_0^{1/2}$. It is the error of a fit at *one* horizon.
+is that of the slope times the root mean square of $v_0^{1/2}$. It is the error of a fit at *one* horizon, and $\chi_0$
+is not the limit of weak impacts: below $v_0 = 0.01$ the line bends.
 
-[](finding:turning.contour) Above $v_0=1$ the points seem to lie on another power law, and a fit gives the exponent
-[-1.24](num:sec34_boomeron_map.power_large_impacts); but the slope changes along the contour, and this is a mean. */
+[](finding:turning.contour) */
 struct Contour {
   std::vector<double> velocity;
   std::vector<Estimate> s;
@@ -337,10 +337,10 @@ void report_any_s(Report& report) {
      end       |x~~~~~~~~~~~~~~ (packet)       only the first bead is damped
 
 Do waves turn the packet? At $s = 1$, $v_0 = 1.9$ we damp all sites more than six behind the packet, or the first bead
-alone, which leaves all waves but hardly reflects them (`follow_without`, wake.hpp). The packet has returned when $X$,
-averaged over four internal periods, has come back by five sites. The chain has 800 sites; if a wave reached the far
-end, the program would stop. Only a long run can show that it does *not*, and long runs are chaotic: every run is made
-with two steps, and a count is exact if both agree.
+alone, which leaves all waves and weakens their reflection (`follow_without`, wake.hpp). The packet has returned when
+$X$, averaged over four internal periods, has come back by five sites. The chain has 800 sites; if a wave reached the
+far end, the program would stop. Only a long run can show that it does *not*, and long runs are chaotic: every run is
+made with two steps, and we report what both agree on.
 
 | absorbed | returned | furthest site |
 |---|---|---|
@@ -348,7 +348,8 @@ with two steps, and a count is exact if both agree.
 | at the end that was hit | [1](num:sec34_boomeron_map.returned_end) | [33.26 ± 0.01](num:sec34_boomeron_map.furthest_end) |
 | more than six sites behind the packet | [0](num:sec34_boomeron_map.returned_behind), by $t = 10^4$ | |
 
-So the waves need not be confined between the packet and the end, as the article supposes.
+The article names waves confined between the packet and the end as one possibility. With a weaker reflection there the
+packet still turns, though farther out; how much the damped bead reflects we did not measure.
 
 ![Paths with waves absorbed, and the furthest site against the distance at which they are.](fig:x12) */
 constexpr std::size_t length = 800;  // of the chain
@@ -401,9 +402,9 @@ waves and with those up to a distance $d$ behind them. The table has the furthes
 | 1, 1.7 | [54.2 ± 0.2](num:sec34_boomeron_map.apex_10_17_all) | [55.30 ± 0.03](num:sec34_boomeron_map.apex_10_17_30) | [63.123 ± 0.002](num:sec34_boomeron_map.apex_10_17_20) | [64.3195 ± 0.0008](num:sec34_boomeron_map.apex_10_17_15) | [191.102 ± 0.0001](num:sec34_boomeron_map.apex_10_17_6) |
 | 0.6, 2.5 | [77.3 ± 0.9](num:sec34_boomeron_map.apex_06_25_all) | [75.10 ± 0.02](num:sec34_boomeron_map.apex_06_25_30) | [84.241 ± 0.002](num:sec34_boomeron_map.apex_06_25_20) | [128.34 ± 0.02](num:sec34_boomeron_map.apex_06_25_15) | [227.63 ± 0.01](num:sec34_boomeron_map.apex_06_25_6) |
 
-With fifteen sites the turning point moves the more, the farther out it is; the first packet is then trapped where it
-would have turned, and the last is still on its way out. With six sites none returns in that time. (At $v_0 = 1.7$ with
-all waves only the finer of two steps has the packet back by $t = 4000$.) [](finding:turning.waves)
+With fifteen sites the first packet is trapped where it would have turned, and the last is still on its way out. With
+six sites none returns in that time. With thirty the last one turns a little nearer than with all waves. (At $v_0 = 1.7$
+with all waves only the finer of two steps has the packet back by $t = 4000$.) [](finding:turning.waves)
 
 The control is a packet that has not turned by $t = 4000$, at $s = 0.6$, $v_0 = 1.9$: with all waves and with six sites
 of them it is at the same place, within [0.017](num:sec34_boomeron_map.apart_without_turn) sites. */
@@ -450,11 +451,11 @@ void report_distances(Report& report) {
 /**
 ## Differences and limits
 
-*Not shown*: why the waves make a packet turn. Beads only push, so what comes from behind pushes it forward, and it
-slows down nevertheless. Nor is it shown that a packet without them never turns. We cannot show that a packet never
-turns, only that it does not turn before a given site or time. For $\chi$ far above the contour the motion near the end
-that was hit is erratic, and the fate of single points depends on the last digit. Damping so close to a packet may
-affect the packet itself. */
+*Not shown*: why packets turn. Beads only push, so what comes from behind pushes a packet forward, and it slows down
+nevertheless. We cannot show that a packet never turns, only that it does not before a given site or time; in other runs
+a few neighbours of the first packet did return without the waves behind them, late (`beyond/paper/findings.ecsv`). For
+$\chi$ far above the contour the motion near the end that was hit is erratic, and the fate of single points depends on
+the last digit. Damping so close to a packet may affect the packet itself. */
 void reproduce(Report& report) {
   MapGrid grid;
   if (report.quick) grid.columns = grid.rows = 8;

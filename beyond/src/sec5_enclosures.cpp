@@ -4,7 +4,8 @@
 Do the breathers of section 3 exist on the infinite chain? Is the DpS breather around a site unstable, which its second
 eigenvalue decides by five millionths? Do the two travelling waves of the preceding chapter differ? A number with an
 error bar cannot prove it; bounds can. Here each number is an interval that contains the exact value, whatever was
-rounded on the way; the digits in parentheses are the last ones of both ends. The answer is yes to all three.
+rounded on the way; the digits in parentheses are the last ones of both ends. The answer is yes to all three, for the
+linearised DpS equation, for breathers of the chain at $\omega_b = 1.1$ in linear wells, and for waves with $k = 1$.
 
 | breather | quantity | around a site | around a bond |
 |---|---|---|---|
@@ -206,8 +207,8 @@ DpsBreather enclose_dps(Centre centre) {
 
 /**
 So for each of the two centres there is a DpS breather on the infinite lattice whose strains alternate in sign, decrease
-outwards and fall double-exponentially (panel a). Existence was known (James and Starosvetsky 2014); the bounds are new.
-Each bound goes to a table and, as its middle and half of its width rounded up, to the facts. */
+outwards and fall double-exponentially (panel a). Existence was known (James and Starosvetsky 2014); bounds we have not
+found elsewhere. Each bound goes to a table and, as its middle and half of its width rounded up, to the facts. */
 struct Bounds {
   Table table{{label("quantity", "name of the enclosed quantity"), number("lower", "lower bound"),
                number("upper", "upper bound"), label("meaning", "meaning of the quantity")}};

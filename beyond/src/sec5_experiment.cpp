@@ -10,13 +10,14 @@ might form where no single bead is struck. We add friction, a piston at one end,
 ![Energy of the beads of an array whose piston is below, above and far above its threshold. Drawn by x28_driven_maps.py:
 `energy` over `n` and `t`, for each `amplitude` of `maps`.](fig:x28)
 
-- *Damping* slows the packet of an impact, but it does not stop it. If a beam loses its energy in 10 ms, the packet of 1
-  m/s travels [18.8](num:sec5_experiment.sites_10ms) sites in this time instead of
+- *Damping* slows the packet of an impact, as if its clock ran down. If a beam loses its energy in 10 ms, the packet of
+  1 m/s travels [18.8](num:sec5_experiment.sites_10ms) sites in this time instead of
   [21.0](num:sec5_experiment.sites_undamped). A breather at rest stays a breather while it decays, and its weak
   instability does not show.
-- *Driving* above the frequency of the beams moves only the first few of them, up to a threshold. Beyond it breathers
+- *Driving* above the frequency of the beams moves only the first few of them, up to a threshold. Beyond it packets
   leave the piston. The threshold has a hysteresis of several per cent.
-- *Side bands* of a plane wave grow if its wavenumber exceeds $\pi/2$. At an amplitude of one micrometre they grow by a
+- *Side bands* of a plane wave grow if its wavenumber exceeds $\pi/2$ (in the DpS limit exponentially, but for one
+  wavenumber). At an amplitude of one micrometre those of $q = \pi$ grow by a
   factor of $e$ in [15.6](num:sec5_experiment.periods_at_1um) periods of a beam.
 
 ## Model
@@ -253,7 +254,7 @@ void report_law(Report& report, const std::vector<DampedPacket>& all) {
 /**
 ## What a lifetime hides
 
-A breather at rest loses its energy, too, but stays on its branch: frequency and energy of both breathers of section
+A breather at rest also loses energy but stays on its branch: frequency and energy of both breathers of section
 3.2, released at $\omega_b = 1.1$, agree with the exact ones to half a per cent for two lifetimes of 10 ms (a test,
 `beyond/tests/sec5/arrivals.cpp`). Does its instability show before it is gone? A disturbance is multiplied by the
 Floquet multiplier $\lambda$ in each period. The article calls it hidden if it does not grow by a factor of $e$ in one
@@ -263,11 +264,12 @@ clock, like $e^{-\nu t/4}$, so that a shift has four lifetimes to grow at the in
 $\omega_b =
 1.1$ has [0.000214](num:sec5_experiment.epsilon), far below both.
 
-In the chain growth is slower still. A shift $X$ from rest obeys $\ddot X+\frac\nu4\dot X = \sigma^2X$, where $\sigma$
-is the growth rate of the breather that is left. Its *area*, $2\pi$ times the action, falls like $e^{-\nu t}$, an
-adiabatic invariant but for friction. On a long stretch farther down the branch $\sigma^2 < 0$: the pair of multipliers
-is on the unit circle, and a shift that has grown reverses. We integrate this equation along the exact breathers
-(`largest_shift`, decay.hpp) until a hundredth of the area is left. [](finding:experiment.hidden) */
+In the chain growth is slower still. In the DpS limit a shift $X$ from rest obeys $\ddot X+\frac\nu4\dot X = \sigma^2X$,
+where $\sigma$ is the growth rate of the breather that is left (decay.hpp). We take this equation for the chain, too;
+damped chains confirm its growth to a tenth (a test). The *area* of the breather, $2\pi$ times the action, falls like
+$e^{-\nu t}$; without friction it would be an adiabatic invariant. On a long stretch farther down the branch $\sigma^2 <
+0$: the pair of multipliers is on the unit circle, and a shift that has grown reverses. We integrate this equation along
+the exact breathers (`largest_shift`, decay.hpp) until a hundredth of the area is left. [](finding:experiment.hidden) */
 void report_instability(Report& report) {
   // The branch from 1.01 to 1.1, equidistant in ln(omega - 1), and for the error every second member of it
   const std::size_t each = report.quick ? 8 : 1, last = 64 / each;
@@ -300,10 +302,10 @@ void report_instability(Report& report) {
 ## A piston at one end
 
 All beams have one frequency, [6.31](num:sec5_experiment.beam_kilohertz) kHz, so that linear waves carry no energy. A
-piston with a higher frequency therefore moves the first few beads only. But contacts harden: breathers are faster than
-the beams. We drive 120 beads at 7000 Hz, with $T_E = 10$ ms, and count what passes bead 20 (`drive_chain`,
-driven_array.hpp). A packet passes when the largest energy density of this bead in a period of the piston rises fourfold
-and above 0.03 $u_0^2$; it must fall to half before the next one counts. */
+piston with a higher frequency therefore moves the first few beads only. But contacts harden: breathers have a higher
+frequency than the beams. We drive 120 beads at 7000 Hz, with $T_E = 10$ ms, and count what passes bead 20
+(`drive_chain`, driven_array.hpp). A packet passes when the largest energy density of this bead in a period of the
+piston rises fourfold and above 0.03 $u_0^2$; it must fall to half before the next one counts. */
 constexpr std::size_t detector = 20;
 
 /// Beams at rest with the lifetime in ms (0: no losses). A piston is {by, Omega, u_0, u_0 at first, time to change}.
@@ -352,8 +354,8 @@ Where does the fold lie? For small amplitudes write $y_n \simeq 2\epsilon U_n\co
 average Hertz's force over a period as in section 3.1. The motion is a static solution of Eq. (14) that decays into the
 chain, and $\epsilon = (2\tau_0\delta)^2$, because the contacts must make up for the detuning. Such solutions are a
 curve of one parameter, found by iterating a map of two lines (driven_array.hpp). The fold is at the first maximum of
-$|U_0|$ along it, which is, to nine digits, the largest displacement of the site-centred static breather: the piston has
-to lift the first bead to its top. This gives the *asymptotic threshold*
+$|U_0|$ along it, which is, to nine digits, the largest displacement of the site-centred static breather: the piston
+stands for its central bead. This gives the *asymptotic threshold*
 $$u_0 = 8\tau_0^2\,\delta^2\,\max|U_0|\;\bigl(1+O(\delta)+O(\nu/\delta)^2\bigr).$$
 The computed fold lies above it by some 1.1 to 1.3 $\delta$ without losses (figure x27 c) and, with them, by about
 $(\nu/\delta)^2$ more. [](finding:driving.law)
@@ -375,7 +377,7 @@ Estimate report_folds(Report& report) {
   Table& orbits = report.table(
       "quiet_orbits",
       {number("amplitude", "of the piston", "um"),
-       number("response", "amplitude of the first bead, at the beginning of a period", "um")});
+       number("response", "root of y^2 + v^2 of the first bead, at the beginning of a period", "um")});
   for (const Vector<double>& x : non_emitting(ten_ms, omega_7000, 64, 0.1, 0.8).points)
     orbits.add({units.micrometres(x[20]), units.micrometres(std::hypot(x[0], x[10]))});
 
@@ -409,9 +411,9 @@ Estimate report_folds(Report& report) {
 
 Does emission begin at the fold? That depends on how the drive begins, and on what counts as emission. *Up*: $u_0$ rises
 slowly from zero, for 0.15 s, and the first packet decides. *Once*: the piston is switched on, and again the first
-packet decides. *Lasting*: it is switched on, and packets must still come at the end of the run, 0.2 s later. *Down*:
-the same for an amplitude that falls slowly from 1.2 times the fold. Emission is over after five lifetimes without a
-packet. */
+packet decides. *Lasting*: it is switched on, and packets must still come at the end of the run, 0.2 s later (a longer
+run finds a slightly higher threshold). *Down*: the same for an amplitude that falls slowly from 1.2 times the fold.
+Emission is over after five lifetimes without a packet. */
 enum class Way { up, once, lasting, down };
 constexpr std::array ways{"up", "once", "lasting", "down"};
 
@@ -471,16 +473,17 @@ void report_thresholds(Report& report, const Estimate& fold) {
 }
 
 /**
-[](finding:driving.onset) In between the array emits or not, depending on its history: this is the hysteresis. The fold
-has the asymptotic value [6.2](num:sec5_experiment.recipe_7000_law) µm, its error being the departure above. A sudden
+[](finding:driving.onset) In between the array emits or not, depending on its history: this is the hysteresis. The
+asymptotic value of the fold is [6.2](num:sec5_experiment.recipe_7000_law) µm; the fold lies above it by the departure
+of figure x27 c. A sudden
 drive shakes the first bead more than the non-emitting motion does. One packet then leaves below the threshold of
 lasting emission, and no other follows.
 
 ## One map (figure x28)
 
 At 7000 Hz and amplitudes of 5, 8 and 20 µm, which rise for 10 ms, we draw the largest energy of each bead in short
-intervals. At 5 µm only the end moves, at 8 µm breathers leave one after the other, at 20 µm so many that the train
-becomes irregular. These are the drives of the live page; the command `drive` gives their rates and powers. */
+intervals. At 5 µm only the end moves, at 8 µm packets leave one after the other, at 20 µm many more. These are the
+drives of the live page; the command `drive` gives their rates and powers. */
 void report_maps(Report& report) {
   constexpr std::array amplitudes{5.0, 8.0, 20.0};
   const std::size_t bins = report.quick ? 40 : 160, drawn = DrivenArray::drawn;
@@ -522,16 +525,16 @@ changes $A_n$ by the factor $1+x\,e^{iQn+\sigma\tau}+\bar y\,e^{-iQn+\bar\sigma\
 $z|z|^{1/2}$ changes by $|z|^{1/2}(\frac54\,\delta z+\frac z{4\bar z}\,\delta\bar z)$, and the sums over both contacts
 of a bead give, with $c = \cos q$ and $C = \cos Q$,
 $$\frac{i\sigma}\rho\begin{pmatrix}x\\y\end{pmatrix} =
-  \begin{pmatrix}a+e & k\\ -k & e-a\end{pmatrix}\begin{pmatrix}x\\y\end{pmatrix},\qquad a = \tfrac52cC-\tfrac12-2c,\quad
-  e = -\tfrac52\sin q\sin Q,\quad k = \tfrac12(c-C).$$ The eigenvalues are $\sigma = \rho\,(-ie\pm\sqrt{k^2-a^2})$: a
+  \begin{pmatrix}b+a & k\\ -k & b-a\end{pmatrix}\begin{pmatrix}x\\y\end{pmatrix},\qquad a = \tfrac52cC-\tfrac12-2c,\quad
+  b = -\tfrac52\sin q\sin Q,\quad k = \tfrac12(c-C).$$ The eigenvalues are $\sigma = \rho\,(-ib\pm\sqrt{k^2-a^2})$: a
   modulation grows if the coupling of the side bands $q\pm Q$ exceeds their detuning, $|k|>|a|$. The root factorises,
 $$(\mathrm{Re}\,\sigma)^2 = \tfrac14\rho^2(1+5c)(1-C)\bigl[(5c-1)C-(1+3c)\bigr].$$
 The bracket is linear in $C$: it is $-2(1-c)$ for the longest modulations, $C = 1$, and $-8c$ for the shortest, $C =
--1$. For $c\ge0$ it is positive nowhere, and nothing grows. Beyond $q = \pi/2$ the shortest modulations grow first,
+-1$. For $c\ge0$ it is nowhere positive, and nothing grows. Beyond $q = \pi/2$ the shortest modulations grow first,
 neighbours against each other, from the edge $\cos Q_* = (1+3c)/(5c-1)$ on. At $c = -\frac15$ the factor $1+5c$ changes
-its sign, and then the long ones grow, up to $Q_*$. There and at $q = \frac\pi2$ is $k^2 = a^2$, a double eigenvalue
-with one eigenvector: modulations grow in proportion to time. Rates go like $|A|^{1/2}$, and the band does not depend on
-the amplitude. [](finding:growth.bands)
+its sign, and then the long ones grow, up to $Q_*$. There for all $Q$, and at $q = \frac\pi2$ for $Q = \pi$, $k^2 =
+a^2$: a double eigenvalue with one eigenvector, so that modulations grow in proportion to time. Rates go like
+$|A|^{1/2}$, and the band does not depend on the amplitude. [](finding:growth.bands)
 
 ![Which waves are unstable to which modulations (a), how nearly the chain agrees (b), and the growth at $q = \pi/2$ (c).
 Drawn by x32_unstable_waves.py from `growth`, `edge` and `chain_growth`.](fig:x32) */
@@ -593,11 +596,12 @@ method, down to $\epsilon = 10^{-7}$, and with them the fastest growth on a ring
 The DpS equation is a limit that is reached slowly: at $\epsilon = 10^{-3}$ the wave $q = \pi$ grows at the rate
 [0.332](num:sec5_experiment.growth_3_8_4) instead of [0.374](num:sec5_experiment.greatest_growth), and this difference
 falls like $\epsilon^{1/2}$ only. At $q = \frac\pi2$ the limit is misleading. Where the DpS equation has growth in
-proportion to time, the chain has exponential growth, which falls like $\epsilon^{1/4}$: corrections of the size
-$\epsilon^{1/2}$ split a double exponent by the root of their size. At $\epsilon = 10^{-2}$, $10^{-3}$, $10^{-4}$ and
-$10^{-6}$ its rate is [0.0732](num:sec5_experiment.growth_quarter_2), [0.0810](num:sec5_experiment.growth_quarter_3),
-[0.0534](num:sec5_experiment.growth_quarter_4) and [0.0180](num:sec5_experiment.growth_quarter_6). Four waves below
-$\frac\pi2$ show no growth beyond [5e-5](num:sec5_experiment.growth_below_quarter), the root of an error. */
+proportion to time, the chain has exponential growth, which at the smallest $\epsilon$ falls like $\epsilon^{1/4}$:
+corrections of the size $\epsilon^{1/2}$ split a double exponent by the root of their size. At $\epsilon = 10^{-2}$,
+$10^{-3}$, $10^{-4}$ and $10^{-6}$ its rate is [0.0732](num:sec5_experiment.growth_quarter_2),
+[0.0810](num:sec5_experiment.growth_quarter_3), [0.0534](num:sec5_experiment.growth_quarter_4) and
+[0.0180](num:sec5_experiment.growth_quarter_6). Four waves below $\frac\pi2$ show no growth beyond
+[5e-5](num:sec5_experiment.growth_below_quarter), the root of an error. */
 double growth_below_quarter(std::size_t steps) {
   double most = 0;
   for (const ModulatedWave& wave : {ModulatedWave{32, 7, 0}, {16, 3, 0}, {8, 1, 0}, {12, 2, 0}})
@@ -707,10 +711,10 @@ void reproduce(Report& report) {
 /**
 ## Try it
 
-**To change it.** Another array is another `CantileverArray` in `units` or another `Chain` in `damped_array` and
-`driven_array`. Another law of friction is a function beside `rub_beams` in driven_chain.cpp, another drive a line of
-`Drive::force`, another observation a line in the observer of `follow_packet` or `drive`. The figures read columns by
-name.
+**To change it.** Another array is another `CantileverArray` in `units`, and in `DrivenArray` (driven_array.hpp) for the
+map and for `drive`; another chain is the one in `damped_array` and `driven_array`. Another law of friction is a
+function beside `rub_beams` in driven_chain.cpp, another drive a line of `Drive::force`, another observation a line in
+the observer of `follow_packet` or `drive`. The figures read columns by name.
 
 1. *Easy.* Half the lifetime: by how much is the distance shorter?
    `build/bin/sec5_experiment damped --lifetime 5` gives `sites_10ms` = 17.0208.

@@ -15,8 +15,8 @@ Section 5 calls their computation by Newton's method an interesting open problem
   shift times are possible.
 - Breathers at other shift times radiate a tail. In other wells the exact ones continue, and in hard wells their
   branches turn back.
-- Packets of impacts come near them. Over 16,000 sites their tail weakens, but no exact breather that we know captures
-  them.
+- Packets of impacts come near the line through them, at shift times without an exact one. Over 16,000 sites their tail
+  weakens, but no exact breather that we know captures them.
 
 ![Exact travelling breathers, and a packet that radiates a tail.](fig:x18) */
 #include <algorithm>
@@ -107,11 +107,11 @@ of $Z$, the sum of all positions, is $V\sin(T/2)$. It is also the sum of the lef
 and all of these vanish but the one left out. So that equation reads $V\sin(T/2) = 0$: it holds at $T = 2\pi k$, and
 wherever $V = 0$.
 
-*The tail.* A bead that has been passed keeps oscillating with the amplitude $|\int e^{it}(f_{n-1}-f_n)\,dt|$, where
-$f_n$ is the force in the contact on its right. If these pulses repeat themselves after $T$ from contact to contact, it
-is $|1-e^{-iT}|\,|g|$ with $g = \int e^{it}f_0\,dt$. Take $Z$ over the beads beyond this contact alone: it is zero
-before the breather comes and all of $Z$ when it has gone through, and only the pulse changes $e^{it}$ times this sum.
-Hence $|g| = |Z|$, and the amplitude is
+*The tail*, an estimate. A bead that has been passed keeps oscillating with the amplitude $|\int
+e^{it}(f_{n-1}-f_n)\,dt|$, where $f_n$ is the force in the contact on its right. If these pulses repeat themselves after
+$T$ from contact to contact, it is $|1-e^{-iT}|\,|g|$ with $g = \int e^{it}f_0\,dt$. Take $Z$ over the beads beyond this
+contact alone: it is zero before the breather comes and all of $Z$ when it has gone through, and only the pulse changes
+$e^{it}$ times this sum. Hence $|g| = |Z|$, and the amplitude is
 $$|1-e^{-iT}|\,|Z|,$$
 which vanishes in just the two cases.
 
@@ -130,7 +130,8 @@ every $k$ there is a proof in `sec5_kernel_equation`, for both signs of $k = 1$ 
 
 The fastest orbit of type I, $k = 1$, has the energy [0.181](num:sec5_travelling_breathers.energy_plus) with the sign
 plus. With the sign minus it is higher by only [7.84e-11](num:sec5_travelling_breathers.energy_difference): the two are
-nearly the same packet at two phases of its internal oscillation, and this is the barrier that pins the phase. */
+nearly the same packet at two phases of its internal oscillation. (At equal $T$; a barrier would compare them at equal
+action.) */
 Orbit<long double> in_extended_precision(const Exact& e) {
   NewtonRule<long double> rule;
   rule.events.tolerance /= 2;
@@ -280,7 +281,7 @@ std::vector<Family> families(bool quick) {
 We release each member in a chain at rest and measure the beads that it has passed. A member that radiates loses energy,
 so its pulses do not quite repeat themselves, and $|1-e^{-iT}|\,|V|$ gives the order of magnitude of its tail only. The
 members drawn lie beside the exact orbits, so the figure shows dips and no zeros. Near $T/2\pi = 0.95$ there is a dip
-without an exact orbit: $V$ becomes small and keeps its sign. */
+without an exact orbit: at the members that we computed $V$ becomes small and keeps its sign. */
 double beads_behind(const Orbit<double>& member, double step) {
   const Chain chain{64};
   const double time = shift_time(member);
@@ -463,7 +464,7 @@ Course follow(double v0, const Frame& frame, std::size_t rows) {
 How should the tail fall? The pulse of force in one contact gives a bead the complex amplitude $g$, and that in the next
 one takes it back, turned by $\vartheta$. So the bead keeps $|z| \simeq |\vartheta|\,|g|$, and with it the energy
 $|z|^2/2$, which the packet loses. If the packet's energy is linear in $\vartheta$ and $|g|$ tends to a constant, then
-$1/\vartheta$ grows linearly with $n$, and the tail falls like $1/n$. It does not: $1/\vartheta$ grows more and more
+$1/\vartheta$ grows linearly with $n$, and the tail falls like $1/n$. It does not yet: $1/\vartheta$ grows more and more
 slowly (figure x22b), and over the last decade of sites the tail after $v_0 = 0.66$ has the exponent
 [-0.721](num:sec5_travelling_breathers.tail_exponent_v66). Its final law is open.
 

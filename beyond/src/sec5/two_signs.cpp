@@ -117,7 +117,12 @@ Estimate exchange_of_quotients(const TwoSigns& low, const TwoSigns& high) {
       return plus(alpha).quotient() / minus(alpha).quotient() - 1;
     });
   };
-  return compare(zero(0), zero(1));
+  Estimate out = compare(zero(0), zero(1));
+  // A zero is known no better than the rounding of the difference over its slope
+  const double slope =
+      (high.difference().value - low.difference().value) / (high.alpha - low.alpha);
+  out.error += rounding_of_quotients / std::abs(slope);
+  return out;
 }
 
 Estimate exchange_of_stability(const TwoSigns& low, const TwoSigns& high, int sign) {
