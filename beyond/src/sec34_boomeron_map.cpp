@@ -224,6 +224,7 @@ struct Law {
   }
 };
 
+// A line through chi_c against the root of the velocity
 Law fit_law(const Contour& c) {
   Law law;
   for (std::size_t i = 0; i < c.velocity.size(); ++i) {

@@ -543,6 +543,7 @@ double scaled_speed(const TypeOneLine& line, double c, std::size_t from = 0) {
   return sum;
 }
 
+// Where a packet ends, and where the line is there
 void report_end(Quantities& facts, const std::string& name, const TwoRuns<Course>& runs,
                 const TypeOneLine& line) {
   const auto on_line = [&](std::size_t from) {
@@ -557,6 +558,7 @@ void report_end(Quantities& facts, const std::string& name, const TwoRuns<Course
   facts.add("type_one_scaled_speed" + name, there);
 }
 
+// Row by row: the tail, its phase, and the packet
 void report_courses(Report& report, const std::vector<double>& velocities,
                     const std::vector<TwoRuns<Course>>& runs) {
   const std::string two = "difference of two frames and steps";
