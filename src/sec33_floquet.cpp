@@ -370,9 +370,8 @@ void report_matrix_errors(Report& report, double slope) {
 ## Stability in five wells
 
 In the linear well the sign of $\kappa$ is taken in extended precision, where its error is eight orders of magnitude
-below $\kappa$. As a check of the step from $F$ to $\kappa$ the symmetry of the breather reduces the matrix to a smaller
-one without the time-translation pair; the error of this row is its distance from the other one. An independent program
-with another integrator (`tests/second`) finds the same $\kappa$ to seven digits and both $s_0$ to six. */
+below $\kappa$. An independent program with another integrator (`tests/second`) finds the same $\kappa$ to seven digits
+and both $s_0$ to six. */
 void report_harmonic(Report& report) {
   int off = 0;
   for (Centre centre : both_centres) {
@@ -382,11 +381,6 @@ void report_harmonic(Report& report) {
     off += off_circle(all.pairs);
     report.facts.add("kappa_" + name_of(centre), all.kappa());
     if (centre == Centre::site) report.facts.add("excess_site", from_one(all.pairs.front()));
-
-    // The other route
-    const Matrix<double> half = monodromy(problem.chain, orbit.start, orbit.period() / 2);
-    report.facts.add("kappa_by_symmetry_" + name_of(centre),
-                     compare(all.kappa().value, pinning_by_symmetry(half, centre)));
   }
   report.facts.add("harmonic_off_circle", exact(off));
 }
@@ -403,7 +397,6 @@ than the $10^{-3}$ of the article's conclusion.
 | $s = -1$ | [8.51915e-8 ± 8e-14](num:sec33_floquet.kappa_s_minus_1_site) | [-8.51949e-8 ± 7e-14](num:sec33_floquet.kappa_s_minus_1_bond) |
 | $s = -0.1$ | [1.89678e-8 ± 5e-14](num:sec33_floquet.kappa_s_minus_01_site) | [-1.89680e-8 ± 5e-14](num:sec33_floquet.kappa_s_minus_01_bond) |
 | $s = 0$ | [1.14767e-8 ± 8e-17](num:sec33_floquet.kappa_site) | [-1.14768e-8 ± 3e-17](num:sec33_floquet.kappa_bond) |
-| $s = 0$, reduced by symmetry | [1.14768e-8 ± 7e-14](num:sec33_floquet.kappa_by_symmetry_site) | [-1.14768e-8 ± 2e-16](num:sec33_floquet.kappa_by_symmetry_bond) |
 | $s = 0.1$ | [3.95898e-9 ± 9e-14](num:sec33_floquet.kappa_s_01_site) | [-3.95900e-9 ± 5e-14](num:sec33_floquet.kappa_s_01_bond) |
 | $s = 1$ | [-6.49051e-8 ± 7e-14](num:sec33_floquet.kappa_s_1_site) | [6.49031e-8 ± 7e-14](num:sec33_floquet.kappa_s_1_bond) | */
 void report_strength(Report& report) {

@@ -168,38 +168,16 @@ Estimate excess(const std::vector<Pair>& pairs, std::size_t first) {
   return {found, std::max(found - least, most - found)};
 }
 
-// The pinning pair by itself, separated from the phase by the symmetry of the breather
-template <class T>
-T pinning_by_symmetry(const Matrix<T>& half, Centre centre) {
-  const Eigen::Index n = half.rows() / 2, right = n / 2;
-  Matrix<T> block;
-  if (centre == Centre::bond) {
-    // On even vectors the left half of the chain repeats the right one and is folded onto it
-    const Matrix<T> k = pair_matrix(half);
-    block =
-        k.bottomRightCorner(right, right) + k.bottomLeftCorner(right, right).rowwise().reverse();
-  } else {
-    // Half a period and a reflection put the pinning pair near alpha = -1: find the small 1 + alpha
-    block = Matrix<T>::Identity(n, n) - Matrix<T>(half.topLeftCorner(n, n).colwise().reverse());
-  }
-  const std::vector<std::complex<T>> all = eigenvalues_of(block);
-  const auto nearer = [](const auto& a, const auto& b) { return std::norm(a) < std::norm(b); };
-  const T value = std::min_element(all.begin(), all.end(), nearer)->real();
-  // Around a site kappa = (1 + alpha)(alpha - 1), in which no digit is lost
-  return centre == Centre::bond ? value : value * (value - T(2));
-}
-
-#define LATTICE_INSTANCES(T)                                                        \
-  template Matrix<T> monodromy<T>(const Chain&, const State<T>&, const T&,          \
-                                  const EventTolerance<T>&);                        \
-  template T symplectic_defect<T>(const Matrix<T>&);                                \
-  template Matrix<T> pair_matrix<T>(const Matrix<T>&);                              \
-  template Matrix<T> perpendicular_to<T>(const Vector<T>&);                         \
-  template Pairs<T> pairs_of<T>(const Matrix<T>&, const Vector<T>&);                \
-  template Pairs<T> floquet_pairs<T>(const Chain&, const State<T>&, const T&,       \
-                                     const EventTolerance<T>&);                     \
-  template std::vector<Pair> compare_pairs<T, T>(const Pairs<T>&, const Pairs<T>&); \
-  template T pinning_by_symmetry<T>(const Matrix<T>&, Centre);
+#define LATTICE_INSTANCES(T)                                                  \
+  template Matrix<T> monodromy<T>(const Chain&, const State<T>&, const T&,    \
+                                  const EventTolerance<T>&);                  \
+  template T symplectic_defect<T>(const Matrix<T>&);                          \
+  template Matrix<T> pair_matrix<T>(const Matrix<T>&);                        \
+  template Matrix<T> perpendicular_to<T>(const Vector<T>&);                   \
+  template Pairs<T> pairs_of<T>(const Matrix<T>&, const Vector<T>&);          \
+  template Pairs<T> floquet_pairs<T>(const Chain&, const State<T>&, const T&, \
+                                     const EventTolerance<T>&);               \
+  template std::vector<Pair> compare_pairs<T, T>(const Pairs<T>&, const Pairs<T>&);
 #include "lattice/model/instances.hpp"
 
 }  // namespace lattice

@@ -126,18 +126,4 @@ std::vector<Pair> compare_pairs(const Pairs<C>& coarse, const Pairs<T>& fine);
 /// these pairs.
 Estimate excess(const std::vector<Pair>& pairs, std::size_t first = 0);
 
-/**
-## Another way to the pinning pair
-
-The symmetries of symmetry.hpp give a second route. For a
-bond-centred breather the reflection of the chain splits all changes into odd ones, to which the shift in
-time belongs, and even ones, to which the pinning mode belongs: the block of $K$ on even vectors needs no
-restriction. For a site-centred one $-PF$, half a period followed by the sign change and reflection of
-$S'$, is a map whose square is $M$; its time-translation pair is at $+1$ and its pinning pair near $-1$. By the
-same argument, applied to this map, its first block $-PA$ has the mean $\alpha$ of the two
-multipliers of each pair as its eigenvalue, and $\kappa = \alpha^2 - 1$. */
-/// kappa of the pinning pair, from the half-period map in momenta.
-template <class T>
-T pinning_by_symmetry(const Matrix<T>& half, Centre centre);
-
 }  // namespace lattice
