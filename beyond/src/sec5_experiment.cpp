@@ -377,7 +377,8 @@ Estimate report_folds(Report& report) {
   Table& orbits = report.table(
       "quiet_orbits",
       {number("amplitude", "of the piston", "um"),
-       number("response", "root of y^2 + v^2 of the first bead, at the beginning of a period", "um")});
+       number("response", "root of y^2 + v^2 of the first bead, at the beginning of a period",
+              "um")});
   for (const Vector<double>& x : non_emitting(ten_ms, omega_7000, 64, 0.1, 0.8).points)
     orbits.add({units.micrometres(x[20]), units.micrometres(std::hypot(x[0], x[10]))});
 
