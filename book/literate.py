@@ -577,6 +577,8 @@ class Bind(SphinxTransform):
             return nodes.Text(found.astext())
         number = self.book.numbers[id]
         text, known = found.astext(), number.shown
+        if text == "to":  # as the sentence of a finding has it
+            text = number.shown_as_interval
         if text not in ("", known, number.shown_in_prose, number.shown_in_table, number.shown_as_interval):
             say.warning(f"{id} is stale: the text has {text}, the reference value is {known} (make refresh)", location=found)
         if id in self.book.stale:

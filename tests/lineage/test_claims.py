@@ -23,6 +23,10 @@ class Rows(Scratch):
         self.assertEqual(claims.quoted_in(row), {"a.one", "sec1_demo.fact", "sec1_demo.other", "sec2_why.so", "sec1_demo.q", "a.two"})
         self.assertEqual(claims.quoted_in({"answer": "sec1_demo.x", "covered_by": "method"}), {"sec1_demo.x"})
 
+    def test_a_sentence_shows_a_number_or_both_ends_of_a_bound(self):
+        numbers = {"p.q": finding(0.18083351357990812, 6.4137584132595309e-12)}
+        self.assertEqual(claims.in_plain("[](num:p.q), [to](num:p.q).", numbers), "0.180834, 0.1808335135(734 to 864).")
+
     def test_the_sentence_of_a_finding_stands_in_one_place(self):
         self.write("paper/findings.ecsv", table(FINDINGS, [GOOD]))
         for prose, words in [("[](finding:push)", "sec1_demo.cpp: paper/findings.ecsv has no finding 'push'"),

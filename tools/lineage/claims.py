@@ -172,7 +172,7 @@ def in_plain(sentence, numbers):
     """The sentence with its numbers as texts, by their names."""
     if lost := [name for name in NUMBERS.findall(sentence) if name not in numbers]:
         raise ecsv.Fault(f"paper/findings.ecsv: there is no reference value '{lost[0]}' (a new one: make lock)")
-    return NUMBERS.sub(lambda m: numbers[m[1]].shown, sentence)
+    return NUMBERS.sub(lambda m: numbers[m[1]].shown_as_interval if m[0].startswith("[to]") else numbers[m[1]].shown, sentence)
 
 
 def check_quotations(rows, texts):
