@@ -162,7 +162,7 @@ Motion averaged(const std::string& name, const Chain& chain, const State<double>
 
 Localized motions of the free chain do not exist, so we check the identity on motions that fill a ring or a box. A ring
 of eight equal beads carries a wave that moves on by one site in the time $q$; there symmetry alone makes the means
-equal, so this case checks the method. On two others masses and stiffnesses differ by up to 15 per cent, with
+equal, so this case checks the method. On two others masses and stiffnesses deviate from one by up to 15 per cent, with
 $\alpha = 3/2$ on a ring and $\alpha = 2$ between walls. The guess for the wave, again with first harmonics only, is a
 circle of radius $A$ with neighbours that are $2A\sin\frac q2$ apart. */
 Orbit<double> wave_on_ring(double q) {

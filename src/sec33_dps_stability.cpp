@@ -377,7 +377,7 @@ seeds.)
 | complex, 0.01 (main) | [16](num:sec33_dps_stability.seeds_complex_site) | [16](num:sec33_dps_stability.moved_complex_site) | [5](num:sec33_dps_stability.left_complex_bond) | 500 |
 | its controls | [16](num:sec33_dps_stability.seeds_complex_site) | [0](num:sec33_dps_stability.moved_complex_control) | | 500 |
 | complex, 0.005 (narrow) | [16](num:sec33_dps_stability.seeds_narrow_site) | [14](num:sec33_dps_stability.moved_narrow_site), left [16](num:sec33_dps_stability.left_narrow_site) | [0](num:sec33_dps_stability.left_narrow_bond) | 500 |
-| real, 0.01 | [6](num:sec33_dps_stability.seeds_real_site) | [3](num:sec33_dps_stability.moved_real_site) | [0](num:sec33_dps_stability.left_real_bond) | 750 |
+| real, 0.01 | [6](num:sec33_dps_stability.seeds_real_site) | [3](num:sec33_dps_stability.moved_real_site), left [6](num:sec33_dps_stability.left_real_site) | [0](num:sec33_dps_stability.left_real_bond) | 750 |
 | $0.01\,u_n$ | [6](num:sec33_dps_stability.seeds_relative_bond) | [6](num:sec33_dps_stability.moved_relative_site) | [5](num:sec33_dps_stability.left_relative_bond) | 750 |
 
 Does the breather survive? Around a bond its participation number, $(\sum|v_n|^2)^2/\sum|v_n|^4$, grows by no more than
@@ -418,13 +418,12 @@ void report_counts(Report& report, const std::vector<Group>& groups) {
 /**
 ## Why stable breathers move, too
 
-Near site and bond $\ddot X = \pm\lambda^2X$. The simplest potential with both signs is a sine, in which the centre
-moves like a pendulum, $\ddot X = \pm\frac{\lambda^2}{2\pi}\sin2\pi X$ (dps_motion.hpp). The real part of the noise
+Near site and bond $\ddot X = \pm|\lambda|^2X$. The simplest potential with both signs is a sine, in which the centre
+moves like a pendulum, $\ddot X = \pm\frac{|\lambda|^2}{2\pi}\sin2\pi X$ (dps_motion.hpp). The real part of the noise
 along $V$, a *shift* $x$, displaces it. The imaginary part, a *push* $y$, sets it in motion with
 $\dot x = (\mu-m_2)\,y$, and since $|\lambda|$ is tiny this carries it two hundred times as far as a shift of the same
 size. So complex noise acts mainly by its push, and real noise is weak. The push that carries the pendulum from a bond
-over the site is smaller than 0.01. Noise of that amplitude often exceeds it, noise of half that amplitude in two draws
-of a hundred.
+over the site is smaller than 0.01. Noise of that amplitude often exceeds it, noise of half that amplitude rarely.
 
 To test the pendulum we bisect, without noise, the push that depins the breather of the full equation, between 0.8 and
 1.2 of the predicted one. Runs of $12/|\lambda|$ are long enough to resolve a push $e^{-8}$ from the threshold. */

@@ -322,7 +322,7 @@ Displaced by_noise(const Matrix<double>& M, double delta, double kappa) {
 The four move by $\delta^{1/2}$ and $\kappa$ by $\delta$: the exponents are
 [0.510](num:sec33_floquet.exponent_multipliers) and [0.9997](num:sec33_floquet.exponent_kappa). Matrices from a flow at
 looser tolerances, with the largest error of an entry as $\delta$, follow both laws with factors that scatter (table
-`matrix_errors`). At $\delta = 10^{-6}$ a modulus of the stable breather exceeds one by up to
+`matrix_errors`). At $\delta = 10^{-6}$ a modulus of the stable breather differs from one by up to
 [0.000496](num:sec33_floquet.excess_of_noise), more than the [0.000214](num:sec33_floquet.excess_site) of the unstable
 one. And $\delta =$ [2e-7](num:sec33_floquet.delta_of_tenth) changes $\kappa$ by as much as 0.1 in $s$ does, which is as
 far as either printed exchange is from ours. Why one is too low and the other too high, we do not know: this is a

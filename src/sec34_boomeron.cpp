@@ -202,8 +202,8 @@ through such velocities (sec34/acceleration.hpp). We measure it on the way *out*
 *back*, between sites 18 and 6, and *between* the two, around the turning point. Its error is that of the fit, plus the
 changes made by twice the step and by half the smoothing width.
 
-To infer a force one also needs a mass. That of a kicked breather is negative (`sec33_mobility`); that of a packet nobody
-has measured. So the acceleration is the force but for a factor whose sign is not known.
+To infer a force one also needs a mass. That of a kicked breather is negative (`sec33_mobility`); that of a packet
+nobody has measured. So the acceleration is the force but for a factor whose sign is not known.
 
 Along both lists, of $v_0$ at $s=1$ and of $s$ at $v_0=1.9$, the modulus grows: no value is smaller than an earlier one
 beyond the errors of both. The article does not quantify *almost constant*. The acceleration also changes within each

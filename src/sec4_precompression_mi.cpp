@@ -522,7 +522,7 @@ We now measure $\beta$ in two ways. An exact wave of amplitude $a$ has the frequ
 $(\omega^2 + \frac12\beta a^2)^{1/2}$, with corrections of the order $a^4$. We start a ring of 48 beads from the wave
 and follow the phase of its Fourier component for 60 periods. Where the fastest slow modulation grows, its rate gives
 $\Phi$. Both are extrapolated to $a = 0$ from 0.04, 0.02 and 0.01. In all three wells, at 23 wavenumbers, the frequency
-confirms $\beta$, and the growth $\Phi$, within errors of a few parts in ten thousand.
+confirms $\beta$, and where it can be compared the growth confirms $\Phi$, within errors of a few parts in ten thousand.
 
 The growth is compared only where the fastest modulation is slow. Near the inflection it is not, because the curvature
 vanishes. At $q = \pi/2$ another instability, for $s = 1$

@@ -222,8 +222,8 @@ $\kappa$, proportional to minus the curvature, is as large there for the third b
 whose $\kappa$ has grown from zero over half the interval. Half of the interval times the slope
 [7.55e-8](num:sec33_floquet.exchange_slope) is within four per cent of the $\kappa$ that we find,
 [1.26e-14](num:sec33_between.kappa_between_in_s). In the other family two harmonics are not enough: they would make
-$\kappa$ symmetric about the middle, and there it is larger towards the bond, by a seventh at a tenth of a site. We do
-not know what determines the sign of $b$.
+$\kappa$ symmetric about the middle, and there it is larger towards the bond, by 30 per cent a tenth of a site from it.
+We do not know what determines the sign of $b$.
 
 ![Centre, energy and stability of the intermediate breathers.](fig:x14) */
 /// Two exchanges close together on a cut: the ends of a family of intermediate breathers.

@@ -1,5 +1,5 @@
 /**
-# 3.4 Why packets turn round
+# 3.4 Which packets turn round, and what lies behind them
 
 In hard wells, $s > 0$, the packet launched by an impact slows down, turns round and comes back. Section 3.4 of James,
 Kevrekidis and Cuevas (Physica D 251, 2013) says that it does so for $s\ge0.005$ and not for $s = 0$, but not for which
@@ -11,8 +11,8 @@ that was hit. We map where packets turn, and absorb the waves behind them.
   turn farther out. Whether contours of ever farther sites approach one is open.
 - Each of four packets that turn goes at least twice as far if the waves more than six sites behind it are absorbed. If
   they are absorbed at the end that was hit, the one we tried turns nevertheless, a little later.
-- So what is close behind a packet makes it turn early, waves or the rear of the packet itself. *Why* is open, and so is
-  what slows a packet down that has lost it.
+- So without what is close behind it, waves or its own rear, a packet goes farther. *Why* is open, and so is what slows
+  down a packet that has lost it.
 
 ## Model
 
@@ -100,7 +100,7 @@ push with $y^{3/2}$, and the hardness adds $s\,y^3$. If both are small compared 
 freely and their amplitudes change slowly, as in the DpS equation (`sec34_dps_impact`); $y^{1/2}$ only sets how slowly.
 In units of this slow time the motion depends only on the ratio of the two, $s\,y^{3/2}$, and, as $y$ is proportional to
 $v_0$, on the *scaled hardness*
-$$\chi = s\,v_0^{3/2},$$
+$$\chi = s\,v_0^{3/2}.$$
 So we expect packets to turn before a given site if $s$ is above
 $$s_c(v_0) = v_0^{-3/2}\,(\chi_0 + \chi_1 v_0^{1/2} + \dots),$$
 where the second term is the first correction, in $y^{1/2}$, to that limit. The contour crosses many decades of $s$
@@ -341,7 +341,8 @@ Do waves turn the packet? At $s = 1$, $v_0 = 1.9$ we damp all sites more than si
 alone, which leaves all waves and weakens their reflection (`follow_without`, wake.hpp). The packet has returned when
 $X$, averaged over four internal periods, has come back by five sites. The chain has 800 sites; if a wave reached the
 far end, the program would stop. Only a long run can show that it does *not*, and long runs are chaotic: every run is
-made with two steps, and we report what both agree on.
+made with two steps, and the table has counts on which both agree. Behind the packet the rate of damping is 0.1; the
+first bead is damped at the rate 0.2, from $t = 60$ on.
 
 | absorbed | returned | furthest site |
 |---|---|---|
@@ -508,7 +509,7 @@ struct TurningMap : MapPart {
 };
 
 int main(int argc, char** argv) {
-  return run({"sec34_boomeron_map", "3.4", "Why packets turn round (section 3.4, s > 0)", reproduce,
-              commands<TurningMap>()},
+  return run({"sec34_boomeron_map", "3.4", "Which packets turn round (section 3.4, s > 0)",
+              reproduce, commands<TurningMap>()},
              argc, argv);
 }

@@ -236,8 +236,9 @@ void report_strains(Report& report, const DpsBreather& b, const std::string& who
 ## No other profile
 
 With $r_0$ given, the equation yields $r_1$, $r_2$ and so on, and each must be positive and no larger than the one
-before. Intervals of $r_0$ are followed outwards until this fails, or until all their profiles lie in the ball in which
-there is just one (panel b; search_profiles in dps_enclosure.hpp). None remains. So among the nonzero profiles of this
+before; at the centre this leaves $\frac1{16} \le r_0 \le \frac14$. Intervals of $r_0$ in this range are followed
+outwards until a requirement fails, or until all their profiles lie in the ball in which there is just one (panel b;
+search_profiles in dps_enclosure.hpp). No interval stays undecided. So among the nonzero profiles of this
 symmetry whose strains alternate, tend to zero and do not increase outwards the breather is the only one, up to its
 sign. */
 void report_search(Report& report, const DpsBreather& b, const std::string& who) {

@@ -476,9 +476,8 @@ void report_thresholds(Report& report, const Estimate& fold) {
 /**
 [](finding:driving.onset) In between the array emits or not, depending on its history: this is the hysteresis. The
 asymptotic value of the fold is [6.2](num:sec5_experiment.recipe_7000_law) µm; the fold lies above it by the departure
-of figure x27 c. A sudden
-drive shakes the first bead more than the non-emitting motion does. One packet then leaves below the threshold of
-lasting emission, and no other follows.
+of figure x27 c. A sudden drive shakes the first bead more than the non-emitting motion does, so that packets may leave
+below the threshold of lasting emission before the end falls silent.
 
 ## One map (figure x28)
 
@@ -527,14 +526,16 @@ $z|z|^{1/2}$ changes by $|z|^{1/2}(\frac54\,\delta z+\frac z{4\bar z}\,\delta\ba
 of a bead give, with $c = \cos q$ and $C = \cos Q$,
 $$\frac{i\sigma}\rho\begin{pmatrix}x\\y\end{pmatrix} =
   \begin{pmatrix}b+a & k\\ -k & b-a\end{pmatrix}\begin{pmatrix}x\\y\end{pmatrix},\qquad a = \tfrac52cC-\tfrac12-2c,\quad
-  b = -\tfrac52\sin q\sin Q,\quad k = \tfrac12(c-C).$$ The eigenvalues are $\sigma = \rho\,(-ib\pm\sqrt{k^2-a^2})$: a
-  modulation grows if the coupling of the side bands $q\pm Q$ exceeds their detuning, $|k|>|a|$. The root factorises,
+  b = -\tfrac52\sin q\sin Q,\quad k = \tfrac12(c-C).$$
+The eigenvalues are $\sigma = \rho\,(-ib\pm\sqrt{k^2-a^2})$: a modulation grows if the coupling of the side bands
+$q\pm Q$ exceeds their detuning, $|k|>|a|$. The root factorises,
 $$(\mathrm{Re}\,\sigma)^2 = \tfrac14\rho^2(1+5c)(1-C)\bigl[(5c-1)C-(1+3c)\bigr].$$
 The bracket is linear in $C$: it is $-2(1-c)$ for the longest modulations, $C = 1$, and $-8c$ for the shortest, $C =
 -1$. For $c\ge0$ it is nowhere positive, and nothing grows. Beyond $q = \pi/2$ the shortest modulations grow first,
 neighbours against each other, from the edge $\cos Q_* = (1+3c)/(5c-1)$ on. At $c = -\frac15$ the factor $1+5c$ changes
-its sign, and then the long ones grow, up to $Q_*$. There for all $Q$, and at $q = \frac\pi2$ for $Q = \pi$, $k^2 =
-a^2$: a double eigenvalue with one eigenvector, so that modulations grow in proportion to time. Rates go like
+its sign, and then the long ones grow, up to $Q_*$. There for all $Q$ but $Q = q$, and at
+$q = \frac\pi2$ for $Q = \pi$, $k^2 = a^2\ne0$: a double eigenvalue with one eigenvector, so that modulations grow in
+proportion to time. Rates go like
 $|A|^{1/2}$, and the band does not depend on the amplitude. [](finding:growth.bands)
 
 ![Which waves are unstable to which modulations (a), how nearly the chain agrees (b), and the growth at $q = \pi/2$ (c).

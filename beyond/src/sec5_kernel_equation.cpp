@@ -3,7 +3,7 @@
 
 After an impact the article finds packets that travel like breathers. They are *approximate* travelling breathers: a
 packet leaves something behind at every site. The article calls the computation of exact ones, which repeat themselves
-one site further on after a shift time $T$, an open problem, and the preceding chapters compute them as orbits of a
+one site further on after a shift time $T$, an open problem, and the preceding chapter computes them as orbits of a
 lattice. Do they exist? In linear wells they do, whatever the exponent of the contacts, for every integer $k$ with $T =
 2\pi k$. [](finding:travelling.existence)
 
@@ -190,7 +190,7 @@ $m$ sites, or for masses of period $m$ in wells of one frequency, the resonance 
 ![The kernel, two waves, and the quotients of both signs.](fig:x24)
 
 Newton's method (kernel_wave.hpp) finds two even solutions for each $k$, one with the central contact closed at $t = 0$
-and one with it open (panel b). They are the two orbits of the chapters before, named by the sign of the central
+and one with it open (panel b). They are the two orbits of the chapter before, named by the sign of the central
 velocity $\dot y_0$ at the instant at which positions are odd. Two grids give the errors. At $k = 1$ both have the
 energy [0.181](num:sec5_kernel_equation.energy_plus); the next chapter proves that they exist and that their actions
 differ, in the eleventh digit. The sign plus, whose phase is pinned, has the smaller action, so the wave minus is not
@@ -277,8 +277,8 @@ bool larger_is_pinned(const TwoSigns& c) {
 [](finding:travelling.exchanges) Beyond the largest exchange, up to $\alpha = 8$, the sign minus has the larger
 quotient. At [35](num:sec5_kernel_equation.phases_agree) of the [35](num:sec5_kernel_equation.phases_compared) exponents
 at which the difference and $\kappa$ are beyond their errors, the phase of the larger quotient is pinned and that of the
-other is not. It is not a law: between the exchanges of the table it fails, and beyond $\alpha = 8.5$ another run finds
-neither phase pinned.
+other is not. It is not a law: between the exchanges of the table it fails, and with larger exponents in
+`contact_exponents` neither phase is pinned beyond $\alpha = 8.5$.
 
 | exchange | of the quotients, $\alpha$ | phase plus pinned | phase minus pinned |
 |---|---|---|---|

@@ -125,8 +125,8 @@ So at each instant all $|d_n|$ are equal. If the orbit is localized they vanish,
 
 For $k = 1$ to 3 we repeat Newton's method in extended precision, let each orbit flow over a whole shift, without its
 symmetry, and compare it with itself one site further on. It agrees to [1e-16](num:sec5_travelling_breathers.missed) of
-its amplitude. A small residual is no proof that an orbit exists; for
-every $k$ there is a proof in `sec5_kernel_equation`, for both signs of $k = 1$ in `sec5_enclosures`.
+its amplitude. A small residual is no proof that an orbit exists. That there is one for every $k$ is proved in
+`sec5_kernel_equation`, that both of $k = 1$ exist in `sec5_enclosures`.
 
 The fastest orbit of type I, $k = 1$, has the energy [0.181](num:sec5_travelling_breathers.energy_plus) with the sign
 plus. With the sign minus it is higher by only [7.84e-11](num:sec5_travelling_breathers.energy_difference): the two are
@@ -507,11 +507,11 @@ polynomial for it in $c$ through $k = 1$ to 7: between the points it holds no ex
 $k = 1$ it is an extrapolation. Leaving out the slowest orbit gives its error.
 
 One impact gives a packet that ends slower than the orbit $k = 1$, the other one that ends faster. Both end on the line,
-but at shift times that are no multiples of $2\pi$. (The orbits of type II at such shift times have some ten times the
-energy, figure x19b.) Could an exact breather still capture the phase farther out? The orbit $k = 1$ pins it like a very
-weak pendulum: displaced a little, the phase swings by $2|\kappa|^{1/2}$ per shift, some $10^{-5}$, and only a phase
-that turns not much faster could be captured. That of the weaker packet turns by $T-\vartheta$, modulo $2\pi$, which at
-the end is more than ten thousand times as much.
+but at shift times that are no multiples of $2\pi$. (The orbits of type II near the shift time of the faster one have
+some ten times the energy, figure x19b.) Could an exact breather still capture the phase farther out? The orbit $k = 1$
+pins it like a very weak pendulum: displaced a little, the phase swings by $2|\kappa|^{1/2}$ per shift, some $10^{-5}$,
+and only a phase that turns not much faster could be captured. That of the weaker packet turns by $T-\vartheta$, modulo
+$2\pi$, which at the end is more than ten thousand times as much.
 
 | at the end | after $v_0 = 0.66$ | after $v_0 = 1.5$ |
 |---|---|---|

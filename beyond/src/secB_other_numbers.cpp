@@ -4,9 +4,9 @@
 A library for chains of beads should also reproduce numbers that others have printed. Here we compute eighteen of them,
 for the classical system of this field, the chain *without* wells. The table at the end of this page has the printed
 values, ours with their errors, and the sources (`paper/literature.ecsv`). Only a number that we have read at its
-source, in text, data or abstract, gets a verdict; all thirteen are reproduced, twelve within what their digits allow
-and the energy of the pulse, which is a sum of printed rows, to three millionths. Five that are often quoted, and whose
-source we could not open, stand there as we remember them, without a verdict.
+source, in text, data or abstract, or that follows from what we read there, gets a verdict; all thirteen are reproduced,
+twelve within what their digits allow and the energy of the pulse, which is a sum of printed rows, to three millionths.
+Five that are often quoted, and whose source we could not open, stand there as we remember them, without a verdict.
 
 The equations are those of chain.hpp with $W = 0$ and, unless it says otherwise, all masses one:
 $$\ddot y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},\qquad \dot y_1(0) = 1.$$
@@ -60,7 +60,7 @@ On a periodic grid the kernel multiplies the Fourier coefficient of the wave num
 Iterated as it stands the equation drives every guess to zero or to infinity. Petviashvili's factor removes this: each
 iterate is multiplied by $(\langle x,x\rangle/\langle x,x_{\rm new}\rangle)^3$. A bead between two contacts is
 accelerated by the difference of their forces, so its velocity is the integral of $f$ over the site around it. */
-/// From the crest on, and integrals over a site.
+/// The wave from its crest on.
 struct SolitaryWave {
   double h = 0;  // distance of two points, in sites
   Vector<double> overlap{}, velocity{};
@@ -81,8 +81,8 @@ struct SolitaryWave {
   }
 };
 
-/// The convolution with an even kernel, given by its multiplier sinc^power, of even functions: known from the crest to the
-/// end of the window. Inside it the mirror image of a point counts, too.
+/// The convolution with an even kernel, given by its multiplier sinc^power, on even functions that are known from the crest
+/// to the end of the window. The mirror image of a point counts, too.
 Matrix<double> convolution(std::size_t half, double h, int power) {
   const std::size_t period = 2 * half;
   std::vector<double> kernel(period, 0.0);
