@@ -1,0 +1,369 @@
+/**
+# How a statement reads and compares */
+
+#include "report/statement.hpp"
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+
+namespace lattice {
+
+static Estimate joined(const Estimate& a, const Estimate& b, double value, double error) {
+  return a.is_exact && b.is_exact ? exact(value) : Estimate(value, error);
+}
+
+Estimate operator+(const Estimate& a, const Estimate& b) {
+  return joined(a, b, a.value + b.value, a.error + b.error);
+}
+Estimate operator-(const Estimate& a, const Estimate& b) {
+  return joined(a, b, a.value - b.value, a.error + b.error);
+}
+Estimate operator*(const Estimate& a, const Estimate& b) {
+  return joined(a, b, a.value * b.value,
+                std::abs(a.value) * b.error + std::abs(b.value) * a.error + a.error * b.error);
+}
+Estimate operator/(const Estimate& a, const Estimate& b) {
+  return joined(a, b, a.value / b.value, quotient(a, b).error);
+}
+Estimate operator-(const Estimate& a) {
+  return joined(a, a, -a.value, a.error);
+}
+Estimate abs(const Estimate& a) {
+  return joined(a, a, std::abs(a.value), a.error);
+}
+
+/**
+## Tables
+
+A program has run if its facts are there, which are written last. */
+bool Tables::has_run(const std::string& program) const {
+  return std::filesystem::exists(folder_ / program / "facts.ecsv");
+}
+
+const Table& Tables::of(const std::string& program, const std::string& name) {
+  const auto known = read_.find({program, name});
+  if (known != read_.end()) return known->second;
+  const auto path = folder_ / program / (name + ".ecsv");
+  if (!has_run(program)) throw NotRun{program};
+  if (!std::filesystem::exists(path)) throw Unresolved{program + " has no table '" + name + "'"};
+  return read_[{program, name}] = read(path);
+}
+
+bool Tables::is_quick(const std::string& program) {
+  const Meta& meta = of(program, "facts").meta;
+  return std::any_of(meta.begin(), meta.end(), [](const auto& entry) {
+    return entry.first == "parameters" && entry.second.find("quick = yes") != std::string::npos;
+  });
+}
+
+double Tables::changed(const CellRead& cell, double value) const {
+  const bool is_meant = change && change->program == cell.program && change->table == cell.table &&
+                        change->column == cell.column && (!change->row || *change->row == cell.row);
+  return is_meant ? change->factor * value : value;
+}
+
+/**
+## Rows
+
+A row is shown by the columns that chose it. */
+Data::Data(const Table& table, std::string program, std::string name, Reading& reading)
+    : table_(&table), program_(std::move(program)), name_(std::move(name)), reading_(&reading) {
+  const auto whole = std::make_shared<const Data>(*this);
+  for (std::size_t i = 0; i < table.rows.size(); ++i) rows_.push_back(Row(whole, i));
+}
+
+std::size_t Data::find(const std::string& column) const try {
+  return table_->find(column);
+} catch (const std::out_of_range&) {
+  throw Unresolved{program_ + "/" + name_ + " has no column '" + column + "'"};
+}
+
+static double number_in(const Cell& cell, const std::string& column) {
+  if (const auto* count = std::get_if<std::int64_t>(&cell)) return double(*count);
+  if (const auto* real = std::get_if<double>(&cell)) return *real;
+  throw Unresolved{"the column '" + column + "' holds texts"};
+}
+
+static bool is_same(double a, double b) {
+  return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
+}
+
+static std::string shown(const Cell& cell) {
+  const auto* real = std::get_if<double>(&cell);
+  if (!real) return ecsv::cell_text(cell);
+  std::ostringstream out;
+  out << *real;
+  return out.str();
+}
+
+Data Data::chosen(const std::string& column, const IsMeant& is, const std::string& wanted) const {
+  const std::size_t c = find(column);
+  Data out(*table_, program_, name_, *reading_, keys_);
+  if (std::find(keys_.begin(), keys_.end(), column) == keys_.end()) out.keys_.push_back(column);
+  const auto from = std::make_shared<const Data>(out);
+  for (const Row& row : rows_)
+    if (is(table_->rows[row.at_][c])) out.rows_.push_back(Row(from, row.at_));
+  if (out.rows_.empty())
+    throw Unresolved{program_ + "/" + name_ + " has no row with " + column + wanted};
+  return out;
+}
+
+Data Data::where(const std::string& column, const Key& key) const {
+  if (const auto* text = std::get_if<std::string>(&key)) {
+    const auto is = [&](const Cell& cell) {
+      const auto* other = std::get_if<std::string>(&cell);
+      return other && *other == *text;
+    };
+    return chosen(column, is, " = " + *text);
+  }
+  const double wanted = std::get<double>(key);
+  return chosen(
+      column, [&](const Cell& cell) { return is_same(number_in(cell, column), wanted); },
+      " = " + shown(wanted));
+}
+
+Data Data::where(const std::string& column, double low, double high) const {
+  return chosen(
+      column,
+      [&](const Cell& cell) {
+        const double x = number_in(cell, column);
+        return (x > low || is_same(x, low)) && (x < high || is_same(x, high));
+      },
+      " from " + shown(low) + " to " + shown(high));
+}
+
+Data::Row Data::only() const {
+  if (rows_.size() != 1)
+    throw Unresolved{program_ + "/" + name_ + " has " + std::to_string(rows_.size()) +
+                     " rows instead of one"};
+  return rows_.front();
+}
+
+std::string Data::words(std::size_t row) const {
+  std::string out;
+  for (const std::string& key : keys_)
+    out += (out.empty() ? "" : ", ") + key + " = " + shown(table_->rows[row][find(key)]);
+  return out;
+}
+
+double Data::Row::operator()(const std::string& column) const {
+  return number_in(from_->table_->rows[at_][from_->find(column)], column);
+}
+
+std::string Data::Row::text(const std::string& column) const {
+  const auto* text = std::get_if<std::string>(&from_->table_->rows[at_][from_->find(column)]);
+  if (!text) throw Unresolved{"the column '" + column + "' holds numbers"};
+  return *text;
+}
+
+// The number and its error, after the change that a test makes; a fact goes by its own name and has a unit of its own
+Quantity Data::Row::operator[](const std::string& column) const {
+  const Data& in = *from_;
+  const bool is_fact = in.name_ == "facts";
+  const auto& cells = in.table_->rows[at_];
+  const std::size_t c = in.find(column);
+  const CellRead cell{in.program_, in.name_, column, at_};
+  const double value = number_in(cells[c], column), now = in.reading_->tables->changed(cell, value);
+  const std::string which = in.words(at_),
+                    name = is_fact ? std::get<std::string>(cells[0])
+                                   : in.name_ + "." + column +
+                                         (which.empty() ? "" : " (" + which + ")");
+  in.reading_->all.insert(cell);
+  in.reading_->latest.push_back(name);
+
+  const bool is_count = in.table_->columns[c].kind == Kind::integer;
+  const std::string with_error = is_fact ? "error" : column + "_error";
+  const double error = is_count ? 0 : std::get<double>(cells[in.find(with_error)]);
+  if (!std::isfinite(now) || !std::isfinite(error))
+    throw Unresolved{in.program_ + ": " + name + " is not a number, or has no error"};
+  const std::string unit =
+      is_fact ? std::get<std::string>(cells[in.find("unit")]) : in.table_->columns[c].unit;
+  if (error == 0) return {{exact(now)}, unit};
+  return {{Estimate(now, now == value ? error : std::abs(now / value) * error)}, unit};
+}
+
+/**
+## Reductions */
+static Estimate from_ends(double value, double low, double high) {
+  return {value, std::max(value - low, high - value)};
+}
+
+static Estimate extreme(const std::vector<Estimate>& all, double sign) {
+  if (all.empty()) throw Unresolved{"nothing to choose from"};
+  double value = HUGE_VAL, low = HUGE_VAL, high = HUGE_VAL;
+  bool is_exact = true;
+  for (const Estimate& e : all) {
+    value = std::min(value, sign * e.value), is_exact = is_exact && e.is_exact;
+    low = std::min(low, sign * e.value - e.error), high = std::min(high, sign * e.value + e.error);
+  }
+  return is_exact ? exact(sign * value) : sign * from_ends(value, low, high);
+}
+
+Estimate least_of(const std::vector<Estimate>& all) {
+  return extreme(all, 1);
+}
+
+Estimate largest_of(const std::vector<Estimate>& all) {
+  return extreme(all, -1);
+}
+
+Estimate mean_of(const std::vector<Estimate>& all) {
+  if (all.empty()) throw Unresolved{"nothing to average"};
+  Estimate sum = exact(0);
+  for (const Estimate& e : all) sum = sum + e;
+  return sum / exact(double(all.size()));
+}
+
+/**
+## Comparisons */
+Estimate Comparison::left() const {
+  Estimate out = large - small;
+  if (!is_flipped) return out;
+  out.value = may_be_equal ? -std::abs(out.value) - 2 * out.error : -out.value;
+  return out;
+}
+
+bool Comparison::holds() const {
+  const Estimate e = left();
+  return may_be_equal ? e.value >= -e.error : e.value > e.error;
+}
+
+bool Comparison::is_decided() const {
+  const Estimate e = left();
+  return may_be_equal || std::abs(e.value) > e.error;
+}
+
+Estimate Comparison::margin() const {
+  const Estimate e = left();
+  const double size = std::max({std::abs(small.value), std::abs(large.value), 1e-300});
+  return {e.value / size, e.error / size};
+}
+
+// Six digits of a value, one of its error
+static std::string text_of(const Estimate& e) {
+  std::ostringstream out;
+  out.precision(6);
+  out << e.value;
+  out.precision(1);
+  const double rounding = 4e-16 * std::abs(e.value);
+  if (e.error > rounding && e.error > 1e-300) out << " +- " << e.error;
+  return out.str();
+}
+
+std::string Comparison::text() const {
+  return what + ": " + text_of(small) + (may_be_equal ? " <= " : " < ") + text_of(large);
+}
+
+const Comparison* Judged::closest() const {
+  const auto slack = [](const Comparison& c) { return c.margin().value - c.margin().error; };
+  const auto at = std::min_element(comparisons.begin(), comparisons.end(),
+                                   [&](auto& a, auto& b) { return slack(a) < slack(b); });
+  return at == comparisons.end() ? nullptr : &*at;
+}
+
+std::string Judged::text() const {
+  if (!lost.empty()) return lost;
+  if (!not_run.empty()) return "not run";
+  if (answer) return text_of(*answer) + (answer->unit.empty() ? "" : " " + answer->unit);
+  if (comparisons.size() > 8)
+    return closest()->text() + " (the closest of " + std::to_string(comparisons.size()) +
+           " comparisons)";
+  std::string out;
+  for (const Comparison& c : comparisons) out += (out.empty() ? "" : "; ") + c.text();
+  return out;
+}
+
+/**
+## Statements
+
+What a comparison is about is told by the cells that were read for it. */
+std::string Statement::taken() {
+  std::vector<std::string> names;
+  for (const std::string& words : reading_.latest)
+    if (std::find(names.begin(), names.end(), words) == names.end()) names.push_back(words);
+  const std::size_t cells = names.size();
+  if (cells > 3) names.resize(1);
+  std::string out;
+  for (const std::string& name : names) out += (out.empty() ? "" : ", ") + name;
+  if (cells > 3) out += " and " + std::to_string(cells - 1) + " other values";
+  reading_.latest.clear();
+  return out;
+}
+
+void Statement::compare(const Estimate& a, const Estimate& b, bool may_be_equal) {
+  const std::string what = taken();
+  const auto& before = judged_.comparisons;
+  judged_.comparisons.push_back(
+      {what.empty() && !before.empty() ? before.back().what : what, a, b, may_be_equal});
+}
+
+void Statement::less(const Estimate& a, const Estimate& b) {
+  compare(a, b, false);
+}
+void Statement::not_more(const Estimate& a, const Estimate& b) {
+  compare(a, b, true);
+}
+void Statement::near(const Estimate& a, const Estimate& b, const Estimate& distance) {
+  compare(abs(a - b), distance, false);
+}
+void Statement::within(const Estimate& a, const Estimate& low, const Estimate& high) {
+  less(low, a);
+  less(a, high);
+}
+
+void Statement::answer(const Quantity& found) {
+  if (judged_.answer) throw std::logic_error("a statement has two answers");
+  judged_.answer = found;
+  reading_.latest.clear();
+}
+
+Data Statement::table(const std::string& program, const std::string& name) {
+  const Table& found = reading_.tables->of(program, name);
+  judged_.is_quick = judged_.is_quick || reading_.tables->is_quick(program);
+  return Data(found, program, name, reading_);
+}
+Data Statement::table(const std::string& name) {
+  return table(program_, name);
+}
+Quantity Statement::fact(const std::string& program, const std::string& name) {
+  return table(program, "facts").at("quantity", name)["value"];
+}
+Quantity Statement::fact(const std::string& name) {
+  return fact(program_, name);
+}
+
+Judged Statement::judged(Tables& tables, const std::string& program) {
+  judged_ = {}, reading_ = {&tables}, program_ = program;
+  judged_.program = program;
+  try {
+    judge();
+    if (!judged_.answer == judged_.comparisons.empty())
+      judged_.lost = judged_.answer ? "both an answer and comparisons" : "nothing is compared";
+  } catch (const NotRun& it) {
+    judged_.not_run = it.program;
+  } catch (const Unresolved& it) {
+    judged_.lost = it.why;
+  }
+  judged_.cells = std::move(reading_.all);
+  return judged_;
+}
+
+static std::map<std::string, Registered>& registered() {
+  static std::map<std::string, Registered> all;
+  return all;
+}
+
+const std::map<std::string, Registered>& statements() {
+  return registered();
+}
+
+Register::Register(const std::string& id, const char* file, int line,
+                   Judged (*run)(Tables&, const std::string&)) {
+  const std::string program = std::filesystem::path(file).stem().string();
+  const bool is_new =
+      registered().insert({id, {program, line, [=](Tables& t) { return run(t, program); }}}).second;
+  if (!is_new) throw std::logic_error("the statement " + id + " is judged twice");
+}
+
+}  // namespace lattice

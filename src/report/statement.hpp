@@ -1,0 +1,314 @@
+#pragma once
+/**
+# Statements, judged on tables
+
+Programs compute and claim nothing. What the article says stands in `paper/claims.ecsv`, and whether it is so is decided in
+`src/statements`, in one file for each program: a function for each statement reads the tables that the figures are drawn
+from, and compares.
+
+    STATEMENT("impact.slower") {
+      const Data sweep = table("velocity_sweep");
+      for (double s : {-1.0 / 6, -0.7})
+        for (const auto& soft : sweep.where("s", s).where("velocity", 0.3, 2.5))
+          less(soft["speed"], sweep.at("s", 0, "velocity", soft("velocity"))["speed"]);
+    }
+
+A statement holds if each of its comparisons holds by more than the errors. One that is a number gives its `answer`
+instead, which verdict.hpp compares with what is printed. A selection without a row, a row that is not the only one, a
+column that is missing and a value without an error leave a statement unresolved. Nothing passes by having nothing to
+compare. */
+
+#include <cmath>
+#include <compare>
+#include <concepts>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "lattice/numerics/estimate.hpp"
+#include "report/table.hpp"
+
+namespace lattice {
+
+/**
+## Arithmetic with errors
+
+The errors of both sides add up; a product or a quotient has those of first order, and what is exact stays so. */
+Estimate operator+(const Estimate& a, const Estimate& b);
+Estimate operator-(const Estimate& a, const Estimate& b);
+Estimate operator*(const Estimate& a, const Estimate& b);
+Estimate operator/(const Estimate& a, const Estimate& b);
+Estimate operator-(const Estimate& a);
+Estimate abs(const Estimate& a);
+
+/// What stands in a table: a value with its error and the unit of its column.
+struct Quantity : Estimate {
+  std::string unit{};
+};
+
+/**
+## The tables of all programs
+
+They are read when a statement asks for them. What it reads is noted, cell by cell, for the margin that it shows and for
+the test that changes each value and looks whether the verdict follows. */
+struct CellRead {
+  std::string program, table, column;
+  std::size_t row;
+  auto operator<=>(const CellRead&) const = default;
+};
+
+/// A change of a column, or of one cell of it, for that test.
+struct Change {
+  std::string program, table, column;
+  std::optional<std::size_t> row{};
+  double factor = 1;
+};
+
+/// Why a statement has no verdict: a program that has not run, or what its tables lack.
+struct NotRun {
+  std::string program;
+};
+struct Unresolved {
+  std::string why;
+};
+
+class Tables {
+ public:
+  /// `folder` holds a folder of tables for each program.
+  explicit Tables(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// Throws NotRun if the program has not finished, Unresolved if it has no such table.
+  const Table& of(const std::string& program, const std::string& name);
+  bool has_run(const std::string& program) const;
+  /// Whether the tables of a program are those of a coarse run.
+  bool is_quick(const std::string& program);
+  double changed(const CellRead& cell, double value) const;
+
+  std::optional<Change> change{};
+
+ private:
+  std::filesystem::path folder_;
+  std::map<std::pair<std::string, std::string>, Table> read_{};
+};
+
+/// What was read since the last comparison, and altogether.
+struct Reading {
+  Tables* tables;
+  std::set<CellRead> all{};
+  std::vector<std::string> latest{};  ///< in words
+};
+
+/**
+## Rows and selections of rows
+
+Keys match to 1e-9 of their size, since 94 times 0.01 is not 0.94. `row("s")` is a number that was given, such as a
+parameter; `row["speed"]` a result with its error, which is in the column `speed_error`. Whole numbers are exact. */
+struct Key : std::variant<double, std::string> {
+  Key(double number) : variant(number) {}
+  Key(std::integral auto number) : variant(double(number)) {}
+  Key(const char* text) : variant(std::string(text)) {}
+  Key(std::string text) : variant(std::move(text)) {}
+};
+
+class Data {
+ public:
+  class Row {
+   public:
+    double operator()(const std::string& column) const;
+    std::string text(const std::string& column) const;
+    Quantity operator[](const std::string& column) const;
+
+   private:
+    friend class Data;
+    std::shared_ptr<const Data> from_;  ///< without its rows
+    std::size_t at_;
+    Row(std::shared_ptr<const Data> from, std::size_t at) : from_(std::move(from)), at_(at) {}
+  };
+
+  Data(const Table& table, std::string program, std::string name, Reading& reading);
+
+  /// The rows whose `column` is `key`, or from `low` to `high`. Throws Unresolved if there is none.
+  Data where(const std::string& column, const Key& key) const;
+  Data where(const std::string& column, double low, double high) const;
+  /// The row with these keys, `at("s", 0, "velocity", 0.3)`. Throws Unresolved unless there is exactly one.
+  Row at(const std::string& column, const Key& key, const auto&... more) const {
+    const Data rows = where(column, key);
+    if constexpr (sizeof...(more) == 0)
+      return rows.only();
+    else
+      return rows.at(more...);
+  }
+  /// The only row of a table, or of a selection.
+  Row only() const;
+  /// A result in the only row.
+  Quantity operator[](const std::string& column) const { return only()[column]; }
+  std::size_t size() const { return rows_.size(); }
+  const Row* begin() const { return rows_.data(); }
+  const Row* end() const { return rows_.data() + rows_.size(); }
+
+ private:
+  using IsMeant = std::function<bool(const Cell&)>;
+  Data(const Table& table, std::string program, std::string name, Reading& reading,
+       std::vector<std::string> keys)
+      : table_(&table),
+        program_(std::move(program)),
+        name_(std::move(name)),
+        reading_(&reading),
+        keys_(std::move(keys)) {}
+  Data chosen(const std::string& column, const IsMeant& is, const std::string& wanted) const;
+  std::size_t find(const std::string& column) const;
+  std::string words(std::size_t row) const;
+
+  const Table* table_;
+  std::string program_, name_;
+  Reading* reading_;
+  std::vector<std::string> keys_{};  ///< columns by which the rows were chosen
+  std::vector<Row> rows_{};
+};
+
+/**
+## Over several rows
+
+Errors count: the least of some numbers may be as small as the least of their lower ends. */
+Estimate least_of(const std::vector<Estimate>& all);
+Estimate largest_of(const std::vector<Estimate>& all);
+Estimate mean_of(const std::vector<Estimate>& all);
+
+/// `of(row)` of every row; a name stands for what is in this column.
+template <class Of>
+std::vector<Estimate> each(const Data& rows, Of of) {
+  std::vector<Estimate> out;
+  for (const Data::Row& row : rows) {
+    if constexpr (std::is_convertible_v<Of, std::string>)
+      out.push_back(row[of]);
+    else
+      out.push_back(of(row));
+  }
+  return out;
+}
+template <class Of>
+Estimate least(const Data& rows, Of of) {
+  return least_of(each(rows, of));
+}
+template <class Of>
+Estimate largest(const Data& rows, Of of) {
+  return largest_of(each(rows, of));
+}
+template <class Of>
+Estimate mean(const Data& rows, Of of) {
+  return mean_of(each(rows, of));
+}
+
+/**
+## A statement and what it finds */
+struct Comparison {
+  std::string what;       ///< the cells that were read for it
+  Estimate small, large;  ///< the sides
+  bool may_be_equal = false;
+  bool is_flipped = false;  ///< by a test
+
+  /// What is left to the limit: negative on the wrong side.
+  Estimate left() const;
+  bool holds() const;
+  bool is_decided() const;
+  /// The same as a fraction of the larger side.
+  Estimate margin() const;
+  std::string text() const;
+};
+
+struct Judged {
+  std::string program{},
+      place{};  ///< the program whose tables decide, and where the statement stands
+  std::vector<Comparison> comparisons{};
+  std::optional<Quantity> answer{}, accuracy{};
+  std::string lost{};     ///< why there is no verdict
+  std::string not_run{};  ///< the program that has not run
+  bool is_quick = false;  ///< whether a table is of a coarse run
+  std::set<CellRead> cells{};
+
+  /// The comparison with the smallest margin.
+  const Comparison* closest() const;
+  /// What was found, in a line: the answer, or the comparisons, of many only the closest one.
+  std::string text() const;
+};
+
+/// What the body of a statement may call.
+class Statement {
+ public:
+  virtual ~Statement() = default;
+  Judged judged(Tables& tables, const std::string& program);
+
+ protected:
+  virtual void judge() = 0;
+
+  /// A table of the program of this file, or of another one.
+  Data table(const std::string& name);
+  Data table(const std::string& program, const std::string& name);
+  /// A number of the program, or of another one: a row of its facts.ecsv.
+  Quantity fact(const std::string& name);
+  Quantity fact(const std::string& program, const std::string& name);
+
+  /// a < b by more than the errors of both.
+  void less(const Estimate& a, const Estimate& b);
+  /// The same, where equal within the errors is enough.
+  void not_more(const Estimate& a, const Estimate& b);
+  /// |a - b| < distance.
+  void near(const Estimate& a, const Estimate& b, const Estimate& distance);
+  /// low < a < high.
+  void within(const Estimate& a, const Estimate& low, const Estimate& high);
+  /// What is printed is compared with this number.
+  void answer(const Quantity& found);
+  void answer(const Estimate& found, const std::string& unit) { answer({{found}, unit}); }
+  /// How accurate the article itself says that its number is.
+  void accuracy(const Quantity& known) { judged_.accuracy = known; }
+
+ private:
+  void compare(const Estimate& a, const Estimate& b, bool may_be_equal);
+  std::string taken();
+
+  Judged judged_{};
+  Reading reading_{};
+  std::string program_{};
+};
+
+/// All statements that are linked, by their ids.
+struct Registered {
+  std::string program;
+  int line;
+  std::function<Judged(Tables&)> judge;
+};
+const std::map<std::string, Registered>& statements();
+
+/// Adds one; throws std::logic_error for an id that is there.
+struct Register {
+  template <class One>
+  static Judged run(Tables& tables, const std::string& program) {
+    return One().judged(tables, program);
+  }
+  Register(const std::string& id, const char* file, int line,
+           Judged (*run)(Tables&, const std::string&));
+};
+
+}  // namespace lattice
+
+#define LATTICE_STATEMENT(id, name)                                                               \
+  namespace {                                                                                     \
+  struct name final : lattice::Statement {                                                        \
+    void judge() override;                                                                        \
+  };                                                                                              \
+  const lattice::Register register_##name(id, __FILE__, __LINE__, &lattice::Register::run<name>); \
+  }                                                                                               \
+  void name::judge()
+#define LATTICE_EXPANDED(id, line) LATTICE_STATEMENT(id, Statement_##line)
+/// A statement of the list with this id; its body follows.
+#define STATEMENT(id) LATTICE_AT(id, __LINE__)
+#define LATTICE_AT(id, line) LATTICE_EXPANDED(id, line)

@@ -1,0 +1,22 @@
+/**
+# Statements: 3.1 the discrete p-Schrödinger (DpS) equation and its error */
+
+#include "report/statement.hpp"
+
+using namespace lattice;
+
+STATEMENT("dps.tau0") {
+  answer(fact("tau_0_by_quadrature"));
+}
+
+STATEMENT("dps.error_order") {
+  answer(fact("error_order"));
+}
+
+STATEMENT("dps.travelling_close") {
+  answer(fact("travelling_close"));
+}
+
+STATEMENT("dps.wells_drop_out") {
+  less(fact("order_off"), 0.03);
+}

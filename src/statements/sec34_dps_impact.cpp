@@ -1,0 +1,41 @@
+/**
+# Statements: 3.4 a weak impact, in the chain and in the DpS equation */
+
+#include "report/statement.hpp"
+
+using namespace lattice;
+
+STATEMENT("impact.dps_breather") {
+  less(fact("dps_breather_speed_change"), 0.05);
+  less(fact("dps_breather_energy_change"), 0.1);
+  less(fact("dps_breather_residue"), 1);
+}
+
+STATEMENT("impact.amp_full") {
+  answer(fact("height_lattice_8091"));
+}
+
+STATEMENT("impact.amp_dps") {
+  answer(fact("height_dps_8091"));
+}
+
+STATEMENT("impact.speed_order") {
+  less(0, fact("speed_order_excess"));
+}
+
+STATEMENT("impact.support") {
+  less(0.01, fact("support_outermost"));
+  less(fact("support_next"), 0.01);
+}
+
+STATEMENT("impact.wavetrain") {
+  answer(fact("wavetrain"));
+}
+
+STATEMENT("impact.residual_extended") {
+  answer(fact("residual_extended"));
+}
+
+STATEMENT("impact.scales_fig17") {
+  answer(fact("time_of_tau_250"));
+}
