@@ -64,7 +64,7 @@ rows_of = $(shell [ ! -f $(1)figures/figures.ecsv ] || awk -F, '!/^\#/ && $$1 !=
             print $$1 "|" $$4 "|$(1)figures/" $$5 "|" $$7 }' $(1)figures/figures.ecsv)
 all_rows := $(call rows_of) $(call rows_of,beyond/)
 rows := $(call rows_of,$(home))
-judge = $(B)/bin/verdicts --root ./$(home) --data $(D)/data --output $(D)/report/claims$(if $(home),_beyond).ecsv
+judge = $(B)/bin/verdicts$(if $(home),_beyond) --root ./$(home) --data $(D)/data --output $(D)/report/claims$(if $(home),_beyond).ecsv
 field = $(word $(2),$(subst |, ,$(1)))
 tables = $(foreach t,$(subst :, ,$(2)),$(D)/data/$(1)/$(t).ecsv)
 drawn = $(D)/figures/$(basename $(notdir $(1)))
@@ -77,6 +77,9 @@ by_cost := $(shell grep -v '^\#' $(home)paper/costs.ecsv | LC_ALL=C sort -t, -k2
 chapters := $(basename $(notdir $(wildcard $(home)src/sec*.cpp)))
 chapters := $(filter-out $(by_cost),$(chapters)) $(filter $(chapters),$(by_cost))
 facts := $(foreach p,$(chapters),$(D)/data/$(p)/facts.ecsv)
+# What the statements of volume two read of the article's chapters is computed with it.
+borrowed := $(if $(home),$(sort $(filter $(basename $(notdir $(wildcard src/sec*.cpp))),$(shell grep -oh '"sec[A-Za-z0-9_]*"' beyond/src/statements/*.cpp | tr -d '"'))))
+facts += $(foreach p,$(borrowed),$(D)/data/$(p)/facts.ecsv)
 
 # A reader who has read enough, `make show | head -1`, is no error.
 or_read := || { code=$$?; [ $$code = 141 ] || exit $$code; }
@@ -84,7 +87,7 @@ or_read := || { code=$$?; [ $$code = 141 ] || exit $$code; }
 # Folders have the names of some of them.
 .PHONY: all figures test beyond test-beyond ready all-figures all-data programs configure summary verdicts book weave install-book install-browse \
   test-book test-lineage tests examples python run-tests run-tests-beyond test-faults test-fuzz test-python bench paper typeset install-paper \
-  lock hashes refresh show second mutants test-platforms test-slurm fresh container dist style tidy \
+  accept refresh show second mutants test-platforms test-slurm fresh container dist style tidy \
   install-deps burn help
 took = . tools/shared.sh; echo "$$(now) $$(cat $(D)/report/start)" | awk '{ printf "$(1)", ($$1 > $$2 ? $$1 - $$2 : 0) }'
 
@@ -94,7 +97,7 @@ figures: ready
 	@$(MAKE) summary
 	@$(call took,together   : %.0f s with compiling and drawing\n)
 
-## test: compute the data and figures that the tests of the article need, then test; T=floquet: one file or folder of tests/
+## test: compute the data and figures of the article, then test; T=floquet: one file or folder of tests/, T=code: all that compares with no record
 T :=
 test: $(if $(T),configure,ready)
 	@$(if $(T),,$(MAKE) all-figures)
@@ -133,7 +136,7 @@ all-data: $(facts)
 
 ## programs: build build/bin/<program>
 # A single figure needs only its own program. Who calls with `built=yes` has just built them.
-TARGETS := programs$(if $(home),_beyond)
+TARGETS := programs$(if $(home),_beyond $(borrowed))
 built :=
 programs: $(if $(built),,configure)
 	@$(if $(built),,sh tools/build.sh $(B) $(JOBS) $(TARGETS))
@@ -182,7 +185,7 @@ summary:
 
 # Judges what there is; before anything is computed, verdicts are those that are recorded.
 verdicts:
-	@[ ! -x $(B)/bin/verdicts ] || [ ! -d $(D)/data ] || $(judge) > /dev/null
+	@[ ! -x $(firstword $(judge)) ] || [ ! -d $(D)/data ] || $(judge) > /dev/null
 
 ## book: build the book from sources, data and figures into build/book
 book: install-book
@@ -224,13 +227,14 @@ python: configure
 run-tests: configure
 	@sh tools/build.sh $(B) $(JOBS) all
 	@$(MAKE) QUICK=1 built=yes $(two_by_two) all-data
-	@$(judge) > /dev/null
+	@$(MAKE) verdicts
 	@$(MAKE) test-lineage > $(B)/lineage.log 2>&1 & lineage=$$!; \
 	ctest -j $(JOBS) $(CTEST_ARGS) --label-exclude beyond; good=$$?; \
 	wait $$lineage || good=1; cat $(B)/lineage.log; exit $$good
 run-tests-beyond: configure
 	@sh tools/build.sh $(B) $(JOBS) programs programs_beyond tests_beyond python_beyond
 	@$(MAKE) volume=beyond QUICK=1 built=yes $(two_by_two) all-data
+	@$(MAKE) volume=beyond verdicts
 	@$(sphinx) tests/lineage beyond
 	@ctest -j $(JOBS) $(CTEST_ARGS) --label-regex beyond
 
@@ -282,18 +286,16 @@ typeset: verdicts
 install-paper: install-deps
 	@DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt paper
 
-## lock: renew the reference values paper/converged.ecsv from the computed ones and print changes (volume=beyond: of volume two)
-lock: install-deps
-	@$(MAKE) all-data
-	@$(lineage) --root ./$(home) lock --data $(B)/data
+## accept: record what is computed now, values, bytes and the numbers in prose, and print what moved (volume=beyond: of volume two)
+accept: ready
+	@$(MAKE) QUICK= programs
+	@$(MAKE) QUICK= built=yes $(two_by_two) all-data
+	@$(MAKE) QUICK=1 built=yes $(two_by_two) all-data
+	@$(MAKE) QUICK= verdicts
+	@$(lineage) --root ./$(home) accept --data $(B)/data --quick $(B)/quick/data
+	@$(MAKE) QUICK= refresh
 
-## hashes: renew paper/hashes.ecsv, the checksums of all tables of the full and the quick run, and print changes
-hashes: install-deps
-	@$(MAKE) QUICK= all-data
-	@$(MAKE) QUICK=1 all-data
-	@$(lineage) --root ./$(home) hashes --data $(B)/data --quick $(B)/quick/data
-
-## refresh: write the reference values into the prose of src/, and renew the tables of README.md
+## refresh: write the recorded values into the prose of src/, and renew the tables of README.md
 refresh: verdicts
 	@$(lineage) refresh --costs $(B)/report/cost
 	@[ ! -d beyond ] || $(lineage) --root beyond refresh --costs $(B)/report/cost

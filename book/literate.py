@@ -31,9 +31,9 @@ from sphinx.util.docutils import SphinxDirective
 
 from lineage import ecsv, inventory, markdown as md
 from lineage.chapters import article_tests, explained_by, read_commands, read_costs, run_of, shown_cost
-from lineage.claims import (KINDS, OBTAINED, agrees, by_name, in_plain, meanings, program_of, programs_of, read_claims, read_facts,
-                            read_findings, read_literature, read_second, read_verdicts, said as filled, with_kind,
-                            with_sentences)
+from lineage.claims import (KINDS, OBTAINED, agrees, by_name, in_plain, meanings, programs_of, read_answers, read_claims, read_facts,
+                            read_findings, read_literature, read_second, read_statements, read_verdicts, said as filled,
+                            with_kind, with_sentences)
 from lineage.lock import read_lock
 from lineage.refresh import command_of, printed, read_figures
 from lineage.sources import definitions, local_names, made_at, sources_of
@@ -92,6 +92,7 @@ class Book:
         self.chapters, self.rest = sources_of(self.root, self.volumes, order)
         self.sources = self.chapters + [source for module in self.rest.values() for source in module]
         self.by_page, self.by_include = {s.page: s for s in self.sources}, {s.included: s for s in self.sources}
+        self.by_path = {s.path: s for s in self.sources}
         found = [(name, s, line) for s in self.sources if s.is_header for name, line in definitions(s.text).items()]
         once = Counter(name for name, *_ in found)
         self.defined = {name: (s, f"{s.page}.html#L-{line}") for name, s, line in found if once[name] == 1}
@@ -102,13 +103,14 @@ class Book:
         self.claims, self.findings = read_claims(self.root), joined(read_findings, every)
         self.second, self.alone, self.seconds = (joined(read, every) for read in (read_second, read_commands, read_costs))
         programs = [program for v in every for program in programs_of(v)]
-        locked, fresh = joined(read_lock, every), read_facts(self.data, programs)
+        locked, report = joined(read_lock, every), self.build / "report"
+        fresh = read_facts(self.data, programs) | joined(lambda volume: read_answers(volume, report), every)
         known = locked | {key: replace(locked.get(key, f), made_by=f.made_by, row=f.row) for key, f in fresh.items()}
-        self.numbers = by_name(known, self.claims)
-        self.stale = {f"{program}.{id}" for program, id in locked.keys() & fresh.keys()
-                      if self.build.name != "quick" and distance(locked[program, id], fresh[program, id]) > 1}
-        self.stale |= {id for id, c in self.claims.items() if c["answer"] in self.stale}
-        self.verdicts = joined(lambda volume: read_verdicts(volume, self.build / "report"), every)
+        self.numbers = by_name(known)
+        self.stale = {fresh[key].name for key in locked.keys() & fresh.keys()
+                      if self.build.name != "quick" and distance(locked[key], fresh[key]) > 1}
+        self.verdicts = joined(lambda volume: read_verdicts(volume, report), every)
+        self.judged = joined(read_statements, every)
         self.literature = joined(read_literature, every)
         self.tests, self.lines, near = article_tests(self.root), {}, {}
         for chapter in self.chapters:
@@ -116,6 +118,8 @@ class Book:
             halves = [i for i in (s.included[:-4] + ".cpp" for s in needed) if i in self.by_include]
             near[chapter.stem] = [chapter, *needed, *(self.by_include[i] for i in halves)]
         self.lines = {name: made_at(f, near.get(f.program, ())) for name, f in self.numbers.items()}
+        for id, (_, path, line) in self.judged.items():
+            self.lines[id] = self.by_path[str(path.relative_to(self.root))], line
 
     def read_figures(self):
         self.figures = joined(read_figures, self.volumes)
@@ -133,7 +137,7 @@ class Book:
     def file(self, text, here=""):
         """The page of a source that a text names; empty where the name is that of none or of several."""
         text, near = text.removeprefix("beyond/").removeprefix("src/"), self.by_page.get(here)
-        found = [s for s in self.sources if s.included == text or s.included.endswith("/" + text)]
+        found = [s for s in self.sources if s.included == text] or [s for s in self.sources if s.included.endswith("/" + text)]
         if len(found) > 1 and near:
             found = [s for s in found if s.module == near.module or s.included in near.includes]
         return found[0].page + ".html" if len(found) == 1 and found[0].page != here else ""
@@ -220,11 +224,11 @@ class Book:
     def end_of(self, program):
         """Figures of a chapter that no prose shows, the statements that it answers, numbers of other authors."""
         left = [id for id, row in self.figures.items() if row["program"] == program and f"fig}} {id}" not in self.places]
-        answers = [self.claim_row(id) for id, claim in self.claims.items() if program_of(claim) == program]
+        answers = [self.claim_row(id) for id, claim in self.claims.items() if claim["program"] == program]
         others = [[md.spelled(row["quantity"]), f"{md.plain(row['citation'])} {md.spelled(row['where'])}",
-                   md.spelled(printed(row)), md.number(md.with_error(self.numbers[row["answer"]])),
+                   md.spelled(printed(row)), md.number(md.with_error(self.numbers[id])),
                    md.verdict(self.verdicts[id]["verdict"]), f"{OBTAINED[row['obtained']]}. {md.spelled(row['note'])}"]
-                  for id, row in self.literature.items() if program_of(row) == program]
+                  for id, row in self.literature.items() if row["program"] == program]
         return "".join([
             *["\n\n## Further figures of this program\n\n"] * bool(left),
             *(f"```{{fig}} {id}\n{self.figures[id]['caption']}\n```\n\n" for id in left),
@@ -245,14 +249,14 @@ class Book:
         """The same in the table of all: what decides, what is assumed, why it fails, where it is told."""
         claim, (_, article, here, said) = self.claims[id], self.claim_row(id)
         where = re.sub(r"\b(?:Eqs?\.|Figs?\.?) (\w+)", lambda m: self.labels.get(m[1], m[0]), claim["where"])
-        if claim["criterion"]:
-            here = "<br>".join(condition(text, program_of(claim)) for text in self.verdicts[id]["found"].split("; "))
+        if id not in self.numbers:
+            here = "<br>".join(comparison(text) for text in self.verdicts[id]["found"].split("; "))
         if claim["assumption"]:
             said += f" {md.spelled(filled(claim['assumption'], self.numbers))}"
         if claim["reason"]:
             see = ", ".join(self.page_link(p) for p in explained_by(id, self.claims) if p in self.by_page)
             said += f" {md.spelled(filled(claim['reason'], self.numbers))} See {see}."
-        program, words = program_of(claim), set(re.findall(r"\w+", claim["where"]))
+        program, words = claim["program"], set(re.findall(r"\w+", claim["where"]))
         chapter = md.link(program + ".html", "chapter") if program in self.by_page else ""
         figures = [self.figure_link(f) for f, row in self.figures.items() if row["label"] in words]
         test = f"test `article.cpp:{self.tests[id]}`" if id in self.tests else ""
@@ -285,7 +289,7 @@ class Book:
             figure = ", " + self.figure_link(row["figure"]) if row["figure"] in self.figures else ""
             out += [f'\n{md.place(id)}\n\n## {id}\n\n<span class="evidence">{row["kind"]}</span> {row["sentence"]}\n',
                     f"- **Shown over** {md.spelled(row['range'])}", f"- **Tried against it** {md.spelled(row['tried'])}",
-                    "- **Carried by**", *(f"  - {condition(text)}" for text in self.verdicts[id]["found"].split("; ")),
+                    "- **Carried by**", *(f"  - {comparison(text)}" for text in self.verdicts[id]["found"].split("; ")),
                     f"- **Second route** {md.spelled(row['second'])}",
                     f'- **Stands in** {self.speaks("finding:" + id) or "the report"}{figure}; `make show ID={id}`']
         return "\n".join(out)
@@ -473,11 +477,10 @@ def meaning(id, columns):
     return md.spelled(columns[max(names, key=len)]) + (f" ({md.plain(rest)})" if rest else "")
 
 
-def condition(text, program=""):
-    """A condition as `verdicts` writes it, `program.fact = 1.2 +- 3e-4 > 1`; the name of this program is not said."""
-    name, _, rest = text.partition(" = ")
-    shown = md.link(f"numbers-{name.partition('.')[0]}.html#{name}", md.name(name.removeprefix(program + ".")))
-    return f"{shown} = {md.number(rest.replace('+-', '±'))}"
+def comparison(text):
+    """One as `verdicts` writes it, `sweep.speed (s = 0): 1.2 +- 3e-4 < 2`: what was read, and both sides."""
+    what, _, sides = text.rpartition(": ")
+    return f"{md.plain(what)}: {md.number(sides.replace('+-', '±'))}"
 
 
 # While Sphinx reads
@@ -582,7 +585,7 @@ class Bind(SphinxTransform):
         if text not in ("", known, number.shown_in_prose, number.shown_in_table, number.shown_as_interval):
             say.warning(f"{id} is stale: the text has {text}, the reference value is {known} (make refresh)", location=found)
         if id in self.book.stale:
-            say.warning(f"{id} is stale: the computed value differs from the reference value {known} (make lock)", location=found)
+            say.warning(f"{id} is stale: the computed value differs from the reference value {known} (make accept)", location=found)
         if not self.book.lines.get(id):
             say.warning(f"no line of the sources records '{id}'", location=found)
         return Number("", text or known, id=id)

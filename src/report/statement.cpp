@@ -79,6 +79,7 @@ std::size_t Data::find(const std::string& column) const try {
   throw Unresolved{program_ + "/" + name_ + " has no column '" + column + "'"};
 }
 
+// A cell as a number, as a key and in words
 static double number_in(const Cell& cell, const std::string& column) {
   if (const auto* count = std::get_if<std::int64_t>(&cell)) return double(*count);
   if (const auto* real = std::get_if<double>(&cell)) return *real;
@@ -109,6 +110,7 @@ Data Data::chosen(const std::string& column, const IsMeant& is, const std::strin
   return out;
 }
 
+// Rows by their keys
 Data Data::where(const std::string& column, const Key& key) const {
   if (const auto* text = std::get_if<std::string>(&key)) {
     const auto is = [&](const Cell& cell) {
@@ -133,6 +135,7 @@ Data Data::where(const std::string& column, double low, double high) const {
       " from " + shown(low) + " to " + shown(high));
 }
 
+// One row
 Data::Row Data::only() const {
   if (rows_.size() != 1)
     throw Unresolved{program_ + "/" + name_ + " has " + std::to_string(rows_.size()) +
@@ -256,7 +259,10 @@ std::string Comparison::text() const {
 }
 
 const Comparison* Judged::closest() const {
-  const auto slack = [](const Comparison& c) { return c.margin().value - c.margin().error; };
+  const auto slack = [](const Comparison& c) {
+    const Estimate m = c.margin();
+    return c.may_be_equal ? m.value + m.error : m.value - m.error;
+  };
   const auto at = std::min_element(comparisons.begin(), comparisons.end(),
                                    [&](auto& a, auto& b) { return slack(a) < slack(b); });
   return at == comparisons.end() ? nullptr : &*at;
@@ -279,9 +285,9 @@ std::string Judged::text() const {
 
 What a comparison is about is told by the cells that were read for it. */
 std::string Statement::taken() {
-  std::vector<std::string> names;
-  for (const std::string& words : reading_.latest)
-    if (std::find(names.begin(), names.end(), words) == names.end()) names.push_back(words);
+  // In an order that no compiler chooses, as it may that of the sides
+  const std::set<std::string> all(reading_.latest.begin(), reading_.latest.end());
+  std::vector<std::string> names(all.begin(), all.end());
   const std::size_t cells = names.size();
   if (cells > 3) names.resize(1);
   std::string out;
@@ -318,6 +324,7 @@ void Statement::answer(const Quantity& found) {
   reading_.latest.clear();
 }
 
+// What a statement reads
 Data Statement::table(const std::string& program, const std::string& name) {
   const Table& found = reading_.tables->of(program, name);
   judged_.is_quick = judged_.is_quick || reading_.tables->is_quick(program);
@@ -333,6 +340,7 @@ Quantity Statement::fact(const std::string& name) {
   return fact(program_, name);
 }
 
+// How it is judged, and how it comes to be known
 Judged Statement::judged(Tables& tables, const std::string& program) {
   judged_ = {}, reading_ = {&tables}, program_ = program;
   judged_.program = program;

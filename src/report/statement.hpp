@@ -81,6 +81,7 @@ struct Unresolved {
   std::string why;
 };
 
+/// The tables of the programs in a folder.
 class Tables {
  public:
   /// `folder` holds a folder of tables for each program.
@@ -119,6 +120,7 @@ struct Key : std::variant<double, std::string> {
   Key(std::string text) : variant(std::move(text)) {}
 };
 
+/// The rows of a table, or some of them.
 class Data {
  public:
   class Row {
@@ -225,6 +227,7 @@ struct Comparison {
   std::string text() const;
 };
 
+/// What a statement found.
 struct Judged {
   std::string program{},
       place{};  ///< the program whose tables decide, and where the statement stands

@@ -172,6 +172,7 @@ Claims read_claims(const std::filesystem::path& path) {
   return out;
 }
 
+// All lists of a volume, and the statement of every row
 static Cases all_rows(const std::filesystem::path& volume) {
   Cases out;
   for (const char* list : {"claims", "findings", "literature"}) {

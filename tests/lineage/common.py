@@ -29,9 +29,17 @@ def of_volume(test):
     return test
 
 
-CLAIMS = ["id", "section", "where", "quantity", "printed", "unit", "class", "tolerance", "answer", "criterion", "assumption",
-          "covered_by", "reason", "cause", "status"]
-LOCK = ["program", "id", "value", "error", "unit", "kind"]
+CLAIMS = ["id", "section", "where", "quantity", "printed", "unit", "tolerance", "assumption", "covered_by", "reason", "cause", "status"]
+LOCK = ["program", "what", "id", "value", "error", "unit", "kind"]
+STATEMENTS = '''/**
+# Statements: a demonstration */
+STATEMENT("a.one") {
+  answer(fact("one"));
+}
+STATEMENT("a.two") {
+  less(1, fact("fact"));
+}
+'''
 FACTS = ["quantity", "value", "error", "unit", "made_by"]
 FACTS_OF_DEMO = ["one", 1.0, 1e-3, "m"], ["other", 1.0, 0.0, ""], ["fact", 2.0, 0.1, ""]
 FIGURES = ["id", "label", "section", "program", "script", "class", "data", "caption", "details"]
@@ -58,7 +66,7 @@ Commands, each with its own --help:
 END
 fi
 """
-REAL = ("value", "error", "seconds")
+REAL = ("value", "error", "margin", "margin_error", "seconds")
 
 
 def table(names, rows):
@@ -77,7 +85,7 @@ def finding(value, error=0.0, unit="", kind="value", id="x"):
 
 
 class Scratch(unittest.TestCase):
-    """A small repository, in which the test stands: one chapter, two claims, three facts, one figure."""
+    """A small repository, in which the test stands: one chapter, two statements, three facts, one figure."""
 
     def setUp(self):
         self.root = Path(tempfile.mkdtemp())
@@ -86,12 +94,12 @@ class Scratch(unittest.TestCase):
         os.chdir(self.root)
         self.write("src/sec1_demo.cpp", "/**\n# 1 A demonstration\n\nIt is [](num:a.one). */\n")
         self.write("paper/claims.ecsv", table(CLAIMS, [
-            ["a.one", "1", "Fig. demo", "one", "1.02", "", "converged", "rel 1e-2", "sec1_demo.one", "", "", "", "they erred", "their ruler",
-             "discrepant"],
-            ["a.two", "1", "text", "two", "yes", "", "claim", "", "", "sec1_demo.fact > 1", "of {a.one}, Section wells", "", "", "",
-             "holds"]]))
+            ["a.one", "1", "Fig. demo", "one", "1.02", "", "rel 1e-2", "", "", "they erred", "their ruler", "discrepant"],
+            ["a.two", "1", "text", "two", "yes", "", "", "of {a.one}, Section wells", "", "", "", "holds"]]))
+        self.write("src/statements/sec1_demo.cpp", STATEMENTS)
         self.write("paper/converged.ecsv", table(LOCK, [
-            ["sec1_demo", "one", 1.0000000000000002, 1e-3, "m", "value"], ["sec1_demo", "fact", 2.0, 0.1, "", "value"]]))
+            ["sec1_demo", "answer", "a.one", 1.0000000000000002, 1e-3, "m", "value"],
+            ["sec1_demo", "margin", "a.two", 0.5, 0.05, "", "value"], ["sec1_demo", "fact", "fact", 2.0, 0.1, "", "headline"]]))
         self.write("figures/figures.ecsv", table(FIGURES, [
             ["01", "demo", "1", "sec1_demo", "fig01.gp", "ER", "facts", "A line.", "(a–c) At $t = \\frac12$."]]))
         self.write("paper/costs.ecsv", table(["program", "seconds"], [["sec1_demo", 3.0]]))
@@ -110,13 +118,15 @@ class Scratch(unittest.TestCase):
         self.assertIn(old, text := self.read(name))
         self.write(name, text.replace(old, new))
 
-    def judged(self, verdict="discrepant"):
+    def judged(self, verdict="discrepant", one=1.0):
         """What `verdicts` would have written."""
-        columns = ["list", "id", "where", "quantity", "printed", "value", "error", "unit", "verdict", "found", "program"]
-        self.write("build/report/claims.ecsv", table(columns, [
-            ["claims", "a.one", "Fig. demo", "one", "1.02", 1.0, 1e-3, "m", verdict, "1 +- 1e-3 m", "sec1_demo"],
-            ["claims", "a.two", "text", "two", "yes", float("nan"), float("nan"), "", "holds", "sec1_demo.fact = 2 +- 0.1 > 1",
-             "sec1_demo"]]))
+        nan = float("nan")
+        self.report(["claims", "a.one", one, 1e-3, "m", nan, nan, verdict, "1 +- 1e-3 m", "judged", "sec1_demo"],
+                    ["claims", "a.two", nan, nan, "", 0.5, 0.05, "holds", "fact: 1 < 2 +- 0.1", "judged", "sec1_demo"])
+
+    def report(self, *rows):
+        columns = ["list", "id", "value", "error", "unit", "margin", "margin_error", "verdict", "found", "state", "program"]
+        self.write("build/report/claims.ecsv", table(columns, rows))
 
     def facts(self, *rows):
         self.computed("sec1_demo/facts.ecsv", table(FACTS, [[*row, "main"] for row in rows]))

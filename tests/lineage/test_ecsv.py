@@ -25,12 +25,12 @@ class Reader(unittest.TestCase):
         self.assertIn("0.10000000000000001", text)
 
     def test_what_cannot_be_read_is_one_line(self):
-        good = table(LOCK, [["p", "a", 1.0, 0.0, "", "value"], ["p", "b", 2.0, 0.0, "", "value"]])
+        good = table(LOCK, [["p", "fact", "a", 1.0, 0.0, "", "value"], ["p", "fact", "b", 2.0, 0.0, "", "value"]])
         for bad, message in [("", "t: not a table (it is empty)"), (good[:300], "t: not a table (it ends in its header)"),
-                             (good[:-9], "row 2: 5 cells under 6 columns"), (good[:-1], "t: row 2: the file is cut off"),
-                             (good.replace("p,b,2", "p,b,two"), "t: row 2: 'two' in the column 'value' is not a number"),
-                             (good.replace("p,b,", 'p,"b,'), "t: unbalanced quotes"),
-                             (good.replace("program,id", "program,name"), "column names above the rows")]:
+                             (good[:-9], "row 2: 6 cells under 7 columns"), (good[:-1], "t: row 2: the file is cut off"),
+                             (good.replace("b,2", "b,two"), "t: row 2: 'two' in the column 'value' is not a number"),
+                             (good.replace("t,b,", 't,"b,'), "t: unbalanced quotes"),
+                             (good.replace("program,what", "program,name"), "column names above the rows")]:
             with self.assertRaises(ecsv.Fault) as caught:
                 ecsv.parse(bad, "t")
             self.assertIn(message, str(caught.exception))
@@ -58,18 +58,18 @@ class Files(Scratch):
     def test_what_means_nothing(self):
         text = self.read("paper/claims.ecsv")
         self.write("paper/claims.ecsv", text + text.splitlines()[-1].replace('two,yes', 'again,yes') + "\n")
-        for verb in ("show a.one", "lock", "refresh", "macros"):
+        for verb in ("show a.one", "refresh", "macros"):
             self.refuses(verb, "claims.ecsv: row 3: two claims for 'a.two' (the first: row 2)")
         self.write("paper/claims.ecsv", text)
         for rows, words in [([["fact", 1.0, 0.1, ""]] * 2, "row 2: two values for 'fact'"),
                             ([["fact", 1.0, -0.1, ""]], "row 1: fact: the error -0.1 is negative")]:
             self.facts(*rows)
-            self.refuses("lock", "sec1_demo/facts.ecsv: " + words)
+            self.refuses("show a.one", "sec1_demo/facts.ecsv: " + words)
         self.facts()
         self.change("paper/converged.ecsv", "m,value", "m,vaule")
-        self.refuses("refresh", "converged.ecsv: row 1: one: the kind 'vaule' is unknown")
+        self.refuses("refresh", "converged.ecsv: row 1: a.one: the kind 'vaule' is unknown")
         (self.root / "build/data").rename(self.root / "build/gone")
-        self.refuses("lock", "build/data is missing: compute it first")
+        self.refuses("accept", "build/data is missing: compute it first")
         (self.root / "paper/converged.ecsv").unlink()
         self.refuses("macros", "converged.ecsv is missing")
 
@@ -77,11 +77,11 @@ class Files(Scratch):
         """Also if no number is read from it; a header does not count."""
         self.computed("sec1_demo/speeds.ecsv", table(["value"], [[1.0], [2.0]]))
         self.write("apt-packages.txt", "")
-        changed, readers = "changed since sec1_demo wrote it; remove it to recompute it", ("lock", "show a.one", "tables")
+        changed, readers = "changed since sec1_demo wrote it; remove it to recompute it", ("show a.one", "tables")
         for path, old, new, words, verbs in [
-                (self.FACTS, r"(?s).*", "", "not a table (it is empty)", readers[:2]), (self.FACTS, r"(?s).{12}$", "", "row 3: ", readers[:2]),
+                (self.FACTS, r"(?s).*", "", "not a table (it is empty)", readers[:1]), (self.FACTS, r"(?s).{12}$", "", "row 3: ", readers[:1]),
                 (self.FACTS, "one,1,", "one,2,", changed, readers), (self.FACTS, r"fact,.*\n", "", changed, readers),
-                (self.FACTS, "# - {tables: .*\n", "", changed, readers[:2]), (self.SPEEDS, "\n2\n", "\n3\n", changed, readers)]:
+                (self.FACTS, "# - {tables: .*\n", "", changed, readers[:1]), (self.SPEEDS, "\n2\n", "\n3\n", changed, readers)]:
             good = self.read(path)
             self.write(path, re.sub(old, new, good, count=1))
             for verb in verbs:
@@ -96,8 +96,7 @@ class Files(Scratch):
     def test_a_run_that_has_lost_a_table_is_made_again(self):
         self.computed("sec1_demo/speeds.ecsv", table(["value"], [[1.0], [2.0]]))
         (self.root / self.SPEEDS).unlink()
-        for verb in ("lock", "show a.one"):
-            self.refuses(verb, f"{self.SPEEDS} is missing")
+        self.refuses("show a.one", f"{self.SPEEDS} is missing")
         facts = self.read(self.FACTS)
         self.assertEqual(self.lineage("tables"), (0, f"  missing  {self.SPEEDS}: its program will run again\n", ""))
         self.assertFalse((self.root / self.FACTS).exists())

@@ -10,6 +10,7 @@ from common import Scratch
 
 class Show(Scratch):
     def test_one_number(self):
+        self.judged()
         self.write("book/commands.txt", "a.one build/bin/sec1_demo one --exactly # exact\n")
         out = self.lineage("show", "a.one")[1]
         for line in ["printed    1.02", "converged  1.000 m", "error      0.001", "verdict    discrepant",
@@ -20,13 +21,16 @@ class Show(Scratch):
             self.assertIn(f"  {line}", out)
         self.assertIn("converged  1\n", self.lineage("show", "sec1_demo.other")[1])
         (self.root / "build/data/sec1_demo/facts.ecsv").unlink()
+        (self.root / "build/report/claims.ecsv").unlink()
         self.assertIn("not computed here yet", self.lineage("show", "sec1_demo.fact")[1])
 
     def test_the_verdict_is_the_one_that_was_given_or_that_is_recorded(self):
-        self.assertIn("verdict    holds\n  condition  sec1_demo.fact > 1\n  assuming   of 1.000, Section wells", self.lineage("show", "a.two")[1])
+        out = self.lineage("show", "a.two")[1]
+        self.assertIn("verdict    holds\n  found      not run\n  judged     src/statements/sec1_demo.cpp:6 (not run)\n  assuming   of 1.000, Section wells", out)
         self.judged("reproduced")
         self.assertIn("verdict    reproduced\n", self.lineage("show", "a.one")[1])
-        self.assertIn("condition  sec1_demo.fact = 2 +- 0.1 > 1\n", self.lineage("show", "a.two")[1])
+        self.assertIn("found      fact: 1 < 2 +- 0.1\n  judged     src/statements/sec1_demo.cpp:6\n", self.lineage("show", "a.two")[1])
+        self.change("src/statements/sec1_demo.cpp", 'STATEMENT("a.two")', 'STATEMENT("a.new") {\n}\nSTATEMENT("a.two")')
         text = self.read("paper/claims.ecsv")
         self.write("paper/claims.ecsv", text + text.splitlines()[-1].replace("a.two", "a.new") + "\n")
         self.assertIn("verdict    holds", self.lineage("show", "a.new")[1])  # not judged yet
@@ -37,7 +41,7 @@ class Show(Scratch):
         self.assertEqual(err.getvalue(), "lineage show: cannot write to standard output (Bad file descriptor)\n")
 
     def test_the_command_line(self):
-        for arguments in (["lock", "--dat"], ["show"], ["show", "a.one", "a.two"]):
+        for arguments in (["hashes", "--dat"], ["show"], ["show", "a.one", "a.two"]):
             code, out, err = self.lineage(*arguments)
             self.assertEqual((code, out, err.count("\n")), (2, "", 1), err)
         self.refuses("show a.on", "lineage show: ID: there is no number 'a.on' (near it: a.one, a.two)\n", code=2)

@@ -54,7 +54,7 @@ class Paper(Scratch):
                      "figure x06")
         self.assertFalse((self.root / "build/paper").exists())
         self.write("paper/paper.tex", GOOD)
-        self.change("paper/converged.ecsv", "sec1_demo,one", "sec1_demo,none")
+        self.change("paper/converged.ecsv", "a.one", "a.none")
         self.refuses("macros", "\\num{a.one} refers to nothing")
 
     def test_every_discrepant_claim_has_its_row(self):

@@ -20,10 +20,25 @@ def show(given):
     show_one(given.root, given.data, given.id)
 
 
-def lock(given):
-    need(given.data)
-    from .lock import check, renew
-    return (check if given.check else renew)(given.root, given.data)
+def accept(given):
+    """Values and bytes of both runs; prose follows by `refresh`."""
+    from . import hashes as bytes_of, lock as values
+    if not given.check:
+        need(given.data)
+        bytes_of.renew(given.root, (given.data, given.quick))
+        return values.renew(given.root, given.data)
+    for folder in (given.data, given.quick):
+        need(folder)
+    moved = values.check(given.root, given.data)
+    tables = {*bytes_of.told(given.root, given.data, "full"), *bytes_of.told(given.root, given.quick, "quick")}
+    if not moved and not tables:
+        return 0
+    if not bytes_of.is_here(given.root, given.data) and not moved:
+        return bytes_of.OTHER_PROCESSOR
+    call = "make accept" if Path(given.root).name != "beyond" else "make volume=beyond accept"
+    said = [f"{n} {word}{'s' * (n != 1)}" for n, word in ((len(tables), "table"), (moved, "value"))]
+    print(f"{', '.join(said)} changed; if you meant it: {call}")
+    return 1
 
 
 def tables(given):
@@ -37,11 +52,9 @@ def tables(given):
 
 
 def hashes(given):
-    from .hashes import check, renew
-    if given.check:
-        need(given.data)
-        return check(given.root, given.data, given.run_of, given.against)
-    renew(given.root, (given.data, given.quick))
+    need(given.data)
+    from .hashes import compare
+    return compare(given.root, given.data, given.run_of, given.against)
 
 
 def refresh(given):
@@ -78,15 +91,15 @@ def reader():
         return sub
 
     verb(show, "show one number: printed, converged, error, verdict, figure, command", "data").add_argument("id")
-    kept = verb(lock, "renew the reference values paper/converged.ecsv and print changes", "data")
-    kept.add_argument("--check", action="store_true", help="only report values that are gone or outside their errors; exit code 1 if any")
+    kept = verb(accept, "record values and bytes in paper/converged.ecsv and paper/hashes.ecsv, and print what moved", "data", "quick")
+    kept.add_argument("--check", action="store_true", help="only report what changed; exit code 1 if anything did, 77 if it is bytes on "
+                                                           "another kind of processor")
     verb(tables, "check that tables are as their programs wrote them; a program whose table is missing will run again",
          "data").add_argument("files", nargs="*", help="only the tables among these files")
-    same = verb(hashes, "record the checksums of all tables in paper/hashes.ecsv", "data", "quick")
-    same.add_argument("--check", action="store_true", help="only report what differs; exit code 1 if anything does, 77 if "
-                                                           "the processor is not that of the record")
+    same = verb(hashes, "compare the bytes of all tables with paper/hashes.ecsv; exit code 1 if any differ, 77 if the processor is "
+                        "not that of the record", "data")
     same.add_argument("--run", dest="run_of", choices=("full", "quick"), default="full",
-                      help="with --check: which run the folder of --data holds (default: %(default)s)")
+                      help="which run the folder of --data holds (default: %(default)s)")
     same.add_argument("--against", help="folder of the tables from another platform, to report the rows that differ")
     stale = verb(refresh, "write the reference values into the prose, and renew the tables of the pages", "costs")
     stale.add_argument("--check", action="store_true", help="only report what is stale; exit code 1 if anything is")

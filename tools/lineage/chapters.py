@@ -9,7 +9,7 @@ import re
 from pathlib import Path
 
 from . import ecsv
-from .claims import QUOTED, program_of, programs_of
+from .claims import QUOTED, programs_of
 from .values import with_digits
 from .volumes import article
 
@@ -20,7 +20,7 @@ COSTS = [ecsv.Column("program", "string", "chapter of src/"),
 def explained_by(id, claims, known=()):
     """The programs behind a claim: the one that answers it, then those of the facts that its reason quotes, and those
     behind the claims that it names or follows from."""
-    claim, programs = claims[id], [program_of(claims[id])]
+    claim, programs = claims[id], [claims[id]["program"]]
     named = [name for name in claims if re.search(rf"(?<![\w.]){re.escape(name)}(?!\w)", claim["reason"])]
     for name in QUOTED.findall(claim["reason"]) + [claim["covered_by"].partition("^")[0]] + named:
         if name not in claims and "." in name:
@@ -87,12 +87,12 @@ def measured_costs(folder, which=0):
 
 def renewed_costs(root, measured):
     """The costs of all programs that exist, nan where nobody has measured one. A time is renewed when it has moved by
-    more than a fifth and by more than half a second, since a refreshed page should not show noise. None is less than the
-    tenth of a second that is the least to be measured."""
+    more than a factor of two and by more than half a second, since a refreshed page should not show noise. None is less than
+    the tenth of a second that is the least to be measured."""
     known, out = read_costs(root), {}
     for program in programs_of(root):
         was, now = known.get(program, math.nan), measured.get(program, math.nan)
-        moved = not math.isnan(now) and not abs(now - was) < max(0.5, 0.2 * now)
+        moved = not math.isnan(now) and not (abs(now - was) < 0.5 or 0.5 < now / was < 2)
         out[program] = max(0.1, float(with_digits(now, 2))) if moved else was
     return out
 

@@ -1,9 +1,10 @@
 """What is claimed, beside what was found. The lists of a volume (paper/claims.ecsv, findings.ecsv, literature.ecsv) say
-what is printed and which facts decide it. The program `verdicts` judges and writes build/report/claims.ecsv. Both are read
-here, for README, book and paper, and nothing is judged.
+what is printed; a function of src/statements decides each row. The program `verdicts` judges and writes
+build/report/claims.ecsv. All three are read here, for README, book and paper, and nothing is judged.
 
-A fact goes by `program.quantity`; the id of a claim is another name of the fact that answers it."""
+A fact goes by `program.quantity`, the answer to a statement by the statement's id."""
 
+import math
 import re
 from dataclasses import replace
 from pathlib import Path
@@ -12,8 +13,7 @@ from . import ecsv
 from .values import Finding, distance
 from .volumes import article
 
-COLUMNS = ("id", "section", "where", "quantity", "printed", "unit", "class", "tolerance", "answer", "criterion", "assumption",
-           "covered_by", "reason", "cause", "status")
+COLUMNS = ("id", "section", "where", "quantity", "printed", "unit", "tolerance", "assumption", "covered_by", "reason", "cause", "status")
 KINDS = {"proved": "by an argument that is written out in the chapter",
          "enclosed": "by interval arithmetic: a theorem, of which a program is a part",
          "computed": "a converged number with its error",
@@ -23,7 +23,7 @@ OBTAINED = {"text": "read in its text", "data": "read in its data", "abstract": 
 MEANT = re.compile(r"^\| ([a-z, ]+?) \| (.+?) \|$", re.M)
 QUOTED = re.compile(r"\{([a-z]\w*\.\w+)\}")
 NUMBERS = re.compile(r"\[[^\]]*\]\(num:([^)]+)\)")
-FACTS = re.compile(r"\b(sec\w+\.\w+)")
+STATEMENT = re.compile(r'^STATEMENT\("([\w.]+)"\)', re.M)
 QUOTE = re.compile(r"(\[[^\]]*\])?\(finding:([^)\n]*)(\)?)")
 
 
@@ -33,9 +33,24 @@ def meanings():
     return {word: text for word, text in MEANT.findall(ecsv.text_of(header)) if word != "verdict"}
 
 
+def read_statements(root):
+    """Where the statements of a volume are judged, by id: (program, path, line)."""
+    out = {}
+    for path in sorted((Path(root) / "src/statements").glob("*.cpp")):
+        text = ecsv.text_of(path)
+        out.update({found[1]: (path.stem, path, text.count("\n", 0, found.start()) + 1) for found in STATEMENT.finditer(text)})
+    return out
+
+
 def read_list(root, name, columns):
+    """The rows of a list by id, each with the `program` whose tables decide it."""
     path = Path(root) / f"paper/{name}.ecsv"
-    return ecsv.read(path, columns).by("id", name) if path.exists() else {}
+    rows, where = ecsv.read(path, columns).by("id", name) if path.exists() else {}, read_statements(root)
+    for id, row in rows.items():
+        if id not in where:
+            raise row.fault(f"{id}: no statement in src/statements judges it")
+        row["program"] = where[id][0]
+    return rows
 
 
 def read_claims(root):
@@ -45,17 +60,17 @@ def read_claims(root):
 
 def read_findings(root):
     """What we found in this volume, by id."""
-    return read_list(root, "findings", ("id", "sentence", "kind", "range", "tried", "criterion", "second", "figure", "front"))
+    return read_list(root, "findings", ("id", "sentence", "kind", "range", "tried", "second", "figure", "front"))
 
 
 def read_literature(root):
     """Numbers that other authors have printed, by id."""
-    return read_list(root, "literature", ("id", "quantity", "printed", "unit", "answer", "obtained", "citation", "where", "note"))
+    return read_list(root, "literature", ("id", "quantity", "printed", "unit", "obtained", "citation", "where", "note"))
 
 
-def program_of(row):
-    """The program whose facts decide a row."""
-    return (row.get("answer") or row["criterion"]).partition(".")[0]
+def read_every(root):
+    """All rows of a volume's lists."""
+    return (read_claims(root) if Path(root) == article(root) else {}) | read_findings(root) | read_literature(root)
 
 
 def is_number(printed):
@@ -63,13 +78,20 @@ def is_number(printed):
     return bool(re.match(r"-?[.\d]", printed))
 
 
+def report_of(root, report=None):
+    return Path(report or article(root) / "build/report") / ("claims.ecsv" if Path(root) == article(root) else "claims_beyond.ecsv")
+
+
+def read_judged(root, report=None):
+    """The rows that `verdicts` has written for this volume, by id."""
+    path = report_of(root, report)
+    return ecsv.read(path, ("id", "verdict", "found", "state")).by("id", "verdicts") if path.exists() else {}
+
+
 def read_verdicts(root, report=None):
-    """The rows that `verdicts` has written for this volume, by id; of what it has not judged yet, what the list of claims records."""
-    name = "claims.ecsv" if Path(root) == article(root) else "claims_beyond.ecsv"
-    path = Path(report or article(root) / "build/report") / name
-    written = ecsv.read(path, ("id", "verdict", "found")).by("id", "verdicts") if path.exists() else {}
-    rows = (read_claims(root) if name == "claims.ecsv" else {}) | read_findings(root) | read_literature(root)
-    return {id: {"verdict": row.get("status", "holds"), "found": row.get("criterion", "")} for id, row in rows.items()} | written
+    """The same; of what has not been judged, what the lists record."""
+    every, known = read_every(root), read_judged(root, report)
+    return {id: known.get(id, {"verdict": row.get("status", "holds"), "found": "not run", "state": "not run"}) for id, row in every.items()}
 
 
 # Numbers by name
@@ -87,38 +109,47 @@ def runs_of(data, programs):
 
 
 def read_facts(data, programs):
-    """The facts of the programs that have run, by (program, id); Fault if any of their tables was changed since."""
+    """The facts of the programs that have run, by (program, "fact", id); Fault if any of their tables was changed since."""
     out = {}
     for program, path in runs_of(data, programs):
         for id, row in ecsv.read_written(path, ("quantity", "value")).by("quantity", "values").items():
             error = float(row.get("error", 0))
             if error < 0:
                 raise row.fault(f"{id}: the error {error:g} is negative")
-            out[program, id] = Finding(program, id, float(row["value"]), error, row.get("unit", ""),
-                                       made_by=row.get("made_by", ""), row=row.number)
+            out[program, "fact", id] = Finding(program, id, float(row["value"]), error, row.get("unit", ""),
+                                               made_by=row.get("made_by", ""), row=row.number)
     ecsv.check_all_written(data)
     return out
 
 
-def by_name(facts, claims):
-    """Facts by their names, `facts` being those by (program, id), and by the ids of the claims that they answer."""
-    out = {f"{program}.{id}": f for (program, id), f in facts.items()}
-    return out | {id: out[c["answer"]] for id, c in claims.items() if c["answer"] in out}
+def read_answers(root, report=None):
+    """What statements that were judged on full runs found, by (program, answer or margin, id): numbers, and the least
+    margin of comparisons."""
+    out = {}
+    for id, row in read_judged(root, report).items():
+        for what, value, error in (("answer", "value", "error"), ("margin", "margin", "margin_error")):
+            if row["state"] == "judged" and not math.isnan(row[value]):
+                found = Finding(row["program"], id, row[value], row[error], row["unit"], what=what)
+                out[found.key] = found
+    return out
+
+
+def by_name(found):
+    """Facts and answers by their names."""
+    return {f.name: f for f in found.values() if f.what != "margin"}
 
 
 def quoted_in(row):
     """The names of all numbers of ours that a row of a list mentions."""
     texts = [str(text) for text in row.values()]
-    names = {name for text in texts for name in [*QUOTED.findall(text), *NUMBERS.findall(text)]}
-    names.update(FACTS.findall(row.get("criterion", "") + " " + row.get("answer", "")))
-    return (names | {row.get("covered_by", "").partition("^")[0]}) - {"", "method", "memory"}
+    return {name for text in texts for name in [*QUOTED.findall(text), *NUMBERS.findall(text)]}
 
 
 def said(text, numbers):
     """A text of the list of claims with our numbers, by their names, in the places of these, `{pn.omega11}`."""
     def shown(m):
         if m[1] not in numbers:
-            raise ecsv.Fault(f"paper/claims.ecsv: there is no number '{m[1]}' (a new number: make lock)")
+            raise ecsv.Fault(f"paper/claims.ecsv: there is no number '{m[1]}' (a new number: make accept)")
         return numbers[m[1]].shown
 
     return QUOTED.sub(shown, text)
@@ -171,7 +202,7 @@ def with_kind(row):
 def in_plain(sentence, numbers):
     """The sentence with its numbers as texts, by their names."""
     if lost := [name for name in NUMBERS.findall(sentence) if name not in numbers]:
-        raise ecsv.Fault(f"paper/findings.ecsv: there is no reference value '{lost[0]}' (a new one: make lock)")
+        raise ecsv.Fault(f"paper/findings.ecsv: there is no reference value '{lost[0]}' (a new one: make accept)")
     return NUMBERS.sub(lambda m: numbers[m[1]].shown_as_interval if m[0].startswith("[to]") else numbers[m[1]].shown, sentence)
 
 

@@ -110,35 +110,45 @@ def differences(record, data, programs, run):
             yield (program, "facts"), Path(data) / program / "facts.ecsv", "not there: the program did not finish"
 
 
-def check(root, data, run, against=None):
-    """The verb with --check: 0, 1 if a table differs, 77 if it does on another kind of processor. A folder of tables
-    from another platform, `against`, tells in which row."""
-    (record, meta), programs = read_record(root), programs_of(root)
-    found, told, moved = tables_in(data, programs), 0, 0
+def told(root, data, run, against=None):
+    """Prints the tables of a run that differ from the record, and returns them. A folder of tables from another platform,
+    `against`, tells in which row."""
+    record, programs = read_record(root)[0], programs_of(root)
+    found, out = tables_in(data, programs), []
     if not found:
         raise ecsv.Fault(f"{data}: no program has finished here")
     for path in found.values():
         ecsv.check_run(path, ecsv.text_of(path), run == "quick")
     for key, path, word in differences(record, data, programs, run):
-        told, moved = told + 1, moved + (key in found)
+        out.append(key)
         twin = Path(against or "") / key[0] / path.name
         if against and path.exists() and twin.exists():
             word += "; " + first_difference(path, twin, record.get(key, Entry()).left_out)
         print(f"  differs  {path}: {word}")
-    print(f"hashes     : {len(found) - moved} of {len(found)} tables of the {run} run have the recorded bytes")
-    if not told:
-        return 0
+    print(f"bytes      : {len(found) - len([key for key in out if key in found])} of {len(found)} tables of the {run} run are as recorded")
+    return out
+
+
+def is_here(root, data):
+    """Whether the record was made on this kind of processor; else it says so."""
+    meta, found = read_record(root)[1], tables_in(data, programs_of(root))
+    if meta.get("processor") == platform.machine():
+        return True
     print(f"             here     {maker_of(next(iter(found.values())))}, {platform.machine()}")
     print(f"             recorded {meta.get('maker', 'unknown')}, {meta.get('processor', 'unknown')}")
-    if meta.get("processor") == platform.machine():
-        print("             after an intended change: make hashes; if values moved within their errors: make lock")
-        return 1
     print("             a different kind of processor may give different bytes (CONTRIBUTING.md)")
-    return OTHER_PROCESSOR
+    return False
+
+
+def compare(root, data, run, against=None):
+    """The verb: 0, 1 if a table differs, 77 if it does on another kind of processor."""
+    if not told(root, data, run, against):
+        return 0
+    return 1 if is_here(root, data) else OTHER_PROCESSOR
 
 
 def renew(root, folders):
-    """The verb: records what is in the folders of the runs, keeps what is written by hand, and says what moved."""
+    """Records what is in the folders of the runs, keeps what is written by hand, and says what moved."""
     programs = programs_of(root)
     record = read_record(root)[0] if record_of(root).exists() else {}
     now = {key: Entry(left_out=e.left_out, reason=e.reason) for key, e in record.items() if key[0] in programs}
@@ -146,7 +156,7 @@ def renew(root, folders):
     for run, data in zip(RUNS, folders):
         found = tables_in(data, programs)
         if missing := [p for p in programs if (p, "facts") not in found]:
-            raise ecsv.Fault(f"{data}: {', '.join(missing)} did not finish (make hashes runs everything)")
+            raise ecsv.Fault(f"{data}: {', '.join(missing)} did not finish (make accept runs everything)")
         ecsv.check_all_written(data)
         for key, path in found.items():
             ecsv.check_run(path, ecsv.text_of(path), run == "quick")
@@ -164,4 +174,4 @@ def renew(root, folders):
     rows = [dict(zip((c.name for c in COLUMNS), (*key, e.full, e.quick, e.left_out, e.reason))) for key, e in sorted(now.items())]
     ecsv.write_whole(record_of(root), ecsv.to_text(ecsv.Table(COLUMNS, rows, {
         "title": "The bytes of all tables", "maker": maker, "processor": platform.machine()})))
-    print(f"hashes     : {' and '.join(counts)}, in {record_of(root)}")
+    print(f"bytes      : {' and '.join(counts)}, in {record_of(root)}")

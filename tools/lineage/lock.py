@@ -1,7 +1,8 @@
-"""The lock, paper/converged.ecsv: what we found, with its error.
+"""The reference values, paper/converged.ecsv: what we found, with its error.
 
-A fact is locked if it decides a claim or a finding, if the prose, the paper or the book quotes it, or if somebody has
-marked it as a `headline` in its last column; all others are not. A fresh value has to agree with the locked one within the sum of the two errors.
+It has the answer to every statement that is a number, the least margin of every other one, and the facts that prose, paper
+or book quote, or that somebody has marked as a `headline` in the last column. A fresh value has to agree with the locked
+one within the sum of the two errors.
 
 The programs give the same bits on every machine, but another compiler or mathematical library may round a
 logarithm differently, so that a relative difference of 1e-12 is always allowed. A `residue` is itself made of
@@ -13,14 +14,15 @@ from pathlib import Path
 
 from . import ecsv
 from .chapters import read_commands
-from .claims import programs_of, quoted_in, read_claims, read_facts, read_findings, read_literature, read_second
+from .claims import programs_of, quoted_in, read_answers, read_every, read_facts, read_second
 from .values import Finding, distance
 from .volumes import joined, volumes
 
 KINDS = ("value", "residue", "headline")
 COLUMNS = [
     ecsv.Column("program", "string", "program that computes it"),
-    ecsv.Column("id", "string", "quantity of the program's facts"),
+    ecsv.Column("what", "string", "fact; answer to a statement; margin: least one of its comparisons, relative to the larger side"),
+    ecsv.Column("id", "string", "quantity of the program's facts, or statement"),
     ecsv.Column("value", "float64", "converged value"),
     ecsv.Column("error", "float64", "absolute error; 0 for an exact value"),
     ecsv.Column("unit", "string", "unit of value and error"),
@@ -34,10 +36,10 @@ def lock_of(root):
 
 
 def read_lock(root):
-    """The locked findings by (program, id)."""
+    """The locked values by (program, what, id)."""
     out = {}
-    for key, row in ecsv.read(lock_of(root), [c.name for c in COLUMNS]).by(("program", "id")).items():
-        found = Finding(*(row[c.name] for c in COLUMNS))
+    for key, row in ecsv.read(lock_of(root), [c.name for c in COLUMNS]).by(("program", "what", "id")).items():
+        found = Finding(**{c.name: row[c.name] for c in COLUMNS})
         if found.kind not in KINDS:
             raise row.fault(f"{found.id}: the kind '{found.kind}' is unknown (allowed: {', '.join(KINDS)})")
         if found.error < 0:
@@ -65,21 +67,20 @@ def uncommented(tex):
 
 
 def quoted(root):
-    """The names of all facts that prose, paper, book, the lists of claims and findings or the second route quote, in both
-    volumes; for the id of a claim the fact that answers it."""
-    all, claims = volumes(root), read_claims(root)
-    out = set().union(*(map(quoted_in, [*claims.values(), *joined(read_findings, all).values(), *joined(read_literature, all).values()])),
-                      *(joined(read, all) for read in (read_second, read_commands)))
+    """The names of all numbers that prose, paper, book, the lists of claims and findings or the second route quote, in both
+    volumes."""
+    all = volumes(root)
+    out = set().union(*map(quoted_in, joined(read_every, all).values()), *(joined(read, all) for read in (read_second, read_commands)))
     for folder in all:
         for path in sources(folder) + sorted((folder / "book").glob("*.md")):
             out.update(re.findall(r"\]\(num:([^)]+)\)", ecsv.text_of(path)))
         for path in sorted((folder / "paper").glob("*.tex")):
             out.update(re.findall(r"\\(?:num|both)\{([^}#]+)\}", uncommented(ecsv.text_of(path))))
-    return {claims[name]["answer"] if name in claims else name for name in out} - {"...", ""}
+    return out - {"...", ""}
 
 
 def is_kept(finding, names):
-    return finding.kind == "headline" or f"{finding.program}.{finding.id}" in names
+    return finding.what != "fact" or finding.kind == "headline" or finding.name in names
 
 
 # Locked and fresh
@@ -88,7 +89,7 @@ def is_kept(finding, names):
 def renewed(locked, fresh, programs, kept):
     """The new lock: the fresh values that `kept` accepts, with the kinds that stand. A program that has not been
     run keeps its rows, a program that no longer exists loses them."""
-    run = {program for program, _ in fresh}
+    run = {program for program, *_ in fresh}
     out = {key: replace(f, kind=locked[key].kind if key in locked else "value") for key, f in fresh.items()}
     out.update({key: f for key, f in locked.items() if key[0] in programs and key[0] not in run})
     return {key: f for key, f in out.items() if kept(f)}
@@ -97,7 +98,7 @@ def renewed(locked, fresh, programs, kept):
 def changes(locked, now, kept):
     """A line for each difference, to be signed by whoever renews the lock."""
     for key, was in locked.items():
-        place = " ".join(key)
+        place = f"{was.program} {was.id}" if was.what == "fact" else f"{was.id} ({was.what})"
         if key not in now:
             yield f"  gone     {place}: was {was.shown}" if kept(was) else f"  dropped  {place}: nothing quotes it"
             continue
@@ -108,14 +109,18 @@ def changes(locked, now, kept):
                    + ("  <- outside" if apart > 1 else ""))
     for key in now:
         if key not in locked:
-            yield f"  new      {' '.join(key)}: {now[key].shown}"
+            f = now[key]
+            yield f"  new      {f.program} {f.id}: {f.shown}" if f.what == "fact" else f"  new      {f.id} ({f.what}): {f.shown}"
+
+
+def fresh_values(root, data):
+    return read_facts(data, programs_of(root)) | read_answers(root, Path(data).parent / "report")
 
 
 def renew(root, data):
-    """The verb: writes the lock and says what moved."""
+    """Writes the reference values and says what moved."""
     programs, names = programs_of(root), quoted(root)
-    locked = read_lock(root) if lock_of(root).exists() else {}
-    fresh = read_facts(data, programs)
+    locked, fresh = read_lock(root) if lock_of(root).exists() else {}, fresh_values(root, data)
 
     def kept(finding):
         return is_kept(finding, names)
@@ -123,14 +128,13 @@ def renew(root, data):
     now = renewed(locked, fresh, programs, kept)
     said = list(changes(locked, now, kept))
     ecsv.write_whole(lock_of(root), lock_text(now))
-    print(*said, f"lock       : {len(now)} values ({len(fresh)} computed), {len(said)} changes, in {lock_of(root)}", sep="\n")
+    print(*said, f"values     : {len(now)} ({len(fresh)} computed), {len(said)} changes, in {lock_of(root)}", sep="\n")
 
 
 def check(root, data):
-    """The verb with --check: says which locked values are gone, or farther than the sum of the errors."""
-    programs = programs_of(root)
-    locked, fresh = read_lock(root), read_facts(data, programs)
+    """Says which locked values are gone, or farther than the sum of the errors, and returns how many."""
+    locked, fresh = read_lock(root), fresh_values(root, data)
     moved = [line for line in changes(locked, {key: f for key, f in fresh.items() if key in locked}, lambda f: True)
              if "moved" not in line or "outside" in line]
-    print(*moved, f"lock       : {len(locked) - len(moved)} of {len(locked)} values within the sum of the errors", sep="\n")
-    return bool(moved)
+    print(*moved, f"values     : {len(locked) - len(moved)} of {len(locked)} within the sum of the errors", sep="\n")
+    return len(moved)

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from . import ecsv
 from .chapters import article_tests, costs_text, renewed_costs
-from .claims import by_name, check_quotations, in_plain, meanings, program_of, programs_of, read_claims, read_findings, read_verdicts
+from .claims import by_name, check_quotations, in_plain, meanings, programs_of, read_claims, read_findings, read_verdicts
 from .lock import read_lock, sources
 from .volumes import article, below, joined
 
@@ -29,7 +29,7 @@ def with_numbers(text, numbers):
         if brackets is None or not end:
             raise ecsv.Fault(f"a link without brackets: {found[0]}")
         if id not in numbers:
-            raise ecsv.Fault(f"there is no reference value '{id}' (a new one: make lock)")
+            raise ecsv.Fault(f"there is no reference value '{id}' (a new one: make accept)")
         if re.search(r"\bto\b", brackets):
             return f"[{numbers[id].shown_as_interval}](num:{id})"
         row = text[text.rfind("\n", 0, found.start()) + 1:].startswith("|")
@@ -45,7 +45,7 @@ def with_marked_numbers(text, numbers):
         raise ecsv.Fault("the two marks of a number do not match")
     for id in MARK.findall(text):
         if id not in numbers:
-            raise ecsv.Fault(f"there is no reference value '{id}' (a new one: make lock)")
+            raise ecsv.Fault(f"there is no reference value '{id}' (a new one: make accept)")
     return MARK.sub(lambda found: f"<!--num:{found[1]}-->{numbers[found[1]].shown}<!--/-->", text)
 
 
@@ -94,7 +94,7 @@ def index_rows(root, figures):
     claims, tests = read_claims(root), article_tests(root)
     rows = []
     for program in programs_of(root):
-        lines = sorted(tests[id] for id, claim in claims.items() if program_of(claim) == program and id in tests)
+        lines = sorted(tests[id] for id, claim in claims.items() if claim["program"] == program and id in tests)
         section, title = re.match(r"/\*\*\n# (\w[\w.]*):? (.*)", ecsv.text_of(Path(root) / f"src/{program}.cpp")).groups()
         shown = [id for id, row in figures.items() if row["program"] == program]
         link = f"[line\u00a0{lines[0]}](tests/article.cpp#L{lines[0]})" if lines else ""
@@ -144,7 +144,7 @@ def fresh_texts(root, measured):
     """(path, fresh text) of every file that is generated, or is in part, in which something could be stale."""
     root = Path(root)
     claims = read_claims(root)
-    numbers = by_name(joined(read_lock, below(root)), claims)
+    numbers = by_name(joined(read_lock, below(root)))
     check_quotations(read_findings(root), {path: ecsv.text_of(path) for path in sources(root) + sorted((root / "paper").glob("*.tex"))})
 
     def fresh(path, change):

@@ -6,8 +6,8 @@ import re
 
 from . import ecsv
 from .chapters import chapter_of, explained_by, read_commands, read_costs, run_of, shown_cost
-from .claims import (agrees, by_name, in_plain, program_of, programs_of, read_claims, read_facts, read_findings, read_second,
-                     read_verdicts, runs_of, said)
+from .claims import (agrees, by_name, in_plain, programs_of, read_answers, read_claims, read_facts, read_findings, read_second,
+                     read_statements, read_verdicts, runs_of, said)
 from .lock import read_lock
 from .refresh import command_of, read_figures
 from .volumes import joined, volumes
@@ -17,6 +17,14 @@ def figures_of(claim, figures):
     """The figures that the claim's place in the article names by their labels."""
     words = set(re.findall(r"\w+", claim["where"]))
     return [id for id, f in figures.items() if f["label"] and f["label"] in words]
+
+
+def judged(id, root, verdict):
+    """How a statement was judged: what was compared, and the line of its function."""
+    _, path, line = joined(read_statements, volumes(root))[id]
+    for text in verdict["found"].split("; "):
+        yield "found", text
+    yield "judged", f"{path}:{line}" + (f" ({verdict['state']})" if verdict["state"] != "judged" else "")
 
 
 def of_number(name, finding, claims, numbers, verdict, root):
@@ -31,12 +39,11 @@ def of_number(name, finding, claims, numbers, verdict, root):
         yield "error", finding.shown_error
     if claim:
         yield "verdict", verdict["verdict"]
-        for condition in verdict["found"].split("; ") if claim["criterion"] else ():
-            yield "condition", condition
+        yield from judged(name, root, verdict)
         for word, key in (("assuming", "assumption"), ("why", "reason")):
             if claim[key]:
                 yield word, said(claim[key], numbers)
-    program = finding.program if finding else program_of(claim)
+    program = finding.program if finding else claim["program"]
     shown = (figures_of(claim, figures) if claim else []) or [i for i, f in figures.items() if f["program"] == program]
     yield "figure", ", ".join(f"{id} ({command_of(id)})" for id in shown) or "none"
     yield "command", f"{alone[0]} (prints it as {alone[1]})" if alone else run_of(program)
@@ -48,14 +55,13 @@ def of_number(name, finding, claims, numbers, verdict, root):
         yield "second", f"{there.shown}{there.shown_unit} (error {there.shown_error}): {method}"
 
 
-def of_finding(row, numbers, verdict):
+def of_finding(row, numbers, verdict, root):
     """The same of a finding of ours."""
     yield "we found", in_plain(row["sentence"], numbers)
     yield "evidence", row["kind"]
     for word in ("range", "tried", "second"):
         yield word, in_plain(row[word], numbers)
-    for text in verdict["found"].split("; "):
-        yield "condition", text
+    yield from judged(row["id"], root, verdict)
 
 
 def show(root, data, name):
@@ -63,8 +69,9 @@ def show(root, data, name):
     all, claims = volumes(root), read_claims(root)
     programs = [program for volume in all for program in programs_of(volume)]
     ran = {program for program, _ in runs_of(data, programs)}
-    locked = {key: f for key, f in joined(read_lock, all).items() if key[0] not in ran}
-    numbers = by_name(locked | read_facts(data, programs), claims)
+    locked = {key: f for key, f in joined(read_lock, all).items() if key[0] not in ran or f.what != "fact"}
+    fresh = read_facts(data, programs) | joined(read_answers, all)
+    numbers = by_name(locked | fresh)
     findings = joined(read_findings, all)
     names = sorted(numbers.keys() | claims.keys() | findings.keys())
     if name not in names:
@@ -73,8 +80,8 @@ def show(root, data, name):
                           " (allowed: a claim such as pn.omega11, a fact such as sec31_dps_limit.tau_0_by_quadrature)"))
     finding, verdict = numbers.get(name), joined(read_verdicts, all).get(name)
     print(name)
-    told = of_finding(findings[name], numbers, verdict) if name in findings else of_number(name, finding, claims, numbers, verdict, root)
+    told = of_finding(findings[name], numbers, verdict, root) if name in findings else of_number(name, finding, claims, numbers, verdict, root)
     for word, text in told:
         print(f"  {word:9}  {text}")
     if finding:
-        print(f"  {'from':9}  {'build/data, computed here' if finding.row else 'paper/converged.ecsv (not computed here yet)'}")
+        print(f"  {'from':9}  {'build/data, computed here' if finding.key in fresh else 'paper/converged.ecsv (not computed here yet)'}")

@@ -102,10 +102,10 @@ def paper_texts(claims, numbers, verdicts, figures, meta, findings):
     out.update({("verdict", id): SHORT.get(word := verdicts[id]["verdict"], word) for id in claims})
     for name, f in numbers.items():
         out["num", name], out["both", name] = value(f.shown), both(f)
-    out.update({("both", id): "--" for id, c in claims.items() if not c["answer"]})  # conditions decide
+    out.update({("both", id): "--" for id in claims if id not in numbers})  # comparisons decide
     for id, row in findings.items():
         if lost := [name for name in NUMBERS.findall(row["sentence"]) if name not in numbers]:
-            raise row.fault(f"{id}: there is no reference value '{lost[0]}' (a new one: make lock)")
+            raise row.fault(f"{id}: there is no reference value '{lost[0]}' (a new one: make accept)")
         out["finding", id] = sentences(row["sentence"]) + rf" [\emph{{{row['kind']}}}]"
     for id, f in figures.items():
         out["fig", id], out["source", id] = Path(f["script"]).stem, rf"\nolinkurl{{{f['chapter']}}}"
@@ -201,11 +201,11 @@ def write(root, out):
     lock, figures, findings, verdicts = (joined(read, all) for read in (read_lock, read_figures, read_findings, read_verdicts))
     figures = {id: row | {"chapter": chapter_of(root, row["program"])} for id, row in figures.items()}
     meta = json.loads(ecsv.text_of(all[0] / "codemeta.json"))
-    texts = paper_texts(claims, by_name(lock, claims), verdicts, figures, meta, findings)
+    texts = paper_texts(claims, by_name(lock), verdicts, figures, meta, findings)
     documents = {path: ecsv.text_of(path) for folder in all for path in sorted((folder / "paper").glob("*.tex"))}
     wrong = [f"{path}: {reference} refers to nothing" for path, text in documents.items() for reference in dangling(text, texts)]
     if wrong:
-        raise ecsv.Fault("; ".join(wrong) + " (a new number: make lock)")
+        raise ecsv.Fault("; ".join(wrong) + " (a new number: make accept)")
     if wrong := omissions("\n".join(documents.values()), {id: verdicts[id] for id in claims}):
         raise ecsv.Fault(f"{all[0] / 'paper'}: " + "; ".join(wrong))
     lines = [f"\\define{{{kind}}}{{{id}}}{{{texts[kind, id]}}}\n" for kind, id in sorted(texts)]

@@ -22,8 +22,8 @@ def without_zeros(text):
 
 @dataclass(frozen=True)
 class Finding:
-    """A fact: one value of one program. A `residue` is made of rounding, so that only
-    its size counts; `made_by` names the function that recorded it, where the table does."""
+    """One value of one program: a fact, the answer to a statement, or the least margin of its comparisons. A `residue` is
+    made of rounding, so that only its size counts; `made_by` names the function that recorded it, where the table does."""
     program: str
     id: str
     value: float
@@ -32,10 +32,16 @@ class Finding:
     kind: str = "value"
     made_by: str = ""
     row: int = 0  # in the table that it was read from
+    what: str = "fact"  # or answer, margin
 
     @property
     def key(self):
-        return self.program, self.id
+        return self.program, self.what, self.id
+
+    @property
+    def name(self):
+        """What others call it: a statement has a name of its own."""
+        return f"{self.program}.{self.id}" if self.what == "fact" else self.id
 
     @property
     def shown(self):

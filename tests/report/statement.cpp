@@ -1,0 +1,170 @@
+// Statements on tables that are made here: keys, selections and reductions; what is compared, and what is no verdict.
+
+#include "report/statement.hpp"
+
+#include <cmath>
+#include <fstream>
+
+#include "support/check.hpp"
+#include "support/scratch.hpp"
+
+using namespace lattice;
+
+namespace {
+
+/// The tables of two programs, written as programs write them.
+struct Written {
+  Scratch scratch{};
+
+  Written() {
+    Table sweep{number("s", "well"),
+                number("velocity", "of the impact"),
+                estimate("speed", "of the packet", "site per unit of time"),
+                count("width", "sites"),
+                number("raw", "without an error"),
+                label("kind", "of the well")};
+    for (int k = 1; k <= 3; ++k)
+      for (const double s : {0.0, -1.0 / 6})
+        sweep.add(
+            {s, 0.31 * k + 1e-16, Estimate(k + s, 0.01), 6 + k, 1.0, s < 0 ? "soft" : "linear"});
+    Table facts{label("quantity", ""), number("value", ""), number("error", ""), label("unit", "")};
+    facts.add({"threshold", Estimate(2.5, 0.1), "m"});
+    facts.add({"lost", undefined_value(), "m"});
+    for (const char* program : {"sec1_demo", "sec2_other"}) {
+      std::filesystem::create_directory(scratch.path / program);
+      write(scratch.path / program / "sweep.ecsv", sweep);
+      write(scratch.path / program / "facts.ecsv", facts);
+    }
+  }
+  static Estimate undefined_value() {
+    Estimate none;
+    none.value = none.error = std::nan("");
+    return none;
+  }
+};
+
+/// A statement whose body is given by a test, with the words that it may use.
+struct Spoken : Statement {
+  using Statement::accuracy, Statement::answer, Statement::fact, Statement::less, Statement::near,
+      Statement::not_more, Statement::table, Statement::within;
+  std::function<void(Spoken&)> body;
+  void judge() override { body(*this); }
+};
+
+Judged judged(const std::function<void(Spoken&)>& body, std::optional<Change> change = {}) {
+  const Written written;
+  Tables tables(written.scratch.path);
+  tables.change = std::move(change);
+  Spoken spoken;
+  spoken.body = body;
+  return spoken.judged(tables, "sec1_demo");
+}
+
+std::string lost(const std::function<void(Spoken&)>& body) {
+  const Judged found = judged(body);
+  CHECK_FALSE(found.lost.empty());
+  return found.lost;
+}
+
+}  // namespace
+
+TEST_CASE("rows are found by keys and ranges, however these were rounded", "[unit]") {
+  judged([](Spoken& s) {
+    const Data sweep = s.table("sweep");
+    CHECK(sweep.size() == 6);
+    CHECK(sweep.where("s", -1.0 / 6).size() == 3);
+    CHECK(sweep.where("velocity", 0.31, 0.62).where("s", 0).size() == 2);
+    CHECK(sweep.where("kind", "soft").size() == 3);
+    const auto row = sweep.at("s", -1.0 / 6, "velocity", 0.93);
+    check_close(row["speed"].value, 3 - 1.0 / 6, 1e-15);
+    CHECK(row["speed"].error == 0.01);
+    CHECK(row["speed"].unit == "site per unit of time");
+    CHECK(row["width"].is_exact);
+    CHECK(row.text("kind") == "soft");
+    check_close(row("velocity"), 0.93, 1e-12);
+    CHECK(s.table("sec2_other", "sweep").at("kind", "linear", "width", 7)("raw") == 1);
+    CHECK(s.fact("sec2_other", "threshold").unit == "m");
+    s.less(1, 2);
+  });
+}
+
+TEST_CASE("the least of some numbers is as uncertain as any of them may make it", "[unit]") {
+  judged([](Spoken& s) {
+    const Data sweep = s.table("sweep");
+    check_close(least(sweep, "speed").value, 1 - 1.0 / 6, 1e-15);
+    check_close(largest(sweep, "speed").value, 3, 1e-15);
+    check_close(mean(sweep.where("s", 0), "speed").value, 2, 1e-15);
+    check_close(mean(sweep.where("s", 0), "speed").error, 0.01, 1e-12);
+    CHECK(largest(sweep, "width").is_exact);
+    const Estimate doubled = largest(sweep, [](const auto& row) { return 2 * row["speed"]; });
+    check_close(doubled.value, 6, 1e-15);
+    check_close(doubled.error, 0.02, 1e-12);
+    s.less(1, 2);
+  });
+  const Estimate spread = least_of({{1, 0.001}, {1.01, 0.1}});
+  check_close(spread.value - spread.error, 0.91, 1e-12);
+}
+
+TEST_CASE("errors of both sides add up", "[unit]") {
+  const Estimate a{2, 0.1}, b{4, 0.2};
+  check_close((a + b).error, 0.3, 1e-12);
+  check_close((a - b).value, -2, 1e-12);
+  check_close((a * b).error, 0.82, 0.03);
+  check_close((a / b).error, 0.05, 0.1);
+  check_close(abs(a - b).value, 2, 1e-12);
+  CHECK((exact(3) - exact(1)).is_exact);
+  CHECK_FALSE((exact(3) * a).is_exact);
+}
+
+TEST_CASE("what is compared is kept with what was read for it", "[unit]") {
+  const Judged found = judged([](Spoken& s) {
+    const Data sweep = s.table("sweep");
+    for (const auto& soft : sweep.where("s", -1.0 / 6).where("velocity", 0.5, 2))
+      s.less(soft["speed"], sweep.at("s", 0, "velocity", soft("velocity"))["speed"]);
+    s.within(s.fact("threshold"), 2, 3);
+    s.near(1, 1.05, 0.1);
+    s.not_more(Estimate(1.05, 0.2), 1);
+  });
+  REQUIRE(found.comparisons.size() == 6);
+  for (const Comparison& c : found.comparisons) CHECK(c.holds());
+  CHECK(found.comparisons[0].what ==
+        "sweep.speed (s = -0.166667, velocity = 0.62), sweep.speed (s = 0, velocity = 0.62)");
+  CHECK(found.comparisons[3].text() == "threshold: 2.5 +- 0.1 < 3");
+  check_close(found.closest()->margin().value, 1.0 / 18, 1e-9);  // 3 - 1/6 < 3
+  CHECK(found.cells.size() == 5);
+  CHECK_FALSE(Comparison{"", Estimate(1, 0.1), Estimate(1.1, 0.1)}.is_decided());
+  for (Comparison c : found.comparisons) {
+    c.is_flipped = true;
+    CHECK_FALSE(c.holds());
+    CHECK(c.is_decided());
+  }
+}
+
+TEST_CASE("nothing passes by having nothing to compare", "[unit]") {
+  check_line(lost([](Spoken& s) { s.table("sweep").where("s", 7); }), "has no row with s = 7");
+  check_line(lost([](Spoken& s) { s.table("sweep").where("s", 1, 2); }),
+             "no row with s from 1 to 2");
+  check_line(lost([](Spoken& s) { s.table("sweep").at("s", 0); }), "has 3 rows instead of one");
+  check_line(lost([](Spoken& s) { s.table("sweep")["speed"]; }), "has 6 rows instead of one");
+  check_line(lost([](Spoken& s) { s.table("sweep").where("t", 0); }), "has no column 't'");
+  check_line(lost([](Spoken& s) { (*s.table("sweep").begin())["raw"]; }), "no column 'raw_error'");
+  check_line(lost([](Spoken& s) { (*s.table("sweep").begin())["kind"]; }), "'kind' holds texts");
+  check_line(lost([](Spoken& s) { s.table("speeds"); }), "sec1_demo has no table 'speeds'");
+  check_line(lost([](Spoken& s) { s.fact("lost"); }), "lost is not a number, or has no error");
+  check_line(lost([](Spoken& s) { s.fact("none"); }), "has no row with quantity = none");
+  check_line(lost([](Spoken&) {}), "nothing is compared");
+  check_line(lost([](Spoken& s) { s.less(1, 2), s.answer(s.fact("threshold")); }),
+             "both an answer");
+  CHECK(judged([](Spoken& s) { s.fact("sec3_none", "x"); }).not_run == "sec3_none");
+}
+
+TEST_CASE("a change of a column or a cell is seen by who reads it", "[unit]") {
+  const auto speeds = [](Spoken& s) {
+    s.answer(s.table("sweep").at("s", 0, "velocity", 0.62)["speed"]);
+  };
+  const auto read = [&](const Change& change) { return judged(speeds, change).answer->value; };
+  CHECK(read({"sec1_demo", "sweep", "speed", {}, -2}) == -4);
+  CHECK(read({"sec1_demo", "sweep", "speed", 2, 0.5}) == 1);
+  CHECK(read({"sec1_demo", "sweep", "speed", 1, 0.5}) == 2);
+  CHECK(read({"sec2_other", "sweep", "speed", {}, 7}) == 2);
+}

@@ -1,0 +1,159 @@
+// Published against reproduced: every row of the lists of claims, findings and numbers of others, judged on the files from
+// which the figures are drawn. And no row is one that cannot fail: with a comparison on the other side, or with another
+// value in a table, the verdict is another one.
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "lattice/integrators/integrate.hpp"
+#include "report/table.hpp"
+#include "report/verdict.hpp"
+#include "support/check.hpp"
+
+using namespace lattice;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The folder of the tables, which `make figures` computes, or `make beyond`.
+fs::path tables_of_run() {
+  if (!fs::exists(DATA_DIR)) FAIL("there are no tables in " DATA_DIR ": make figures");
+  return DATA_DIR;
+}
+
+/// The verdict on a row if one of its comparisons had the other outcome.
+std::string flipped(Case one, std::size_t comparison, const Cases& all) {
+  one.found.comparisons[comparison].is_flipped = true;
+  return verdict(one, all);
+}
+
+/// The verdict on a row if its answer were farther from the printed number than anything allowed, and nothing covered it.
+std::string far_away(Case one, const Cases& all) {
+  const auto [low, high] = allowed(one.claim);
+  Quantity& answer = *one.found.answer;
+  answer.value = high + 2 * (answer.error + std::abs(high)) + (std::isfinite(low) ? high - low : 0);
+  one.claim.covered_by.clear(), one.found.accuracy.reset();
+  return verdict(one, all);
+}
+
+/// Whether the verdict becomes another decided one when what stands in the tables is another number.
+bool follows(const Case& one, const Cases& all, Tables& tables, Change change) {
+  bool does = false;
+  for (const double factor : {-1.0, 2.0, 0.5}) {
+    change.factor = factor;
+    tables.change = change;
+    const std::string now = verdict({one.claim, statements().at(one.claim.id).judge(tables)}, all);
+    does = does || (now != one.claim.status && now != "unresolved");
+  }
+  tables.change.reset();
+  return does;
+}
+
+/// A column as a whole, or, where that moves both sides of a comparison alike, one of its cells.
+bool follows(const Case& one, const Cases& all, Tables& tables, const CellRead& column) {
+  const auto& [program, table, name, row] = column;
+  if (table != "facts" && follows(one, all, tables, Change{program, table, name})) return true;
+  for (const CellRead& cell : one.found.cells)
+    if (cell.program == program && cell.table == table && cell.column == name &&
+        (table != "facts" || cell.row == row) &&
+        follows(one, all, tables, Change{program, table, name, cell.row}))
+      return true;
+  return false;
+}
+
+/// Values that may be negated, doubled and halved without another verdict: row, value, why.
+struct Insensitive {
+  std::string id, value, why;
+};
+const std::vector<Insensitive> insensitive = {
+
+};
+
+}  // namespace
+
+TEST_CASE("statements", "[statements]") {
+  Tables tables(tables_of_run());
+  const Cases all = judge(VOLUME_DIR, tables);
+  for (const Case& one : all) DYNAMIC_SECTION(one.claim.list << ": " << one.claim.id) {
+      const auto range = allowed(one.claim);
+      CAPTURE(one.claim.printed, one.claim.tolerance, range.low, range.high, one.found.text());
+      CHECK(one.found.not_run.empty());
+      CHECK_FALSE(one.found.is_quick);
+      CHECK(verdict(one, all) == one.claim.status);
+      for (std::size_t i = 0; i < one.found.comparisons.size(); ++i)
+        CHECK(flipped(one, i, all) != one.claim.status);
+      if (one.found.answer && one.claim.status != "quantified")
+        CHECK(far_away(one, all) == "discrepant");
+    }
+}
+
+TEST_CASE("a verdict follows the values that it was read from", "[statements]") {
+  Tables tables(tables_of_run());
+  const Cases all = judge(VOLUME_DIR, tables);
+  for (const Case& one : all) {
+    if (one.claim.status == "quantified") continue;  // nothing is decided
+    std::set<CellRead> columns;
+    for (CellRead cell : one.found.cells) {
+      if (cell.table != "facts") cell.row = 0;
+      columns.insert(cell);
+    }
+    for (const CellRead& column : columns) {
+      const std::string name =
+          column.table == "facts" ? tables.of(column.program, "facts").texts("quantity")[column.row]
+                                  : column.table + "." + column.column;
+      const bool is_listed = std::ranges::any_of(insensitive, [&](const auto& row) {
+        return row.id == one.claim.id && row.value == name;
+      });
+      CAPTURE(one.claim.id, name);
+      CHECK(follows(one, all, tables, column) != is_listed);
+    }
+  }
+}
+
+TEST_CASE("what was observed names its range in its sentence", "[statements]") {
+  const Table rows = read(VOLUME_DIR "/paper/findings.ecsv");
+  const auto kind = rows.texts("kind"), sentence = rows.texts("sentence"),
+             range = rows.texts("range");
+  CHECK(rows.rows.size() <= 30);
+  for (std::size_t i = 0; i < kind.size(); ++i)
+    if (kind[i] == "observed")
+      CHECK(sentence[i].find(range[i].substr(0, range[i].find(';'))) != std::string::npos);
+}
+
+TEST_CASE("no number of a program is without an error unless it is exact", "[statements]") {
+  for (const auto& folder : fs::directory_iterator(tables_of_run())) {
+    const fs::path file = folder.path() / "facts.ecsv";
+    if (!fs::exists(file)) continue;
+    const Table t = read(file);
+    const auto label = t.texts("quantity"), kind = t.texts("kind");
+    const auto value = t.numbers("value"), error = t.numbers("error");
+    for (std::size_t i = 0; i < kind.size(); ++i) {
+      CAPTURE(file.string(), label[i], error[i], kind[i]);
+      if (kind[i] == "exact")
+        CHECK(error[i] == 0);
+      else
+        CHECK((error[i] > 0 || std::isnan(value[i])));
+    }
+  }
+}
+
+TEST_CASE("the ring of figure 26 starts from the phonon of Eq. (39), and arrives", "[statements]") {
+  const Table table = read(tables_of_run() / "sec4_precompression_mi/modulated_ring.ecsv");
+  const auto start = table.numbers("y_start"), end = table.numbers("y");
+  REQUIRE(start.size() == 200);
+  const double q = M_PI / 4, v1 = 1.5 * std::sqrt(0.5),
+               omega = std::sqrt(1 + 2 * v1 * (1 - std::cos(q)));
+  State<double> state(200);
+  for (std::size_t i = 0; i < 200; ++i) {
+    const double n = double(i + 1), size = 0.15 * (1 + 0.01 * std::cos(M_PI * n / 100));
+    state.y[i] = size * std::sin(q * n), state.v[i] = -omega * size * std::cos(q * n);
+    check_close(start[i], state.y[i], 1e-14);
+  }
+  // Another splitting and another step come to the same state
+  const Chain ring{200, Quartic{-1.0 / 6}, CompressedHertz{0.5}, Ends::periodic};
+  evolve(Splitting{blanes_moan_6(), 0.1}, ring, state, 6619, 6619);
+  for (std::size_t i = 0; i < 200; ++i) check_close(end[i], state.y[i], 1e-5);
+}
