@@ -78,7 +78,7 @@ chapters := $(basename $(notdir $(wildcard $(home)src/sec*.cpp)))
 chapters := $(filter-out $(by_cost),$(chapters)) $(filter $(chapters),$(by_cost))
 facts := $(foreach p,$(chapters),$(D)/data/$(p)/facts.ecsv)
 # What the statements of volume two read of the article's chapters is computed with it.
-borrowed := $(if $(home),$(sort $(filter $(basename $(notdir $(wildcard src/sec*.cpp))),$(shell grep -oh '"sec[A-Za-z0-9_]*"' beyond/src/statements/*.cpp | tr -d '"'))))
+borrowed := $(if $(home),$(sort $(filter $(basename $(notdir $(wildcard src/sec*.cpp))),$(shell grep -oh '"sec[A-Za-z0-9_]*"' beyond/src/statements/*.cpp 2>/dev/null | tr -d '"'))))
 facts += $(foreach p,$(borrowed),$(D)/data/$(p)/facts.ecsv)
 
 # A reader who has read enough, `make show | head -1`, is no error.

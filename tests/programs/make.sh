@@ -45,7 +45,7 @@ case $1 in
     case " $* " in *" $name "* | *" $all "*) ;; *) continue ;; esac
     [ "$2/bin/$name" -nt "$source" ] || { cat "$STUB_PROGRAM" "$source" > "$2/bin/.$name"; chmod +x "$2/bin/.$name"; mv "$2/bin/.$name" "$2/bin/$name"; }
   done
-  printf '#!/bin/sh\n' > "$2/bin/verdicts" && chmod +x "$2/bin/verdicts" ;;
+  for judge in verdicts verdicts_beyond; do printf '#!/bin/sh\n' > "$2/bin/$judge" && chmod +x "$2/bin/$judge"; done ;;
 esac
 STUB
 stub program <<'STUB'
