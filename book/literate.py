@@ -260,7 +260,8 @@ class Book:
         chapter = md.link(program + ".html", "chapter") if program in self.by_page else ""
         figures = [self.figure_link(f) for f, row in self.figures.items() if row["label"] in words]
         test = f"test `article.cpp:{self.tests[id]}`" if id in self.tests else ""
-        links = ", ".join(filter(None, [self.line_link(id), chapter, *figures, self.speaks(id, program), test]))
+        source, line = self.lines[id]
+        links = ", ".join(filter(None, [md.link(f"{source.page}.html#L-{line}", "judged"), chapter, *figures, self.speaks(id, program), test]))
         return [f"{md.place(id)}{md.name(id)} {md.spelled(claim['quantity'])} ({md.plain(where)})", article,
                 here + self.second_mark(id), said, links + self.alone_mark(id)]
 

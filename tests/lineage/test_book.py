@@ -90,7 +90,7 @@ class Repository(Scratch):
                       'id="fig-01"', "make fig01", "figures/fig01.gp", 'id="L-15"', "<em>this</em>. And", "Statements answered here"]:
             self.assertIn(piece, page)
         for name, pieces in {
-                "published": ['id="a.one"', "they erred", 'statements-sec1_demo-cpp.html#L-3">line 3 of sec1_demo.cpp</a>', "--exactly"],
+                "published": ['id="a.one"', "they erred", 'statements-sec1_demo-cpp.html#L-3">judged</a>', "--exactly"],
                 "numbers-sec1_demo": ['id="sec1_demo.fact"', "sec1_demo.html#L-16", "data/sec1_demo/facts.ecsv", "what quantity is"],
                 "fig-01": ["(a–c) At", "a line", "what quantity is"], "numbers-demo-cpp": ["A header: how", "declared in"],
                 "commands": ['id="sec1_demo-one"', "how fast it is, in sites (default: 0.5)"], "packages": ["not installed"],
