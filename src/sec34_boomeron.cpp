@@ -343,8 +343,8 @@ void report_printed_range(Report& report) {
 
 The article sees reversals for $s\ge0.005$ and none for $s=0$, and prints neither an impact nor a time. In such a weakly
 hard well packets turn soon only after very strong impacts, so we take $v_0=132$. After the same impact in linear wells
-the packet moves outward all the time until $t=450$, and is still moving then. After weaker impacts a packet at
-$s = 0.005$ may turn much farther out.
+the packet moves outward all the time until $t=450$, and is still moving then (table `without_hardness`). After
+weaker impacts a packet at $s = 0.005$ may turn much farther out.
 
 | $v_0=132$ | article | here |
 |---|---|---|

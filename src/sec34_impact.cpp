@@ -251,8 +251,8 @@ void report_forces(Report& report) {
 
 /**
 We call energy *trapped* if the first five sites hold more than the packet long after the impact, when the packet passes
-site 60. Both shares are interpolated between the two samples around that instant. The last row is the impact of
-figure 21.
+site 60. Both shares are interpolated between the two samples around that instant (table `shares`). The last row is the
+impact of figure 21.
 
 | $v_0$, $s$ | first five sites | packet | speed of the packet |
 |---|---|---|---|

@@ -212,7 +212,7 @@ void report_transition(Report& report) {
 
 In soft quartic wells a strong impact ends in a blow-up; with $W = 1-\cos y$ it cannot. No term of the energy is
 negative, so no bead is ever faster than $v_0$ or farther away than $v_0t$, at any impact velocity and at all times. We
-follow impacts of up to $v_0 = 6$ until $t = 2000$, with two steps, and the beads keep to that.
+follow impacts of up to $v_0 = 6$ until $t = 2000$, with two steps, and the beads keep to that (table `confinement`).
 
 | impacts from 2 to 6 | article | here |
 |---|---|---|

@@ -21,8 +21,8 @@ STATEMENT("impact.kink") {
   const auto last_without = std::find_if_not(decided.rbegin(), decided.rend(), is_kink);
   const auto breathers = exact(double(first_moved - decided.begin())),
              kinks = exact(double(last_without - decided.rbegin()));
-  less(0, breathers);
-  less(0, kinks);
+  not_more(1, breathers);
+  not_more(1, kinks);
   less(exact(1) - (breathers + kinks) / exact(double(scan.size())), 0.05);
 }
 
