@@ -169,13 +169,18 @@ void report_transition(Report& report) {
   for (std::size_t i = 0; i < points.size(); ++i) points[i].v0 = from + spacing * double(i);
   const auto row = [](ScanPoint& p) {
     p.measure();
-    return Cells{p.v0, double(p.counts.moved) / double(beads), p.counts.ejected_far,
-                 p.counts.ejected_near, p.decided};
+    return Cells{p.v0,
+                 double(p.counts.moved) / double(beads),
+                 p.counts.moved,
+                 p.counts.ejected_far,
+                 p.counts.ejected_near,
+                 p.decided};
   };
   report
       .table("kink_transition",
              {number("velocity", "velocity of the impact on the first bead"),
               number("moved", "fraction of the beads that advanced by at least one well"),
+              count("advanced", "number of these beads"),
               count("ejected_far", "number of beads ejected at the far end"),
               count("ejected_near", "number of beads ejected at the struck end"),
               count("decided", "1 where the counts have settled and agree for two time steps")})
@@ -191,8 +196,6 @@ void report_transition(Report& report) {
   const auto mixed = std::find_if(points.begin(), points.end(), has_moved);
   const auto certain = std::find_if(points.rbegin(), points.rend(), no_kink).base();
   const auto breathers = mixed - points.begin(), kinks = points.end() - certain;
-  report.facts.add("kink_breathers", exact(double(breathers)));
-  report.facts.add("kink_kinks", exact(double(kinks)));
   report.facts.add("kink_undecided", exact(1 - double(breathers + kinks) / all));
   if (breathers == 0 || kinks == 0) throw Failure("the scan has no breather or no kink");
   report.facts.add("last_breather", {mixed[-1].v0, spacing});
@@ -209,7 +212,7 @@ void report_transition(Report& report) {
 
 In soft quartic wells a strong impact ends in a blow-up; with $W = 1-\cos y$ it cannot. No term of the energy is
 negative, so no bead is ever faster than $v_0$ or farther away than $v_0t$, at any impact velocity and at all times. We
-follow impacts of up to $v_0 = 6$ until $t = 2000$, with two steps, and the beads keep to that.
+follow impacts of up to $v_0 = 6$ until $t = 2000$, with two steps, and the beads keep to that (table `confinement`).
 
 | impacts from 2 to 6 | article | here |
 |---|---|---|
@@ -243,20 +246,28 @@ void report_confinement(Report& report) {
     all[i] = {excursion(v0, time, method(v0, 0)), excursion(v0, time, method(v0, 1))};
   });
 
-  const auto largest = [&](const std::string& name, double Excursion::*of) {
-    Estimate most;
-    for (const auto& runs : all) {
-      const Estimate e = runs.of([&](const Excursion& x) { return x.*of; });
-      if (e.value > most.value) most = e;
-    }
-    report.facts.add("no_blowup_pendulum_" + name, most);
-  };
-  largest("speed", &Excursion::speed);
-  largest("way", &Excursion::way);
-  largest("drift", &Excursion::drift);
-  double lasted = 1;
-  for (const auto& runs : all) lasted = std::min({lasted, runs.coarse.lasted, runs.fine.lasted});
-  report.facts.add("no_blowup_pendulum_lasted", exact(lasted));
+  Table& table = report.table(
+      "confinement",
+      {number("velocity", "velocity of the impact on the first bead"),
+       estimate("speed", "largest speed of a bead, in units of the impact's"),
+       estimate(
+           "way",
+           "largest displacement, in units of the impact's velocity times the length of the run"),
+       estimate("drift", "drift of the energy, relative", "",
+                "difference of two resolutions, relative"),
+       estimate("lasted", "end of the run, in units of its length")});
+  Estimate way, drift;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto of = [&](double Excursion::*number) {
+      return all[i].of([&](const Excursion& x) { return x.*number; });
+    };
+    table.add({velocities[i], of(&Excursion::speed), of(&Excursion::way), of(&Excursion::drift),
+               of(&Excursion::lasted)});
+    if (of(&Excursion::way).value > way.value) way = of(&Excursion::way);
+    if (of(&Excursion::drift).value > drift.value) drift = of(&Excursion::drift);
+  }
+  report.facts.add("no_blowup_pendulum_way", way);
+  report.facts.add("no_blowup_pendulum_drift", drift);
 }
 
 /**

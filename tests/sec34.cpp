@@ -76,12 +76,6 @@ TEST_CASE("a packet's energy changes from the mean of one half of its way to tha
   check_close(energy_change(path), second / first - 1, 1e-13);
 }
 
-TEST_CASE("forces rise though two of them are alike", "[unit]") {
-  CHECK(largest_fall({{-1, 0.1}, {-0.95, 0.1}, {-2, 0.1}, {-3, 0.2}}) < 0);
-  check_close(largest_fall({{-1, 0.1}, {-3, 0.1}, {-2, 0.1}, {-4, 0.1}}), 0.8, 1e-14);
-  CHECK(largest_fall({{-3, 0.1}, {-2, 0.1}, {-1, 0.1}}) > 0);
-}
-
 TEST_CASE("velocities of a packet are the slopes of its path", "[unit][boomeron]") {
   Path path;
   for (int i = 0; i < 400; ++i) {

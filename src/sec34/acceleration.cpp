@@ -45,14 +45,4 @@ Acceleration acceleration_of(const Path& coarse, const Path& fine, Leg leg) {
   return out;
 }
 
-double largest_fall(const std::vector<Estimate>& list) {
-  double fall = -1;
-  for (std::size_t i = 0; i < list.size(); ++i)
-    for (std::size_t j = i + 1; j < list.size(); ++j) {
-      const double errors = list[i].error + list[j].error;
-      fall = std::max(fall, std::abs(list[i].value) - std::abs(list[j].value) - errors);
-    }
-  return fall;
-}
-
 }  // namespace lattice

@@ -34,7 +34,4 @@ struct Acceleration {
 /// step and half the smoothing change.
 Acceleration acceleration_of(const Path& coarse, const Path& fine, Leg leg);
 
-/// The largest fall of the modulus from one estimate of a list to a later one, less the errors of both.
-double largest_fall(const std::vector<Estimate>& list);
-
 }  // namespace lattice

@@ -6,16 +6,18 @@
 using namespace lattice;
 
 STATEMENT("boomeron.reversal") {
-  less(fact("force_190"), 0);
-  less(fact("force_190_back"), 0);
-  less(fact("reversal_return_time_error"), 10);
+  const Data force = table("force").where("s", 1).where("velocity", 1.9);
+  for (int outward : {1, 0}) less(force.at("outward", outward)["force"], 0);
+  less(exact(fact("return_time_190").error), 10);
 }
 
 STATEMENT("boomeron.moderate") {
-  less(1000, fact("apex_time_150"));
+  const Data out = table("force").where("s", 1).where("outward", 1);
+  const auto moderate = out.at("velocity", 1.5), turning = out.at("velocity", 1.9);
+  less(1000, fact("apex_time_150"));  // the end of the figure
   within(fact("speed_ratio_150"), 0, 1);
-  less(fact("force_150"), 0);
-  less(fact("moderate_force_over_190"), 0.5);
+  less(moderate["force"], 0);
+  less(moderate["force"] / turning["force"], 0.5);
 }
 
 STATEMENT("boomeron.turning_time") {
@@ -23,10 +25,11 @@ STATEMENT("boomeron.turning_time") {
 }
 
 STATEMENT("boomeron.any_s") {
-  less(fact("turning_site_softest"), fact("centre_without_hardness"));
+  const auto linear = table("without_hardness").only();
+  less(fact("turning_site_softest"), linear["centre"]);
   less(fact("return_site_softest"), 8);
-  less(fact("turns_back_without_hardness"), 5);
-  less(0, fact("speed_without_hardness"));
+  less(linear["fallen_back"], 5);  // which would count as a turn
+  less(0, linear["speed"]);
 }
 
 STATEMENT("boomeron.erratic") {
@@ -39,8 +42,16 @@ STATEMENT("boomeron.constant_force") {
 }
 
 STATEMENT("boomeron.force_grows") {
-  less(fact("force_grows_velocity_largest_fall"), 0);
-  less(1, fact("force_grows_velocity_last_over_first"));
-  less(fact("force_grows_s_largest_fall"), 0);
-  less(1, fact("force_grows_s_last_over_first"));
+  const Data out = table("force").where("outward", 1);
+  const auto never_falls = [&](const Data& list, const char* with) {
+    for (const auto& one : list)
+      for (const auto& later : list)
+        if (one(with) < later(with)) not_more(abs(one["force"]), abs(later["force"]));
+  };
+  const Data velocities = out.where("s", 1).where("velocity", 1.1, 2),
+             wells = out.where("velocity", 1.9).where("s", 0, 1);
+  never_falls(velocities, "velocity");
+  less(1, velocities.at("velocity", 2)["force"] / velocities.at("velocity", 1.1)["force"]);
+  never_falls(wells, "s");
+  less(1, wells.at("s", 1)["force"] / wells.at("s", 0)["force"]);
 }
