@@ -243,7 +243,7 @@ void report_force(Report& report) {
       "force", {number("s", "anharmonicity"), number("velocity", "impact velocity"),
                 count("outward", "1 on the way out, 0 on the way back, 2 in between"),
                 estimate("force", "acceleration of the packet's centre", unit,
-                         "from the fit, the time step and the smoothing; above one per cent"),
+                         "from the fit, the time step and the smoothing; known to 50 per cent"),
                 number("bend", "relative difference of the slopes of the two halves of the fit")});
   table.fill(list, row, "forces");
 

@@ -107,14 +107,15 @@ class Files(Scratch):
 def doubts(columns, rows):
     """A complaint for each column `..._error` that is not known to one per cent, point by point, because a column may span
     decades. Its description says where another scale is meant (the largest of the column, the neighbouring rows where it
-    crosses zero, or an error that is relative already), that rows may be `nan`, or that all may be `exact`. Of zero the
-    least number of the type is the error."""
+    crosses zero, or an error that is relative already), that they are known to so many per cent only, that rows may be
+    `nan`, or that all may be `exact`. Of zero the least number of the type is the error."""
     for column in (c for c in columns if c.name.endswith("_error")):
         how, names = column.description, [c.name for c in columns]
         values, errors = ([float(row[names.index(name)]) for row in rows] for name in (column.name.removesuffix("_error"), column.name))
         sizes = [abs(x) if isfinite(x) else 0 for x in values]
         known = [i for i in range(len(rows)) if isfinite(values[i]) and isfinite(errors[i])]
-        bad = [i for i in known if not 0 <= errors[i] <= max(sys.float_info.min, 0.01 * (
+        part = 0.01 * float((re.findall(r"known to (\d+) per cent", how) or [1])[0])
+        bad = [i for i in known if not 0 <= errors[i] <= max(sys.float_info.min, part * (
             max(sizes) if "against the largest" in how else max(sizes[max(0, i - 2):i + 3]) if "against the neighbouring" in how
             else 1 if "relative" in how else sizes[i]))]
         if bad:
@@ -130,6 +131,7 @@ class Here(unittest.TestCase):
         for values, errors, note, count in [
                 ([1, 1e-6], [1e-3, 1e-9], "", 0), ([1, 1e-6], [1e-3, 1e-7], "", 1), ([1, 1e-6], [1e-3, 1e-7], "against the largest", 0),
                 ([1, 1e-3, 1e-6, 1e-9], [1e-4] * 4, "against the neighbouring rows", 1), ([1, 1e-6], [1e-3, 2e-2], "relative", 1),
+                ([1, 2], [0.1, 0.1], "known to 10 per cent", 0), ([1, 2], [0.11, 0.1], "known to 10 per cent", 1),
                 ([nan], [nan], "nan", 1), ([1, nan], [1e-3, nan], "", 1), ([1, 1], [0, 0], "", 1)]:
             columns = [ecsv.Column("x", "float64", "a quantity"), ecsv.Column("x_error", "float64", note)]
             self.assertEqual(len(list(doubts(columns, list(zip(values, errors))))), count, (values, errors, note))
