@@ -453,9 +453,8 @@ Table map_of_defects(const ScatteringSetup& setup, bool quick) {
 }
 
 void report_map(Report& report, const ScatteringSetup& setup) {
-  const Table map = map_of_defects(setup, report.quick);
-  const auto ratio = map.numbers("ratio"), near = map.numbers("near"),
-             reflected = map.numbers("net_reflected"), error = map.numbers("net_reflected_error");
+  Table& map = report.output.add("defect_map", map_of_defects(setup, report.quick));
+  const auto ratio = map.numbers("ratio"), near = map.numbers("near");
   const auto most = std::size_t(std::max_element(near.begin(), near.end()) - near.begin());
   double open = 0;
   for (double x : map.numbers("budget")) open = std::max(open, std::abs(x));
@@ -464,18 +463,25 @@ void report_map(Report& report, const ScatteringSetup& setup) {
                    "share of the energy");
   report.facts.add("most_trapped_at", {ratio[most], report.quick ? 0.125 : 0.0125});
 
-  // Large defects, some of which lie beyond the map
-  std::vector<Estimate> large(report.quick ? 1 : 5);
-  parallel_for(large.size(), [&](std::size_t i) {
-    large[i] = fractions(setup, 2.5 - double(i) / 10).net_reflected;
-  });
-  for (std::size_t i = 0; i < ratio.size(); ++i)
-    if (ratio[i] >= 1.6) large.push_back({reflected[i], error[i]});
-  Estimate least = exact(INFINITY), highest = exact(-INFINITY);
-  for (const Estimate& e : large) least = smaller(least, e), highest = larger(highest, e);
+  // Larger defects than those of the map
+  Table& large =
+      report.table("large_defects",
+                   {number("ratio", "radius of the defect's beads divided by that of the others"),
+                    estimate("net_reflected", "fraction of the incident energy")});
+  std::vector<double> radii;
+  for (int k = report.quick ? 25 : 21; k <= 25; ++k) radii.push_back(double(k) / 10);
+  const auto row = [&](double radius) {
+    return Cells{radius, fractions(setup, radius).net_reflected};
+  };
+  large.fill(radii, row, "large defects");
+  Estimate least = exact(INFINITY);
+  for (const Table* part : {&map, &large}) {
+    const auto radius = part->numbers("ratio"), share = part->numbers("net_reflected"),
+               error = part->numbers("net_reflected_error");
+    for (std::size_t i = 0; i < radius.size(); ++i)
+      if (radius[i] >= 1.6) least = smaller(least, {share[i], error[i]});
+  }
   report.facts.add("total_reflection_least", least);
-  report.facts.add("total_reflection_most", highest);
-  report.output.add("defect_map", map);
 }
 
 /**

@@ -1,26 +1,32 @@
 /**
 # Statements: 3.3 breathers between a site and a bond */
 
+#include <string>
+
 #include "report/statement.hpp"
 
 using namespace lattice;
 
 STATEMENT("exchange.six") {
-  less(fact("window_1"), 1.02);
-  less(fact("window_1"), fact("window_2"));
-  less(fact("window_2"), fact("window_3"));
-  less(fact("window_3"), fact("window_4"));
-  less(fact("window_4"), fact("window_5"));
-  within(fact("window_6"), fact("window_5"), 1.5);
+  // Six exchanges one after the other, of which the first is near 1 and the last below 2
+  const auto window = [&](int k) { return fact("window_" + std::to_string(k)); };
+  less(window(1), 1.02);
+  for (int k = 1; k < 6; ++k) less(window(k), window(k + 1));
+  less(window(6), 1.5);
+
+  // Meanwhile all other multipliers stay on the circle
   less(fact("sec33_floquet", "spectrum_others"), 1e-3);
 }
 
 STATEMENT("exchange.between") {
+  // In s: the third breather exists where the others are both stable, and is unstable
   less(1e-7, fact("width_between_in_s"));
   less(0, fact("kappa_between_in_s"));
-  less(fact("kappa_between_in_omega"), 0);
-  less(fact("width_between_in_omega"), 0);
-  less(fact("sec33_floquet", "others_off_circle"), 0.5);
   less(1, fact("largest_modulus_between_in_s"));
+
+  // In omega_b: where both are unstable, and it is stable
+  less(fact("width_between_in_omega"), 0);
+  less(fact("kappa_between_in_omega"), 0);
   less(fact("largest_modulus_between_in_omega"), 1.000000001);
+  less(fact("sec33_floquet", "others_off_circle"), 0.5);
 }
