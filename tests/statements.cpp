@@ -39,10 +39,15 @@ std::string far_away(Case one, const Cases& all) {
   return verdict(one, all);
 }
 
-/// Whether the verdict becomes another decided one when what stands in the tables is another number.
+/// Whether the verdict becomes another decided one when what stands in the tables is another number: with the other sign,
+/// twice or half as large; of an answer that is missed, also when it is as printed.
 bool follows(const Case& one, const Cases& all, Tables& tables, Change change) {
   bool does = false;
-  for (const double factor : {-1.0, 2.0, 0.5}) {
+  std::vector<double> factors{-1, 2, 0.5};
+  if (one.found.answer && one.claim.status == "discrepant")
+    factors.push_back((allowed(one.claim).low + allowed(one.claim).high) / 2 /
+                      one.found.answer->value);
+  for (const double factor : factors) {
     change.factor = factor;
     tables.change = change;
     const std::string now = verdict({one.claim, statements().at(one.claim.id).judge(tables)}, all);
