@@ -320,7 +320,7 @@ void report_dispersal(Report& report) {
             Estimate{fine.mean[i], std::abs(fine.mean[i] - coarse.mean[i])}, "",
             "difference of two resolutions, against the largest mean"},
            {"woken", "beads that are not exactly at rest", compare(coarse.woken[i], fine.woken[i]),
-            "", "difference of two resolutions, against the largest number"}});
+            "", "exact where two resolutions agree, against the largest number"}});
 
     // The energy left at the end, and the change of the mean force over the second half
     const Estimate late = both.of([&](const Dispersal& run) {
