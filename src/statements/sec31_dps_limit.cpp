@@ -18,5 +18,5 @@ STATEMENT("dps.travelling_close") {
 }
 
 STATEMENT("dps.wells_drop_out") {
-  less(fact("order_off"), 0.03);
+  for (const auto& motion : table("other_wells")) near(motion["order"], 1.5, 0.03);
 }
