@@ -133,20 +133,20 @@ periodic. */
 struct Motion {
   std::string name;
   Means coarse, fine;
-  bool outermost;  // on a ring, or between walls
+  bool outermost;    // on a ring, or between walls
+  double amplitude;  // largest displacement or velocity at the start
 
-  // One of the numbers of its balance, in some unit
-  Estimate number(double Balance::*of, double unit = 1) const {
-    return compare(Balance(coarse, outermost).*of / unit, Balance(fine, outermost).*of / unit);
+  Estimate spread() const {
+    return compare(Balance(coarse, outermost).spread, Balance(fine, outermost).spread);
   }
 };
 
 Motion averaged(const std::string& name, const Chain& chain, const State<double>& start,
                 double time, bool outermost, bool returns = true) {
   Motion m{name, mean_forces(chain, start, time, 1e-11), mean_forces(chain, start, time, 1e-13),
-           outermost};
+           outermost, largest(start)};
   const Means& end = m.fine;
-  const double small = 1e-9 * largest(start);
+  const double small = 1e-9 * m.amplitude;
   for (std::size_t n = 0; n < chain.sites; ++n) {
     const double gained = chain.mass_of(n) * (end.v[n] - start.v[n]) / time;
     if (!(std::abs(gained - (end.push[n] - end.push[n + 1] - end.well[n])) < small))
@@ -183,12 +183,9 @@ starts a thousandth off, the ring does not return, and its means differ by the f
 [0.000757](num:sec2_nonexistence.mean_force_spread_not_periodic). */
 std::vector<Motion> of_free_chains(Report& report) {
   std::vector<Motion> all;
-  Estimate spread{}, push{HUGE_VAL};
   const auto add = [&](const std::string& name, const Chain& chain, const State<double>& start,
-                       double period) {
-    all.push_back(averaged(name, chain, start, period, true));
-    spread = larger(spread, all.back().number(&Balance::spread));
-    push = smaller(push, all.back().number(&Balance::largest, largest(start)));
+                       double time, bool returns = true) {
+    all.push_back(averaged(name, chain, start, time, true, returns));
   };
   // Equal beads on a ring, while the wave goes round once
   const Orbit<double> wave = wave_on_ring(3 * period / 8);
@@ -201,14 +198,12 @@ std::vector<Motion> of_free_chains(Report& report) {
   const State<double> on_ring = standing_wave(ring);
   add("uneven_ring", ring(1), on_ring, period);
   add("walls", walls(1), standing_wave(walls), period);
-  report.facts.add("mean_force_spread_free", spread);
-  report.facts.add("mean_force_least_free", push, "relative to amplitude");
 
   // A motion that does not return
   State<double> wrong = on_ring;
   wrong.y[0] *= 1.001;
-  report.facts.add("mean_force_spread_not_periodic",
-                   averaged("", ring(1), wrong, period, true, false).number(&Balance::spread));
+  add("not_returning", ring(1), wrong, period, false);
+  report.facts.add("mean_force_spread_not_periodic", all.back().spread());
   return all;
 }
 
@@ -231,6 +226,7 @@ void of_wells(std::vector<Motion>& all) {
 
 // Panels a and b, contact by contact
 void report_means(Report& report, const std::vector<Motion>& all) {
+  constexpr const char* from = "difference of two tolerances, against the largest force";
   Table& table = report.table("mean_forces");
   for (const Motion& m : all) {
     const Vector<double>& push = m.fine.push;
@@ -238,11 +234,12 @@ void report_means(Report& report, const std::vector<Motion>& all) {
     const double top = Balance(m.fine, m.outermost).largest, none = std::nan("");
     for (long i = first; i + first <= sites; ++i)
       table.add(
-          {{"motion", "name of the periodic motion", m.name},
+          {{"motion", "name of the motion; all are periodic but not_returning", m.name},
            {"n", "contact, to the left of bead n; 1 is the first", i + 1, "site"},
            {"force", "mean force of the contact over a period",
-            Estimate{push[i], std::abs(push[i] - m.coarse.push[i])}, "",
-            "difference of two tolerances, against the largest force"},
+            Estimate{push[i], std::abs(push[i] - m.coarse.push[i])}, "", from},
+           {"over_amplitude", "mean force over the largest displacement or velocity at the start",
+            compare(m.coarse.push[i] / m.amplitude, push[i] / m.amplitude), "", from},
            {"relative", "mean force divided by the largest one of this motion", push[i] / top},
            {"step", "mean force of this contact minus that of the next",
             i < sites ? push[i] - push[i + 1] : none},
@@ -261,7 +258,6 @@ bead, averaged from the start up to $t$ (by the trapezoidal rule over all steps)
 if the motion reaches an end of the chain or the energy drifts: such a loss could pass for dispersal. */
 struct Dispersal {
   std::vector<double> t, core, mean;
-  std::int64_t woken = 0;  // beads that are not exactly at rest in the end
 };
 
 Dispersal let_go(const State<double>& breather, const Well& well, double time, int steps_per_unit) {
@@ -282,7 +278,6 @@ Dispersal let_go(const State<double>& breather, const Well& well, double time, i
     out.mean.push_back(now.t > 0 ? impulse / now.t : push);
   };
   const Run run = evolve(EventCorrected{step}, chain, state, time, step, look);
-  out.woken = std::count_if(state.v.begin(), state.v.end(), [](double v) { return v != 0; });
   if (state.v.front() != 0 || state.v.back() != 0)
     throw Failure("the ends of the chain have moved");
   if (!(run.energy_drift < 1e-8)) throw Failure("the energy drifts");
@@ -330,7 +325,6 @@ void report_dispersal(Report& report) {
                      both.of([](const Dispersal& run) { return run.core.back(); }));
     report.facts.add("mean_force_late_mean_" + name, Estimate{std::abs(late.value), late.error});
   }
-  report.facts.add("mean_force_woken_free", compare(runs[0].woken, runs[1].woken));
 }
 
 /**

@@ -22,6 +22,7 @@ the table `dps_error` against `eps`, and `order` of `dps_order`.](fig:x02) */
 #include <complex>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commands/dps_strike.hpp"
@@ -278,17 +279,22 @@ struct Lopsided {
 };
 
 void report_wells(Report& report) {
-  const Well wells[] = {Quartic{1}, Lopsided{}};
+  const std::pair<const char*, Well> wells[] = {{"hard", Quartic{1}}, {"lopsided", Lopsided{}}};
   const double large = report.quick ? -4.5 : -5;
   const double sizes[] = {std::pow(10, large), std::pow(10, large - 0.5)};
   Estimate found[4][2];
   parallel_for("other wells", 8, [&](std::size_t i) {
     const std::vector<Complex> A = start_of(i / 2 % 2);
-    found[i / 2][i % 2] = deviations_with_errors(A, wells[i / 4], sizes[i % 2], {4}).back();
+    found[i / 2][i % 2] = deviations_with_errors(A, wells[i / 4].second, sizes[i % 2], {4}).back();
   });
+  Table& table = report.table("other_wells");
   Estimate off{};
   for (std::size_t i = 0; i < 4; ++i) {
     const Estimate order = order_between(sizes[0], found[i][0], sizes[1], found[i][1]);
+    table.add({{"well", "hard, s = 1, or lopsided, of the force -y - y^2", wells[i / 2].first},
+               {"start", "initial condition, 0: impact, 1: pair", i % 2},
+               {"order", "local order of the error in eps, up to tau = 4", order, "",
+                "from the errors of both points"}});
     off = larger(off, {std::abs(order.value - 1.5), order.error});
   }
   report.facts.add("order_off", off);

@@ -238,6 +238,7 @@ std::string name_of(Centre centre) {
 }
 
 void report_profiles(Report& report) {
+  Table& differences = report.table("approximation");
   for (Centre centre : both_centres) {
     // Three breathers, each with its approximation, site by site
     Table& table = report.table(
@@ -266,7 +267,11 @@ void report_profiles(Report& report) {
             find_breather(problem_of(centre, omega), Phase::compressed, rule<double>(coarser));
         return largest_difference(orbit.start, ansatz(centre, omega, sites)) / orbit.amplitude;
       };
-      report.facts.add(name + name_of(centre), compare(off(1), off(0)), "relative to amplitude");
+      const Estimate apart = compare(off(1), off(0));
+      differences.add({{"centre", "site or bond", name_of(centre)},
+                       {"omega", "frequency", omega},
+                       {"difference", "largest difference over the amplitude", apart}});
+      report.facts.add(name + name_of(centre), apart, "relative to amplitude");
     }
   }
 }
@@ -383,21 +388,38 @@ double asymmetry(const Orbit<double>& orbit) {
   return most / orbit.amplitude;
 }
 
+// Around a site, from orbits at two tolerances
+std::vector<Estimate> asymmetries_of(const BreatherPairs& pairs) {
+  std::vector<Estimate> all(pairs.size());
+  parallel_for(pairs.size(), [&](std::size_t i) {
+    const Orbit<double>& orbit = pairs[i].orbit[0];
+    const Vector<double> beside = orbit.x * 1.000001;
+    const auto problem = problem_of(Centre::site, pairs[i].omega);
+    all[i] = compare(asymmetry(newton(problem, beside, rule<double>(1))), asymmetry(orbit));
+  });
+  return all;
+}
+
 void report_branches(Report& report) {
   // Both families, frequency by frequency
   std::vector<double> omegas = pair_frequencies(0, report.quick ? 6 : 80);
   omegas.insert(omegas.begin(), 1.001);
   const BreatherPairs pairs = breather_pairs_at(0, omegas, measure_in<double>);
+  const std::vector<Estimate> asymmetries = asymmetries_of(pairs);
   Table& table = report.table(
-      "branches", {number("omega", "frequency"), number("amplitude_bond", "largest |y_n(0)|"),
-                   number("amplitude_site", "largest |y_n(0)|"),
+      "branches", {number("omega", "frequency"), estimate("amplitude_bond", "largest |y_n(0)|"),
+                   estimate("amplitude_site", "largest |y_n(0)|"),
                    estimate("energy_bond", "energy of the bond-centred breather"),
-                   estimate("energy_site", "energy of the site-centred breather")});
+                   estimate("energy_site", "energy of the site-centred breather"),
+                   estimate("asymmetry",
+                            "largest |y_n(0) - y_-n(0)| around a site, over the "
+                            "amplitude")});
   Estimate energies{}, amplitudes{};
   std::array<std::vector<Estimate>, 4> growing;
-  for (const BreatherPair& r : pairs) {
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const BreatherPair& r = pairs[i];
     const auto& [site, bond] = r.energy;
-    table.add({r.omega, r.amplitude[1].value, r.amplitude[0].value, bond, site});
+    table.add({r.omega, r.amplitude[1], r.amplitude[0], bond, site, asymmetries[i]});
     const Estimate ratio = quotient(r.amplitude[0], r.amplitude[1]);
     amplitudes = larger(amplitudes, {std::abs(ratio.value - 1), ratio.error});
     const Estimate apart = quotient(r.equal_frequency, bond);
@@ -410,15 +432,6 @@ void report_branches(Report& report) {
   Estimate growth{HUGE_VAL};
   for (const auto& values : growing) growth = smaller(growth, least_ratio(values));
   report.facts.add("least_growth", growth);
-
-  // The asymmetry around a site, from orbits at two tolerances
-  std::vector<Estimate> asymmetries(pairs.size());
-  parallel_for(pairs.size(), [&](std::size_t i) {
-    const Orbit<double>& orbit = pairs[i].orbit[0];
-    const Vector<double> beside = orbit.x * 1.000001;
-    const auto problem = problem_of(Centre::site, pairs[i].omega);
-    asymmetries[i] = compare(asymmetry(newton(problem, beside, rule<double>(1))), asymmetry(orbit));
-  });
   report.facts.add("asymmetry_least_growth", least_ratio(asymmetries));
 }
 
@@ -469,15 +482,21 @@ between 1.0005 and 1.001, is two within its change from the next pair of frequen
 void report_other_wells(Report& report) {
   const std::vector<double> wells =
       report.quick ? std::vector<double>{1} : std::vector<double>{-1, -0.5, 0.5, 1};
-  std::vector<Estimate> off(2 * wells.size());
-  parallel_for("other wells", off.size(), [&](std::size_t i) {
+  std::vector<Estimate> exponent(2 * wells.size());
+  parallel_for("other wells", exponent.size(), [&](std::size_t i) {
     const auto orbits = breathers_at(both_centres[i % 2], wells[i / 2], {1.0005, 1.001, 1.01});
-    const Estimate exponent = compare(growth_exponent(orbits.at(1), orbits.at(2)),
-                                      growth_exponent(orbits.at(0), orbits.at(1)));
-    off[i] = {std::abs(exponent.value - 2), exponent.error};
+    exponent[i] = compare(growth_exponent(orbits.at(1), orbits.at(2)),
+                          growth_exponent(orbits.at(0), orbits.at(1)));
   });
+  Table& table = report.table("other_wells");
   Estimate most{};
-  for (const Estimate& e : off) most = larger(most, e);
+  for (std::size_t i = 0; i < exponent.size(); ++i) {
+    table.add({{"s", "anharmonicity of the well", wells[i / 2]},
+               {"centre", "site or bond", name_of(both_centres[i % 2])},
+               {"exponent", "of the amplitude in omega_b - 1, at 1.0005", exponent[i], "",
+                "change from the next pair of frequencies"}});
+    most = larger(most, {std::abs(exponent[i].value - 2), exponent[i].error});
+  }
   report.facts.add("growth_exponent_off", most);
 }
 
@@ -505,7 +524,15 @@ double broken_symmetry(Centre centre) {
 }
 
 void report_symmetry(Report& report) {
-  const double most = std::max(broken_symmetry(Centre::site), broken_symmetry(Centre::bond));
+  Table& table = report.table("symmetry");
+  double most = 0;
+  for (Centre centre : both_centres) {
+    const double broken = broken_symmetry(centre);
+    table.add({{"centre", "site or bond", name_of(centre)},
+               {"broken", "largest violation of the symmetry over the amplitude",
+                compare(0.0, broken), "", "relative to the amplitude, distance from zero"}});
+    most = std::max(most, broken);
+  }
   report.facts.add("broken_symmetry", compare(0.0, most), "relative to amplitude");
 }
 

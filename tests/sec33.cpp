@@ -162,22 +162,20 @@ TEST_CASE("three free breathers know the kick that frees", "[property][kick]") {
   CHECK_FALSE(predict_threshold(breather(Centre::site, 1.1), p.barrier).exists());
 }
 
-TEST_CASE("a control that moves later, and a trial that is torn", "[unit]") {
-  const auto later = [](const auto& controls) { return delay_of(controls, breathers(16, 16, 1)); };
-  const auto is = [](const Delay& d, double share, double ratio) {
-    return d.later.value == share && std::abs(d.ratio.value - ratio) < 1e-12;
+TEST_CASE("a control that moves later, and a breather that spreads", "[unit]") {
+  const auto delay = [](std::size_t moving, double time) {
+    return delay_of(breathers(16, moving, time), breathers(16, 16, 1)).value;
   };
-  CHECK(is(later(breathers(16, 16, 4)), 1, 4));
-  CHECK(is(later(breathers(16, 16, 1)), 0, 1));
-  CHECK(later(breathers(16, 0, 9)).ratio.value > 9);  // none moves: the end of the run counts
-  auto some = breathers(16, 16, 4);
-  for (std::size_t k = 0; k < 5; ++k) some[k].fine.t[1] = some[k].coarse.t[1] = 1;
-  CHECK(is(later(some), 11.0 / 16, 4));
+  check_close(delay(16, 4), 4, 1e-12);
+  check_close(delay(16, 1), 1, 1e-12);
+  CHECK(delay(0, 9) > 9);  // none moves: the end of the run counts
   auto one = breathers(16, 16);
-  CHECK(torn(one) == 0);
+  check_close(one[0].fine.passage(), 4 / 1.4, 1e-14);
+  const auto passage = [](const DpsRun& run) { return run.passage(); };
   one[3].coarse.X = {0, 0.9};
-  CHECK(torn(one) == 1);
+  check_close(one[3].of(passage).error, 4 - 4 / 1.4, 1e-14);
   one[2].fine.sites[1] = 7;
+  CHECK(one[2].fine.spread() == 7.0 / 3);
   CHECK(largest_spread(one).value == 7.0 / 3);
 }
 

@@ -66,7 +66,7 @@ double Tables::changed(const CellRead& cell, double value) const {
 /**
 ## Rows
 
-A row is shown by the columns that chose it. */
+A row is shown by the columns that chose it, or by its first cell. */
 Data::Data(const Table& table, std::string program, std::string name, Reading& reading)
     : table_(&table), program_(std::move(program)), name_(std::move(name)), reading_(&reading) {
   const auto whole = std::make_shared<const Data>(*this);
@@ -145,7 +145,8 @@ Data::Row Data::only() const {
 
 std::string Data::words(std::size_t row) const {
   std::string out;
-  for (const std::string& key : keys_)
+  const std::vector<std::string> first{table_->columns.front().name};
+  for (const std::string& key : keys_.empty() ? first : keys_)
     out += (out.empty() ? "" : ", ") + key + " = " + shown(table_->rows[row][find(key)]);
   return out;
 }
@@ -168,7 +169,7 @@ Quantity Data::Row::operator[](const std::string& column) const {
   const std::size_t c = in.find(column);
   const CellRead cell{in.program_, in.name_, column, at_};
   const double value = number_in(cells[c], column), now = in.reading_->tables->changed(cell, value);
-  const std::string which = in.words(at_),
+  const std::string which = in.table_->rows.size() == 1 ? "" : in.words(at_),
                     name = is_fact ? std::get<std::string>(cells[0])
                                    : in.name_ + "." + column +
                                          (which.empty() ? "" : " (" + which + ")");
@@ -312,6 +313,11 @@ void Statement::not_more(const Estimate& a, const Estimate& b) {
 }
 void Statement::near(const Estimate& a, const Estimate& b, const Estimate& distance) {
   compare(abs(a - b), distance, false);
+}
+void Statement::increases(const Data& rows, const std::string& column) {
+  if (rows.size() < 2) throw Unresolved{"nothing can increase in one row"};
+  for (const Data::Row* row = rows.begin() + 1; row < rows.end(); ++row)
+    less(row[-1][column], row[0][column]);
 }
 void Statement::within(const Estimate& a, const Estimate& low, const Estimate& high) {
   less(low, a);

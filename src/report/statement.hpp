@@ -266,6 +266,8 @@ class Statement {
   void not_more(const Estimate& a, const Estimate& b);
   /// |a - b| < distance.
   void near(const Estimate& a, const Estimate& b, const Estimate& distance);
+  /// A result grows from each row to the next.
+  void increases(const Data& rows, const std::string& column);
   /// low < a < high.
   void within(const Estimate& a, const Estimate& low, const Estimate& high);
   /// What is printed is compared with this number.

@@ -32,28 +32,20 @@ inline Estimate least_ratio(const std::vector<Estimate>& values) {
   return least;
 }
 
-/// Does a curve that crosses zero again and again increase as a whole? Its arches, the pieces between two changes of
-/// sign, are as high as the largest of their values; a curve of one arch has to increase from point to point.
-struct Arches {
-  Estimate growth;  ///< least ratio of an arch to the one before, or of a single arch's values
-  Estimate end_over_before;  ///< the last value over the highest before it
-
-  explicit Arches(const std::vector<Estimate>& values) {
-    std::vector<Estimate> heights, sizes;
-    Estimate before{};
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      const Estimate size{std::abs(values[k].value), values[k].error};
-      if (k > 0 && values[k].value * values[k - 1].value > 0)
-        heights.back() = larger(heights.back(), size);
-      else
-        heights.push_back(size);
-      if (k + 1 < values.size()) before = larger(before, size);
-      sizes.push_back(size);
-    }
-    growth = least_ratio(heights.size() < 2 ? sizes : heights);
-    end_over_before = quotient(sizes.back(), before);
+/// By which factor a curve that crosses zero again and again grows from arch to arch at least. Its arches, the pieces between
+/// two changes of sign, are as high as the largest of their values; of a single arch the values count.
+inline Estimate least_growth_of_arches(const std::vector<Estimate>& values) {
+  std::vector<Estimate> heights, sizes;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const Estimate size{std::abs(values[k].value), values[k].error};
+    if (k > 0 && values[k].value * values[k - 1].value > 0)
+      heights.back() = larger(heights.back(), size);
+    else
+      heights.push_back(size);
+    sizes.push_back(size);
   }
-};
+  return least_ratio(heights.size() < 2 ? sizes : heights);
+}
 
 /// The mean modulus of a curve; that of every second value tells how well it is known.
 inline Estimate mean_size(const std::vector<Estimate>& values) {

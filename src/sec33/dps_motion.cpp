@@ -38,6 +38,16 @@ double DpsRun::reaches(double distance) const {
   return std::nan("");
 }
 
+// What has not moved by the end of its run moves no earlier
+double DpsRun::passage() const {
+  const double time = reaches(1);
+  return std::isnan(time) ? t.back() : time;
+}
+
+double DpsRun::spread() const {
+  return *std::max_element(sites.begin(), sites.end()) / sites.front();
+}
+
 namespace {
 
 // A number from all runs at one tolerance, with its distance from that at the other one
@@ -46,19 +56,11 @@ auto at_both(Of of) {
   return compare(of(&NoiseTrial::coarse), of(&NoiseTrial::fine));
 }
 
-double median(std::vector<double> x) {
-  std::sort(x.begin(), x.end());
-  return x[x.size() / 2];
-}
-
-// When each passes the next site; what has not moved by the end of its run moves no earlier
-std::vector<double> passages(const NoiseTrials& trials, DpsRun NoiseTrial::*run) {
-  std::vector<double> out;
-  for (const NoiseTrial& trial : trials) {
-    const double t = (trial.*run).reaches(1);
-    out.push_back(std::isnan(t) ? (trial.*run).t.back() : t);
-  }
-  return out;
+double median_passage(const NoiseTrials& trials, DpsRun NoiseTrial::*run) {
+  std::vector<double> t;
+  for (const NoiseTrial& trial : trials) t.push_back((trial.*run).passage());
+  std::sort(t.begin(), t.end());
+  return t[t.size() / 2];
 }
 
 }  // namespace
@@ -72,35 +74,18 @@ Estimate passing(const NoiseTrials& trials, double distance, double by) {
   });
 }
 
-std::size_t torn(const NoiseTrials& trials) {
-  return std::size_t(std::count_if(trials.begin(), trials.end(), [](const NoiseTrial& trial) {
-    return std::isnan(trial.fine.reaches(1)) != std::isnan(trial.coarse.reaches(1));
-  }));
-}
-
 // Sizes and delays
 Estimate largest_spread(const NoiseTrials& trials) {
   return at_both([&](auto run) {
     double most = 0;
-    for (const NoiseTrial& trial : trials) {
-      const std::vector<double>& sites = (trial.*run).sites;
-      most = std::max(most, *std::max_element(sites.begin(), sites.end()) / sites.front());
-    }
+    for (const NoiseTrial& trial : trials) most = std::max(most, (trial.*run).spread());
     return most;
   });
 }
 
-Delay delay_of(const NoiseTrials& controls, const NoiseTrials& trials) {
-  const Estimate later = at_both([&](auto run) {
-    const auto held = passages(controls, run), free = passages(trials, run);
-    int count = 0;
-    for (std::size_t k = 0; k < free.size(); ++k) count += held[k] > free[k];
-    return count;
-  });
-  const auto ratio = [&](auto run) {
-    return median(passages(controls, run)) / median(passages(trials, run));
-  };
-  return {quotient(later, exact(double(trials.size()))), at_both(ratio)};
+Estimate delay_of(const NoiseTrials& controls, const NoiseTrials& trials) {
+  return at_both(
+      [&](auto run) { return median_passage(controls, run) / median_passage(trials, run); });
 }
 
 }  // namespace lattice

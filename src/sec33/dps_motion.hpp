@@ -48,6 +48,10 @@ struct DpsRun {
 
   /// When |X| exceeds `distance` for the first time, interpolated; nan if it never does.
   double reaches(double distance) const;
+  /// When it passes the next site, |X| = 1; the end of the run if it never does.
+  double passage() const;
+  /// By which factor the number of sites grows at most.
+  double spread() const;
 };
 
 /// One seed of the noise.
@@ -55,23 +59,22 @@ struct NoiseTrial {
   std::size_t seed;
   std::complex<double> kick{};  ///< shift and push of the noise along the translational mode
   DpsRun coarse{}, fine{};      ///< at two tolerances
+
+  /// What `number` reads from the finer run, with its distance from that of the coarser one.
+  template <class Number>
+  Estimate of(Number number) const {
+    return compare(number(coarse), number(fine));
+  }
 };
 using NoiseTrials = std::vector<NoiseTrial>;
 
 /// How many pass a distance by the time `by`; exact if both tolerances give the same.
 Estimate passing(const NoiseTrials& trials, double distance, double by = HUGE_VAL);
 
-/// Trials that pass |X| = 1 at one tolerance and not at the other.
-std::size_t torn(const NoiseTrials& trials);
-
 /// By which factor the number of sites on which these breathers live grows at most.
 Estimate largest_spread(const NoiseTrials& trials);
 
-/// How much later controls, which lack the translational mode, pass the next site.
-struct Delay {
-  Estimate later{};  ///< fraction of the seeds of which the control moves later
-  Estimate ratio{};  ///< of the median times
-};
-Delay delay_of(const NoiseTrials& controls, const NoiseTrials& trials);
+/// How much later controls, which lack the translational mode, pass the next site: the ratio of the median times.
+Estimate delay_of(const NoiseTrials& controls, const NoiseTrials& trials);
 
 }  // namespace lattice

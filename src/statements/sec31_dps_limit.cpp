@@ -18,5 +18,8 @@ STATEMENT("dps.travelling_close") {
 }
 
 STATEMENT("dps.wells_drop_out") {
-  less(fact("order_off"), 0.03);
+  enum { impact, pair };
+  for (const char* well : {"hard", "lopsided"})
+    for (int start : {impact, pair})
+      near(table("other_wells").at("well", well, "start", start)["order"], 1.5, 0.03);
 }
