@@ -60,26 +60,55 @@ bool Tables::is_quick(const std::string& program) {
 double Tables::changed(const CellRead& cell, double value) const {
   const bool is_meant = change && change->program == cell.program && change->table == cell.table &&
                         change->column == cell.column && (!change->row || *change->row == cell.row);
-  return is_meant ? change->factor * value : value;
+  return is_meant ? change->factor * value + change->more : value;
 }
 
 /**
-## Rows
+## The name of a value
 
-A row is shown by the columns that chose it, or by its first cell. */
-Data::Data(const Table& table, std::string program, std::string name, Reading& reading)
-    : table_(&table), program_(std::move(program)), name_(std::move(name)), reading_(&reading) {
-  const auto whole = std::make_shared<const Data>(*this);
-  for (std::size_t i = 0; i < table.rows.size(); ++i) rows_.push_back(Row(whole, i));
+A fact has its own. A cell is named by its table, its column, and as many of the first cells of its row as no other row has;
+results, which have errors, do not name a row. */
+static std::string shown(const Cell& cell) {
+  const auto* real = std::get_if<double>(&cell);
+  if (!real) return ecsv::cell_text(cell);
+  std::ostringstream out;
+  out << *real;
+  return out.str();
 }
 
-std::size_t Data::find(const std::string& column) const try {
-  return table_->find(column);
+static std::string name_of(const CellRead& cell, const Table& table) {
+  const auto& row = table.rows[cell.row];
+  if (cell.table == "facts") return std::get<std::string>(row[0]);
+  const auto is_result = [&](const std::string& name) {
+    const auto is_error = [&](const Column& c) { return c.name == name + "_error"; };
+    return name.ends_with("_error") || std::ranges::any_of(table.columns, is_error);
+  };
+  std::vector<const std::vector<Cell>*> alike;
+  for (const auto& other : table.rows) alike.push_back(&other);
+  std::string which;
+  for (std::size_t c = 0; c < row.size() && alike.size() > 1; ++c) {
+    if (is_result(table.columns[c].name)) continue;
+    const auto before = alike.size();
+    std::erase_if(alike, [&](const auto* other) { return (*other)[c] != row[c]; });
+    if (alike.size() < before)
+      which += (which.empty() ? "" : ", ") + table.columns[c].name + " = " + shown(row[c]);
+  }
+  return cell.table + "." + cell.column + (which.empty() ? "" : " (" + which + ")");
+}
+
+/**
+## Rows */
+Data::Data(Source source) : source_(std::make_shared<const Source>(std::move(source))) {
+  for (std::size_t i = 0; i < source_->table.rows.size(); ++i) rows_.push_back({source_, i});
+}
+
+std::size_t Source::find(const std::string& column) const try {
+  return table.find(column);
 } catch (const std::out_of_range&) {
-  throw Unresolved{program_ + "/" + name_ + " has no column '" + column + "'"};
+  throw Unresolved{program + "/" + name + " has no column '" + column + "'"};
 }
 
-// A cell as a number, as a key and in words
+// A cell as a number and as a key
 static double number_in(const Cell& cell, const std::string& column) {
   if (const auto* count = std::get_if<std::int64_t>(&cell)) return double(*count);
   if (const auto* real = std::get_if<double>(&cell)) return *real;
@@ -90,27 +119,17 @@ static bool is_same(double a, double b) {
   return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
 }
 
-static std::string shown(const Cell& cell) {
-  const auto* real = std::get_if<double>(&cell);
-  if (!real) return ecsv::cell_text(cell);
-  std::ostringstream out;
-  out << *real;
-  return out.str();
-}
-
-Data Data::chosen(const std::string& column, const IsMeant& is, const std::string& wanted) const {
-  const std::size_t c = find(column);
-  Data out(*table_, program_, name_, *reading_, keys_);
-  if (std::find(keys_.begin(), keys_.end(), column) == keys_.end()) out.keys_.push_back(column);
-  const auto from = std::make_shared<const Data>(out);
-  for (const Row& row : rows_)
-    if (is(table_->rows[row.at_][c])) out.rows_.push_back(Row(from, row.at_));
+// Rows by their keys
+Data Data::chosen(const std::string& column, const std::function<bool(const Cell&)>& is,
+                  const std::string& wanted) const {
+  Data out(*this);
+  std::erase_if(out.rows_, [&](const Row& row) { return !is(row.cell(column)); });
   if (out.rows_.empty())
-    throw Unresolved{program_ + "/" + name_ + " has no row with " + column + wanted};
+    throw Unresolved{source_->program + "/" + source_->name + " has no row with " + column +
+                     wanted};
   return out;
 }
 
-// Rows by their keys
 Data Data::where(const std::string& column, const Key& key) const {
   if (const auto* text = std::get_if<std::string>(&key)) {
     const auto is = [&](const Cell& cell) {
@@ -120,69 +139,55 @@ Data Data::where(const std::string& column, const Key& key) const {
     return chosen(column, is, " = " + *text);
   }
   const double wanted = std::get<double>(key);
-  return chosen(
-      column, [&](const Cell& cell) { return is_same(number_in(cell, column), wanted); },
-      " = " + shown(wanted));
+  const auto is = [&](const Cell& cell) { return is_same(number_in(cell, column), wanted); };
+  return chosen(column, is, " = " + shown(wanted));
 }
 
 Data Data::where(const std::string& column, double low, double high) const {
-  return chosen(
-      column,
-      [&](const Cell& cell) {
-        const double x = number_in(cell, column);
-        return (x > low || is_same(x, low)) && (x < high || is_same(x, high));
-      },
-      " from " + shown(low) + " to " + shown(high));
+  const auto is = [&](const Cell& cell) {
+    const double x = number_in(cell, column);
+    return (x > low || is_same(x, low)) && (x < high || is_same(x, high));
+  };
+  return chosen(column, is, " from " + shown(low) + " to " + shown(high));
 }
 
 // One row
 Data::Row Data::only() const {
   if (rows_.size() != 1)
-    throw Unresolved{program_ + "/" + name_ + " has " + std::to_string(rows_.size()) +
-                     " rows instead of one"};
+    throw Unresolved{source_->program + "/" + source_->name + " has " +
+                     std::to_string(rows_.size()) + " rows instead of one"};
   return rows_.front();
 }
 
-std::string Data::words(std::size_t row) const {
-  std::string out;
-  const std::vector<std::string> first{table_->columns.front().name};
-  for (const std::string& key : keys_.empty() ? first : keys_)
-    out += (out.empty() ? "" : ", ") + key + " = " + shown(table_->rows[row][find(key)]);
-  return out;
+const Cell& Data::Row::cell(const std::string& column) const {
+  return source->table.rows[at][source->find(column)];
 }
 
 double Data::Row::operator()(const std::string& column) const {
-  return number_in(from_->table_->rows[at_][from_->find(column)], column);
+  return number_in(cell(column), column);
 }
 
 std::string Data::Row::text(const std::string& column) const {
-  const auto* text = std::get_if<std::string>(&from_->table_->rows[at_][from_->find(column)]);
+  const auto* text = std::get_if<std::string>(&cell(column));
   if (!text) throw Unresolved{"the column '" + column + "' holds numbers"};
   return *text;
 }
 
-// The number and its error, after the change that a test makes; a fact goes by its own name and has a unit of its own
+// The number and its error, after the change that a test makes; a fact has a unit of its own
 Quantity Data::Row::operator[](const std::string& column) const {
-  const Data& in = *from_;
-  const bool is_fact = in.name_ == "facts";
-  const auto& cells = in.table_->rows[at_];
-  const std::size_t c = in.find(column);
-  const CellRead cell{in.program_, in.name_, column, at_};
-  const double value = number_in(cells[c], column), now = in.reading_->tables->changed(cell, value);
-  const std::string which = in.table_->rows.size() == 1 ? "" : in.words(at_),
-                    name = is_fact ? std::get<std::string>(cells[0])
-                                   : in.name_ + "." + column +
-                                         (which.empty() ? "" : " (" + which + ")");
-  in.reading_->all.insert(cell);
-  in.reading_->latest.push_back(name);
+  const auto& [table, program, name, reading] = *source;
+  const bool is_fact = name == "facts";
+  const CellRead read{program, name, column, at};
+  const double value = number_in(cell(column), column), now = reading.tables->changed(read, value);
+  reading.all.insert(read);
+  reading.latest.insert(read);
 
-  const bool is_count = in.table_->columns[c].kind == Kind::integer;
+  const Column& heading = table.columns[source->find(column)];
   const std::string with_error = is_fact ? "error" : column + "_error";
-  const double error = is_count ? 0 : std::get<double>(cells[in.find(with_error)]);
+  const double error = heading.kind == Kind::integer ? 0 : number_in(cell(with_error), with_error);
   if (!std::isfinite(now) || !std::isfinite(error))
-    throw Unresolved{in.program_ + ": " + name + " is not a number, or has no error"};
-  const std::string unit =
-      is_fact ? std::get<std::string>(cells[in.find("unit")]) : in.table_->columns[c].unit;
+    throw Unresolved{program + ": " + name_of(read, table) + " is not a number, or has no error"};
+  const std::string unit = is_fact ? text("unit") : heading.unit;
   if (error == 0) return {{exact(now)}, unit};
   return {{Estimate(now, now == value ? error : std::abs(now / value) * error)}, unit};
 }
@@ -286,16 +291,14 @@ std::string Judged::text() const {
 
 What a comparison is about is told by the cells that were read for it. */
 std::string Statement::taken() {
-  // In an order that no compiler chooses, as it may that of the sides
-  const std::set<std::string> all(reading_.latest.begin(), reading_.latest.end());
-  std::vector<std::string> names(all.begin(), all.end());
-  const std::size_t cells = names.size();
-  if (cells > 3) names.resize(1);
+  const std::size_t most = 3, all = reading_.latest.size();
   std::string out;
-  for (const std::string& name : names) out += (out.empty() ? "" : ", ") + name;
-  if (cells > 3) out += " and " + std::to_string(cells - 1) + " other values";
+  for (const CellRead& cell : reading_.latest) {
+    out += (out.empty() ? "" : ", ") + name_of(cell, reading_.tables->of(cell.program, cell.table));
+    if (all > most) break;
+  }
   reading_.latest.clear();
-  return out;
+  return all > most ? out + " and " + std::to_string(all - 1) + " other values" : out;
 }
 
 void Statement::compare(const Estimate& a, const Estimate& b, bool may_be_equal) {
@@ -334,7 +337,7 @@ void Statement::answer(const Quantity& found) {
 Data Statement::table(const std::string& program, const std::string& name) {
   const Table& found = reading_.tables->of(program, name);
   judged_.is_quick = judged_.is_quick || reading_.tables->is_quick(program);
-  return Data(found, program, name, reading_);
+  return Data({found, program, name, reading_});
 }
 Data Statement::table(const std::string& name) {
   return table(program_, name);

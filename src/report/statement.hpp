@@ -70,7 +70,7 @@ struct CellRead {
 struct Change {
   std::string program, table, column;
   std::optional<std::size_t> row{};
-  double factor = 1;
+  double factor = 1, more = 0;
 };
 
 /// Why a statement has no verdict: a program that has not run, or what its tables lack.
@@ -104,8 +104,7 @@ class Tables {
 /// What was read since the last comparison, and altogether.
 struct Reading {
   Tables* tables;
-  std::set<CellRead> all{};
-  std::vector<std::string> latest{};  ///< in words
+  std::set<CellRead> latest{}, all{};
 };
 
 /**
@@ -120,23 +119,30 @@ struct Key : std::variant<double, std::string> {
   Key(std::string text) : variant(std::move(text)) {}
 };
 
+/// A table that a statement reads.
+struct Source {
+  const Table& table;
+  std::string program, name;
+  Reading& reading;
+
+  /// Throws Unresolved if there is no such column.
+  std::size_t find(const std::string& column) const;
+};
+
 /// The rows of a table, or some of them.
 class Data {
  public:
-  class Row {
-   public:
+  struct Row {
+    std::shared_ptr<const Source> source;
+    std::size_t at;
+
     double operator()(const std::string& column) const;
     std::string text(const std::string& column) const;
     Quantity operator[](const std::string& column) const;
-
-   private:
-    friend class Data;
-    std::shared_ptr<const Data> from_;  ///< without its rows
-    std::size_t at_;
-    Row(std::shared_ptr<const Data> from, std::size_t at) : from_(std::move(from)), at_(at) {}
+    const Cell& cell(const std::string& column) const;
   };
 
-  Data(const Table& table, std::string program, std::string name, Reading& reading);
+  explicit Data(Source source);
 
   /// The rows whose `column` is `key`, or from `low` to `high`. Throws Unresolved if there is none.
   Data where(const std::string& column, const Key& key) const;
@@ -158,22 +164,10 @@ class Data {
   const Row* end() const { return rows_.data() + rows_.size(); }
 
  private:
-  using IsMeant = std::function<bool(const Cell&)>;
-  Data(const Table& table, std::string program, std::string name, Reading& reading,
-       std::vector<std::string> keys)
-      : table_(&table),
-        program_(std::move(program)),
-        name_(std::move(name)),
-        reading_(&reading),
-        keys_(std::move(keys)) {}
-  Data chosen(const std::string& column, const IsMeant& is, const std::string& wanted) const;
-  std::size_t find(const std::string& column) const;
-  std::string words(std::size_t row) const;
+  Data chosen(const std::string& column, const std::function<bool(const Cell&)>& is,
+              const std::string& wanted) const;
 
-  const Table* table_;
-  std::string program_, name_;
-  Reading* reading_;
-  std::vector<std::string> keys_{};  ///< columns by which the rows were chosen
+  std::shared_ptr<const Source> source_;
   std::vector<Row> rows_{};
 };
 

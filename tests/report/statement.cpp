@@ -128,7 +128,7 @@ TEST_CASE("what is compared is kept with what was read for it", "[unit]") {
   REQUIRE(found.comparisons.size() == 6);
   for (const Comparison& c : found.comparisons) CHECK(c.holds());
   CHECK(found.comparisons[0].what ==
-        "sweep.speed (s = -0.166667, velocity = 0.62), sweep.speed (s = 0, velocity = 0.62)");
+        "sweep.speed (s = 0, velocity = 0.62), sweep.speed (s = -0.166667, velocity = 0.62)");
   CHECK(found.comparisons[3].text() == "threshold: 2.5 +- 0.1 < 3");
   check_close(found.closest()->margin().value, 1.0 / 18, 1e-9);  // 3 - 1/6 < 3
   CHECK(found.cells.size() == 5);
