@@ -366,6 +366,7 @@ void report_runs(Report& report, const std::vector<Group>& groups) {
         return trial.of(
             [&](const DpsRun& run) { return int(run.reaches(distance) <= group.counted_by); });
       };
+      // Whether, by when, and how widely
       const bool coarse = trial.coarse.reaches(1) > 0, fine = trial.fine.reaches(1) > 0;
       table.add(
           {{"noise", "complex (main), narrow, real or relative", group.reading},

@@ -246,6 +246,7 @@ void report_confinement(Report& report) {
     all[i] = {excursion(v0, time, method(v0, 0)), excursion(v0, time, method(v0, 1))};
   });
 
+  // A row for each impact
   Table& table = report.table(
       "confinement",
       {number("velocity", "velocity of the impact on the first bead"),

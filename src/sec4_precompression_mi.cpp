@@ -652,6 +652,7 @@ void report_coefficient(Report& report) {
                 "from two time steps and two pairs of amplitudes"},
                {"phi", "modulation coefficient from its formula",
                 rounded(phi(at.q, at.s), phi_of, at.q, at.s), "", by_precisions},
+               {"slow", "1 where the fastest modulation is slow", grows_slowly(at.q, at.s)},
                {"growth_phi",
                 "modulation coefficient from the measured growth; nan where stable or out of reach",
                 at.phi, "", "from two pairs of amplitudes; nan where growth_phi is"}});

@@ -116,6 +116,24 @@ TEST_CASE("a verdict follows the values that it was read from", "[statements]") 
   for (const auto& [id, value] : listed) FAIL_CHECK(id << " does not read " << value);
 }
 
+TEST_CASE("a table that is cut short decides nothing", "[statements]") {
+  Tables tables(tables_of_run());
+  const Cases all = judge(VOLUME_DIR, tables);
+  for (const Case& one : all) {
+    std::set<std::pair<std::string, std::string>> read;
+    for (const CellRead& cell : one.found.cells)
+      if (cell.table != "facts") read.emplace(cell.program, cell.table);
+    for (const auto& [program, table] : read) {
+      const std::size_t rows = tables.of(program, table).rows.size();
+      CAPTURE(one.claim.id, table, rows);
+      if (rows < 2) continue;
+      tables.cut(program, table, 1);
+      CHECK(statements().at(one.claim.id).judge(tables).lost != "");
+      tables.restore();
+    }
+  }
+}
+
 TEST_CASE("what was observed names its range in its sentence", "[statements]") {
   const Table rows = read(VOLUME_DIR "/paper/findings.ecsv");
   const auto kind = rows.texts("kind"), sentence = rows.texts("sentence"),

@@ -24,7 +24,9 @@ Estimate operator*(const Estimate& a, const Estimate& b) {
                 std::abs(a.value) * b.error + std::abs(b.value) * a.error + a.error * b.error);
 }
 Estimate operator/(const Estimate& a, const Estimate& b) {
-  return joined(a, b, a.value / b.value, quotient(a, b).error);
+  if (!(b.error < std::abs(b.value))) throw Unresolved{"a denominator may be zero"};
+  const double value = a.value / b.value;
+  return joined(a, b, value, (a.error + std::abs(value) * b.error) / (std::abs(b.value) - b.error));
 }
 Estimate operator-(const Estimate& a) {
   return joined(a, a, -a.value, a.error);
@@ -41,13 +43,29 @@ bool Tables::has_run(const std::string& program) const {
   return std::filesystem::exists(folder_ / program / "facts.ecsv");
 }
 
+// A table that an earlier version wrote may still be there: the header of the facts lists those of the run
+bool Tables::is_of_the_run(const std::string& program, const std::string& name) const {
+  if (name == "facts") return true;
+  for (const auto& [key, text] : read(folder_ / program / "facts.ecsv").meta)
+    if (key == "tables") return (", " + text).find(", " + name + " ") != std::string::npos;
+  return true;
+}
+
 const Table& Tables::of(const std::string& program, const std::string& name) {
   const auto known = read_.find({program, name});
   if (known != read_.end()) return known->second;
   const auto path = folder_ / program / (name + ".ecsv");
   if (!has_run(program)) throw NotRun{program};
-  if (!std::filesystem::exists(path)) throw Unresolved{program + " has no table '" + name + "'"};
-  return read_[{program, name}] = read(path);
+  Table table = std::filesystem::exists(path) ? read(path) : Table{};
+  if (table.rows.empty() || !is_of_the_run(program, name))
+    throw Unresolved{program + " has no table '" + name + "', or one without rows"};
+  return read_[{program, name}] = std::move(table);
+}
+
+void Tables::cut(const std::string& program, const std::string& name, std::size_t rows) {
+  of(program, name);
+  auto& all = read_.at({program, name}).rows;
+  all.resize(std::min(rows, all.size()));
 }
 
 bool Tables::is_quick(const std::string& program) {
@@ -68,6 +86,11 @@ double Tables::changed(const CellRead& cell, double value) const {
 
 A fact has its own. A cell is named by its table, its column, and as many of the first cells of its row as no other row has;
 results, which have errors, do not name a row. */
+static bool is_result(const Table& table, const std::string& column) {
+  return std::ranges::any_of(table.columns,
+                             [&](const Column& c) { return c.name == column + "_error"; });
+}
+
 static std::string shown(const Cell& cell) {
   const auto* real = std::get_if<double>(&cell);
   if (!real) return ecsv::cell_text(cell);
@@ -79,15 +102,12 @@ static std::string shown(const Cell& cell) {
 static std::string name_of(const CellRead& cell, const Table& table) {
   const auto& row = table.rows[cell.row];
   if (cell.table == "facts") return std::get<std::string>(row[0]);
-  const auto is_result = [&](const std::string& name) {
-    const auto is_error = [&](const Column& c) { return c.name == name + "_error"; };
-    return name.ends_with("_error") || std::ranges::any_of(table.columns, is_error);
-  };
   std::vector<const std::vector<Cell>*> alike;
   for (const auto& other : table.rows) alike.push_back(&other);
   std::string which;
   for (std::size_t c = 0; c < row.size() && alike.size() > 1; ++c) {
-    if (is_result(table.columns[c].name)) continue;
+    const std::string& name = table.columns[c].name;
+    if (is_result(table, name) || name.ends_with("_error")) continue;
     const auto before = alike.size();
     std::erase_if(alike, [&](const auto* other) { return (*other)[c] != row[c]; });
     if (alike.size() < before)
@@ -116,7 +136,8 @@ static double number_in(const Cell& cell, const std::string& column) {
 }
 
 static bool is_same(double a, double b) {
-  return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
+  const double size = std::max(std::abs(a), std::abs(b));
+  return a == b || (std::isfinite(size) && std::abs(a - b) <= std::max(1e-9 * size, 1e-12));
 }
 
 // Rows by their keys
@@ -144,6 +165,8 @@ Data Data::where(const std::string& column, const Key& key) const {
 }
 
 Data Data::where(const std::string& column, double low, double high) const {
+  for (const double end : {low, high})
+    if (std::isfinite(end)) where(column, end);
   const auto is = [&](const Cell& cell) {
     const double x = number_in(cell, column);
     return (x > low || is_same(x, low)) && (x < high || is_same(x, high));
@@ -164,6 +187,8 @@ const Cell& Data::Row::cell(const std::string& column) const {
 }
 
 double Data::Row::operator()(const std::string& column) const {
+  if (is_result(source->table, column))
+    throw Unresolved{"'" + column + "' is a result with an error, and was read as a given number"};
   return number_in(cell(column), column);
 }
 
@@ -185,7 +210,7 @@ Quantity Data::Row::operator[](const std::string& column) const {
   const Column& heading = table.columns[source->find(column)];
   const std::string with_error = is_fact ? "error" : column + "_error";
   const double error = heading.kind == Kind::integer ? 0 : number_in(cell(with_error), with_error);
-  if (!std::isfinite(now) || !std::isfinite(error))
+  if (!std::isfinite(now) || !std::isfinite(error) || error < 0)
     throw Unresolved{program + ": " + name_of(read, table) + " is not a number, or has no error"};
   const std::string unit = is_fact ? text("unit") : heading.unit;
   if (error == 0) return {{exact(now)}, unit};
@@ -203,6 +228,8 @@ static Estimate extreme(const std::vector<Estimate>& all, double sign) {
   double value = HUGE_VAL, low = HUGE_VAL, high = HUGE_VAL;
   bool is_exact = true;
   for (const Estimate& e : all) {
+    if (!std::isfinite(e.value) || !std::isfinite(e.error))
+      throw Unresolved{"one of several values is not a number"};
     value = std::min(value, sign * e.value), is_exact = is_exact && e.is_exact;
     low = std::min(low, sign * e.value - e.error), high = std::min(high, sign * e.value + e.error);
   }
@@ -235,12 +262,13 @@ Estimate Comparison::left() const {
 
 bool Comparison::holds() const {
   const Estimate e = left();
-  return may_be_equal ? e.value >= -e.error : e.value > e.error;
+  return is_decided() && (may_be_equal ? e.value >= -e.error : e.value > 0);
 }
 
 bool Comparison::is_decided() const {
   const Estimate e = left();
-  return may_be_equal || std::abs(e.value) > e.error;
+  const double largest = std::max(std::abs(small.value), std::abs(large.value));
+  return may_be_equal ? e.error == 0 || e.error < largest : std::abs(e.value) > e.error;
 }
 
 Estimate Comparison::margin() const {
@@ -317,10 +345,12 @@ void Statement::not_more(const Estimate& a, const Estimate& b) {
 void Statement::near(const Estimate& a, const Estimate& b, const Estimate& distance) {
   compare(abs(a - b), distance, false);
 }
-void Statement::increases(const Data& rows, const std::string& column) {
+void Statement::increases(const Data& rows, const std::string& along, const std::string& column) {
   if (rows.size() < 2) throw Unresolved{"nothing can increase in one row"};
-  for (const Data::Row* row = rows.begin() + 1; row < rows.end(); ++row)
+  for (const Data::Row* row = rows.begin() + 1; row < rows.end(); ++row) {
+    if (!(row[-1](along) < row[0](along))) throw Unresolved{"the rows do not follow " + along};
     less(row[-1][column], row[0][column]);
+  }
 }
 void Statement::within(const Estimate& a, const Estimate& low, const Estimate& high) {
   less(low, a);

@@ -42,7 +42,8 @@ namespace lattice {
 /**
 ## Arithmetic with errors
 
-The errors of both sides add up; a product or a quotient has those of first order, and what is exact stays so. */
+The errors of both sides add up, those of products and quotients in the worst case; what is exact stays so. A quotient
+whose denominator may be zero leaves the statement unresolved. */
 Estimate operator+(const Estimate& a, const Estimate& b);
 Estimate operator-(const Estimate& a, const Estimate& b);
 Estimate operator*(const Estimate& a, const Estimate& b);
@@ -95,8 +96,13 @@ class Tables {
   double changed(const CellRead& cell, double value) const;
 
   std::optional<Change> change{};
+  /// Leaves only the first `rows` rows of a table, until `restore`.
+  void cut(const std::string& program, const std::string& name, std::size_t rows);
+  void restore() { read_.clear(); }
 
  private:
+  bool is_of_the_run(const std::string& program, const std::string& name) const;
+
   std::filesystem::path folder_;
   std::map<std::pair<std::string, std::string>, Table> read_{};
 };
@@ -111,7 +117,8 @@ struct Reading {
 ## Rows and selections of rows
 
 Keys match to 1e-9 of their size, since 94 times 0.01 is not 0.94. `row("s")` is a number that was given, such as a
-parameter; `row["speed"]` a result with its error, which is in the column `speed_error`. Whole numbers are exact. */
+parameter, and no result; `row["speed"]` is a result with its error, which is in the column `speed_error`. Whole numbers are
+exact. */
 struct Key : std::variant<double, std::string> {
   Key(double number) : variant(number) {}
   Key(std::integral auto number) : variant(double(number)) {}
@@ -144,7 +151,8 @@ class Data {
 
   explicit Data(Source source);
 
-  /// The rows whose `column` is `key`, or from `low` to `high`. Throws Unresolved if there is none.
+  /// The rows whose `column` is `key`, or from `low` to `high`. Throws Unresolved if there is none, or none at an end of the
+  /// range that is finite: what is said of a range is not said of a part of it.
   Data where(const std::string& column, const Key& key) const;
   Data where(const std::string& column, double low, double high) const;
   /// The row with these keys, `at("s", 0, "velocity", 0.3)`. Throws Unresolved unless there is exactly one.
@@ -256,12 +264,12 @@ class Statement {
 
   /// a < b by more than the errors of both.
   void less(const Estimate& a, const Estimate& b);
-  /// The same, where equal within the errors is enough.
+  /// The same, where equal within the errors is enough; errors as large as the sides decide nothing.
   void not_more(const Estimate& a, const Estimate& b);
   /// |a - b| < distance.
   void near(const Estimate& a, const Estimate& b, const Estimate& distance);
-  /// A result grows from each row to the next.
-  void increases(const Data& rows, const std::string& column);
+  /// A result grows from each row to the next, along a given number.
+  void increases(const Data& rows, const std::string& along, const std::string& column);
   /// low < a < high.
   void within(const Estimate& a, const Estimate& low, const Estimate& high);
   /// What is printed is compared with this number.

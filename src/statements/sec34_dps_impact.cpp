@@ -20,7 +20,7 @@ STATEMENT("impact.amp_dps") {
 }
 
 STATEMENT("impact.speed_order") {
-  const Estimate tau_per_time = exact(std::sqrt(0.9548e-3));  // eps as printed
+  const Estimate tau_per_time{std::sqrt(0.9548e-3), 1e-6};  // eps as printed
   less(fact("lattice_speed"), tau_per_time * fact("dps_speed"));
 }
 

@@ -30,9 +30,12 @@ struct Written {
     Table facts{label("quantity", ""), number("value", ""), number("error", ""), label("unit", "")};
     facts.add({"threshold", Estimate(2.5, 0.1), "m"});
     facts.add({"lost", undefined_value(), "m"});
+    facts.meta = {{"tables", "sweep 00000000, empty 00000000, facts 00000000"}};
     for (const char* program : {"sec1_demo", "sec2_other"}) {
       std::filesystem::create_directory(scratch.path / program);
-      write(scratch.path / program / "sweep.ecsv", sweep);
+      for (const char* name : {"sweep", "older"})
+        write(scratch.path / program / (std::string(name) + ".ecsv"), sweep);
+      write(scratch.path / program / "empty.ecsv", Table{sweep.columns});
       write(scratch.path / program / "facts.ecsv", facts);
     }
   }
@@ -45,9 +48,10 @@ struct Written {
 
 /// A statement whose body is given by a test, with the words that it may use.
 struct Spoken : Statement {
-  using Statement::accuracy, Statement::answer, Statement::fact, Statement::less, Statement::near,
-      Statement::not_more, Statement::table, Statement::within;
+  using Statement::accuracy, Statement::answer, Statement::fact, Statement::increases,
+      Statement::less, Statement::near, Statement::not_more, Statement::table, Statement::within;
   std::function<void(Spoken&)> body;
+  double zero = 0;
   void judge() override { body(*this); }
 };
 
@@ -74,6 +78,7 @@ TEST_CASE("rows are found by keys and ranges, however these were rounded", "[uni
     CHECK(sweep.size() == 6);
     CHECK(sweep.where("s", -1.0 / 6).size() == 3);
     CHECK(sweep.where("velocity", 0.31, 0.62).where("s", 0).size() == 2);
+    CHECK(sweep.where("velocity", 0.62, HUGE_VAL).size() == 4);
     CHECK(sweep.where("kind", "soft").size() == 3);
     const auto row = sweep.at("s", -1.0 / 6, "velocity", 0.93);
     check_close(row["speed"].value, 3 - 1.0 / 6, 1e-15);
@@ -110,7 +115,7 @@ TEST_CASE("errors of both sides add up", "[unit]") {
   check_close((a + b).error, 0.3, 1e-12);
   check_close((a - b).value, -2, 1e-12);
   check_close((a * b).error, 0.82, 0.03);
-  check_close((a / b).error, 0.05, 0.1);
+  check_close((a / b).error, 2.1 / 3.8 - 0.5, 1e-12);
   check_close(abs(a - b).value, 2, 1e-12);
   CHECK((exact(3) - exact(1)).is_exact);
   CHECK_FALSE((exact(3) * a).is_exact);
@@ -119,19 +124,21 @@ TEST_CASE("errors of both sides add up", "[unit]") {
 TEST_CASE("what is compared is kept with what was read for it", "[unit]") {
   const Judged found = judged([](Spoken& s) {
     const Data sweep = s.table("sweep");
-    for (const auto& soft : sweep.where("s", -1.0 / 6).where("velocity", 0.5, 2))
+    for (const auto& soft : sweep.where("s", -1.0 / 6).where("velocity", 0.62, 0.93))
       s.less(soft["speed"], sweep.at("s", 0, "velocity", soft("velocity"))["speed"]);
     s.within(s.fact("threshold"), 2, 3);
     s.near(1, 1.05, 0.1);
     s.not_more(Estimate(1.05, 0.2), 1);
+    s.increases(sweep.where("s", 0), "velocity", "speed");
   });
-  REQUIRE(found.comparisons.size() == 6);
+  CHECK_FALSE(Comparison{"", Estimate(0, 3), Estimate(1, 3), true}.is_decided());
+  REQUIRE(found.comparisons.size() == 8);
   for (const Comparison& c : found.comparisons) CHECK(c.holds());
   CHECK(found.comparisons[0].what ==
         "sweep.speed (s = 0, velocity = 0.62), sweep.speed (s = -0.166667, velocity = 0.62)");
   CHECK(found.comparisons[3].text() == "threshold: 2.5 +- 0.1 < 3");
   check_close(found.closest()->margin().value, 1.0 / 18, 1e-9);  // 3 - 1/6 < 3
-  CHECK(found.cells.size() == 5);
+  CHECK(found.cells.size() == 6);
   CHECK_FALSE(Comparison{"", Estimate(1, 0.1), Estimate(1.1, 0.1)}.is_decided());
   for (Comparison c : found.comparisons) {
     c.is_flipped = true;
@@ -143,7 +150,7 @@ TEST_CASE("what is compared is kept with what was read for it", "[unit]") {
 TEST_CASE("nothing passes by having nothing to compare", "[unit]") {
   check_line(lost([](Spoken& s) { s.table("sweep").where("s", 7); }), "has no row with s = 7");
   check_line(lost([](Spoken& s) { s.table("sweep").where("s", 1, 2); }),
-             "no row with s from 1 to 2");
+             "has no row with s = 1");
   check_line(lost([](Spoken& s) { s.table("sweep").at("s", 0); }), "has 3 rows instead of one");
   check_line(lost([](Spoken& s) { s.table("sweep")["speed"]; }), "has 6 rows instead of one");
   check_line(lost([](Spoken& s) { s.table("sweep").where("t", 0); }), "has no column 't'");
@@ -152,6 +159,15 @@ TEST_CASE("nothing passes by having nothing to compare", "[unit]") {
   check_line(lost([](Spoken& s) { s.table("speeds"); }), "sec1_demo has no table 'speeds'");
   check_line(lost([](Spoken& s) { s.fact("lost"); }), "lost is not a number, or has no error");
   check_line(lost([](Spoken& s) { s.fact("none"); }), "has no row with quantity = none");
+  check_line(lost([](Spoken& s) { s.table("empty"); }), "or one without rows");
+  check_line(lost([](Spoken& s) { s.table("older"); }), "has no table 'older'");
+  check_line(lost([](Spoken& s) { (*s.table("sweep").begin())("speed"); }),
+             "was read as a given number");
+  check_line(lost([](Spoken& s) { s.less(1, 1 / Estimate(1, 1)); }), "a denominator may be zero");
+  check_line(lost([](Spoken& s) {
+               s.less(1, largest_of({1, Estimate(0.0 / s.zero)}));
+             }),
+             "not a number");
   check_line(lost([](Spoken&) {}), "nothing is compared");
   check_line(lost([](Spoken& s) { s.less(1, 2), s.answer(s.fact("threshold")); }),
              "both an answer");
