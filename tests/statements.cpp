@@ -75,8 +75,8 @@ bool follows(const Case& one, const Cases& all, Tables& tables, const CellRead& 
 }  // namespace
 
 TEST_CASE("statements", "[statements]") {
-  Tables tables(tables_of_run());
-  const Cases all = judge(VOLUME_DIR, tables);
+  static Tables tables(tables_of_run());  // once, and not for each section
+  static const Cases all = judge(VOLUME_DIR, tables);
   for (const Case& one : all) DYNAMIC_SECTION(one.claim.list << ": " << one.claim.id) {
       const auto range = allowed(one.claim);
       CAPTURE(one.claim.printed, one.claim.tolerance, range.low, range.high, one.found.text());

@@ -63,9 +63,14 @@ const Table& Tables::of(const std::string& program, const std::string& name) {
 }
 
 void Tables::cut(const std::string& program, const std::string& name, std::size_t rows) {
-  of(program, name);
-  auto& all = read_.at({program, name}).rows;
-  all.resize(std::min(rows, all.size()));
+  Table part = whole_[{program, name}] = of(program, name);
+  part.rows.resize(std::min(rows, part.rows.size()));
+  read_[{program, name}] = std::move(part);
+}
+
+void Tables::restore() {
+  for (auto& [name, table] : whole_) read_[name] = std::move(table);
+  whole_.clear();
 }
 
 bool Tables::is_quick(const std::string& program) {

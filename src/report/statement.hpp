@@ -98,13 +98,14 @@ class Tables {
   std::optional<Change> change{};
   /// Leaves only the first `rows` rows of a table, until `restore`.
   void cut(const std::string& program, const std::string& name, std::size_t rows);
-  void restore() { read_.clear(); }
+  void restore();
 
  private:
   bool is_of_the_run(const std::string& program, const std::string& name) const;
 
   std::filesystem::path folder_;
-  std::map<std::pair<std::string, std::string>, Table> read_{};
+  std::map<std::pair<std::string, std::string>, Table> read_{},
+      whole_{};  ///< of those that are cut
 };
 
 /// What was read since the last comparison, and altogether.
