@@ -360,7 +360,6 @@ void report_tail(Report& report) {
   };
   report.facts.add("packet_width_moderate", at("width", 1), "site");
   report.facts.add("tail_gentle", at("tail", 0.05));
-  report.facts.add("tail_moderate", at("tail", 1));
   report.facts.add("tail_strong", at("tail", 1.9));
 }
 

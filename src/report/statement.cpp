@@ -341,6 +341,7 @@ void Statement::compare(const Estimate& a, const Estimate& b, bool may_be_equal)
       {what.empty() && !before.empty() ? before.back().what : what, a, b, may_be_equal});
 }
 
+// The comparisons
 void Statement::less(const Estimate& a, const Estimate& b) {
   compare(a, b, false);
 }
