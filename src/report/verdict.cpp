@@ -105,9 +105,9 @@ static std::string on_missed(const Case& one, const Cases& all) {
 }
 
 static std::string on_comparisons(const std::vector<Comparison>& all) {
-  const auto is_decided = [](const Comparison& c) { return c.is_decided(); };
+  const auto fails = [](const Comparison& c) { return c.is_decided() && !c.holds(); };
   if (std::ranges::all_of(all, &Comparison::holds)) return "holds";
-  return std::ranges::all_of(all, is_decided) ? "discrepant" : "unresolved";
+  return std::ranges::any_of(all, fails) ? "discrepant" : "unresolved";
 }
 
 std::string verdict(const Case& one, const Cases& all) {
