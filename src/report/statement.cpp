@@ -350,6 +350,7 @@ void Statement::not_more(const Estimate& a, const Estimate& b) {
 }
 void Statement::near(const Estimate& a, const Estimate& b, const Estimate& distance) {
   compare(abs(a - b), distance, false);
+  judged_.comparisons.back().what += " away from " + text_of(b);
 }
 void Statement::increases(const Data& rows, const std::string& along, const std::string& column) {
   if (rows.size() < 2) throw Unresolved{"nothing can increase in one row"};
