@@ -326,8 +326,15 @@ What a comparison is about is told by the cells that were read for it. */
 std::string Statement::taken() {
   const std::size_t most = 3, all = reading_.latest.size();
   std::string out;
+  std::string before;
   for (const CellRead& cell : reading_.latest) {
-    out += (out.empty() ? "" : ", ") + name_of(cell, reading_.tables->of(cell.program, cell.table));
+    const std::string name = name_of(cell, reading_.tables->of(cell.program, cell.table));
+    const std::string column = name.substr(0, name.find(" ("));
+    // Of the same column only the row is said
+    const bool has_row = name.size() > column.size();
+    out += out.empty() ? "" : ", ";
+    out += has_row && column == before ? name.substr(column.size() + 1) : name;
+    before = column;
     if (all > most) break;
   }
   reading_.latest.clear();

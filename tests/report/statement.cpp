@@ -135,7 +135,7 @@ TEST_CASE("what is compared is kept with what was read for it", "[unit]") {
   REQUIRE(found.comparisons.size() == 8);
   for (const Comparison& c : found.comparisons) CHECK(c.holds());
   CHECK(found.comparisons[0].what ==
-        "sweep.speed (s = 0, velocity = 0.62), sweep.speed (s = -0.166667, velocity = 0.62)");
+        "sweep.speed (s = 0, velocity = 0.62), (s = -0.166667, velocity = 0.62)");
   CHECK(found.comparisons[3].text() == "threshold: 2.5 +- 0.1 < 3");
   check_close(found.closest()->margin().value, 1.0 / 18, 1e-9);  // 3 - 1/6 < 3
   CHECK(found.cells.size() == 6);
@@ -149,8 +149,7 @@ TEST_CASE("what is compared is kept with what was read for it", "[unit]") {
 
 TEST_CASE("nothing passes by having nothing to compare", "[unit]") {
   check_line(lost([](Spoken& s) { s.table("sweep").where("s", 7); }), "has no row with s = 7");
-  check_line(lost([](Spoken& s) { s.table("sweep").where("s", 1, 2); }),
-             "has no row with s = 1");
+  check_line(lost([](Spoken& s) { s.table("sweep").where("s", 1, 2); }), "has no row with s = 1");
   check_line(lost([](Spoken& s) { s.table("sweep").at("s", 0); }), "has 3 rows instead of one");
   check_line(lost([](Spoken& s) { s.table("sweep")["speed"]; }), "has 6 rows instead of one");
   check_line(lost([](Spoken& s) { s.table("sweep").where("t", 0); }), "has no column 't'");
