@@ -263,7 +263,8 @@ struct Dispersal {
 Dispersal let_go(const State<double>& breather, const Well& well, double time, int steps_per_unit) {
   const Chain chain{401, well};
   State<double> state(401);  // the centre of the breather is bead 200, from zero
-  std::copy(breather.y.begin(), breather.y.end(), state.y.begin() + 200 - 11);
+  std::copy(breather.y.begin(), breather.y.end(),
+            state.y.begin() + 200 - long(breather.y.size() / 2));
   const double all = energy(chain, state), step = 1. / steps_per_unit;
   Dispersal out;
   double impulse = 0, before = 0;
@@ -342,8 +343,8 @@ void reproduce(Report& report) {
 /**
 ## Try it
 
-**To change it.** Another chain without wells is a function like `uneven_chain`, and one more `add` in `of_free_chains`;
-another state is the first argument of `let_go`.
+**To change it.** Another chain without wells is a function like `uneven_chain`, one more `add` in `of_free_chains`, and
+its name in the script; another state is the first argument of `let_go`.
 
 1. *Easy.* What becomes of an impact when there are no wells?
    `build/bin/sec34_impact run --well none --velocity 1 --time 200` gives `packet_energy_fraction` = 0.99366. Hint:

@@ -390,8 +390,10 @@ void reproduce(Report& report) {
 /**
 ## Try it
 
-**To change it.** Another start is a vector of complex amplitudes in `start_of`, another well a struct like `Lopsided`.
-For another contact law change two lines, both called `to_right`, and in the library's chain (model/contact.hpp).
+**To change it.** Another start is a vector of complex amplitudes in `start_of`, another well a struct like `Lopsided`,
+in its place in `wells`. For another contact law of the power $\alpha$ change both lines called `to_right`, the third
+member of `Chain` in `deviations`, `tau_0(alpha)`, and the slow time, $\epsilon^{\alpha-1}$ for `sqrt(eps)`, twice in
+`deviations`.
 
 1. *Easy.* Does a packet of the chain move as the DpS equation says?
    `build/bin/sec34_impact run --velocity 0.01 --time 1000` gives `speed` = 0.02531. Hint: an impact of velocity $v_0$

@@ -404,8 +404,9 @@ void reproduce(Report& report) {
 /**
 ## Try it
 
-**To change it.** For other wells edit the array `wells`; for another comparison, at equal energy say, change the line
-of `missing` in `compare_breathers`.
+**To change it.** For other soft and hard wells edit the array `wells`, and the values in the script of figure 7; the
+middle one stays linear. For a comparison at equal energy both lines of `missing` have energies, `area_omega` is
+`moved.energy_omega`, and `equal_area` is `(bond.area - moved.area) / shifted.period() - missing`.
 
 1. *Easy.* Next to a zero: `build/bin/sec32_barrier barrier --omega 1.01462` gives `equal_area` = -1.86531e-17, some two
    hundred times the modulus of `equal_frequency`. Which of the two decides where the breather rests? Hint: a breather

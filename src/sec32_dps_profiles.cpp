@@ -279,8 +279,10 @@ void reproduce(Report& report) {
 `sec32_dps_profiles profile` prints one profile beside its approximation, for any $\mu$ and any exponent of the contacts
 (commands/one_profile.hpp).
 
-**To change it.** Another exponent $\alpha$ of the contacts is `root` to the power $2(\alpha-1)$ in `newton`, with
-$\alpha$ for 1.5 in its derivative, and the last argument of `stationary`.
+**To change it.** For another exponent $\alpha$ of the contacts `root` is to the power $2(\alpha-1)$ in `newton`,
+$\alpha$ stands for 1.5 in its derivative, the force `w` of `assert_solution` has the power $\alpha$, `approximate` is
+`quasi_continuum(centre, n, alpha)` (model/quasi_continuum.hpp), and $\alpha$ is the last argument of `stationary` and
+`stationary_from`.
 
 1. *Easy.* How good is $y_n = 2\epsilon u_n\cos\omega_bt$ for a small breather of the chain?
    `build/bin/sec32_newton_breathers breather --omega 1.001` gives `amplitude` = 9.63900e-7. Hint: Eq. (20) gives

@@ -545,9 +545,9 @@ families of anharmonic wells.
 
 ## Try it
 
-**To change it.** Wells, masses and contacts are members of `chain`, and of the chain of `problem_of`
-(breather_pairs.hpp), with which the run compares: change both. Other symmetries are the two lines of `conditions`, for
-`R` and for `DR`.
+**To change it.** Wells and contacts are members of `chain`, and of the chain of `problem_of` (breather_pairs.hpp), with
+which the run compares: change both, and the library's tests fail. For another exponent of the contacts `guess` is
+`ansatz` with that contact.
 
 1. *Easy.* How does the amplitude grow with $\omega_b - 1$?
    `build/bin/sec32_newton_breathers breather --centre bond --omega 1.002` gives `amplitude` = 3.53917e-6. Hint: at

@@ -522,7 +522,8 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** Another noise is a line of `groups_under_noise`, another perturbation is `perturbed`. Another contact
-law changes `contact_eigenvalues` and the factor 1.5 of `exponent`.
+law is the last argument of `stationary`, `margin_of`, `instability_margin` and `energy`, the factor 1.5 of `exponent`,
+and `.exponent` of the equation in `follow`.
 
 1. *Easy.* DpS breathers of all frequencies are alike. In the chain this holds in the limit $\omega_b\to1$:
    `build/bin/sec32_barrier barrier --omega 1.001` gives `equal_frequency` = 1.164686e-18, and

@@ -579,7 +579,8 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** Another line through frequencies and wells is a vector of `Spot` for `along`; another well, contact or
-mass is set where `problem_at` makes the chain (exchange.hpp).
+mass is set where `problem_at` makes the chain (exchange.hpp), whose tests then fail. `report_exchange` seeks the
+exchange between $s = 0.1$ and 0.2 and stops if there is none.
 
 1. *Easy.* At a slightly higher frequency the exchange lies elsewhere:
    `build/bin/sec33_floquet exchange --centre bond --omega 1.15` gives `s0` = 0.018781. Hint: the curves of exchange

@@ -447,9 +447,10 @@ void report_check(const State<double>& ours) {
 /**
 ## Try it
 
-**To change it.** The size of the impact and the end of the run are `eps` and `tau_end`; `sites` must grow with the
-time. Other wells or contacts are further members of `Chain` in `chain_run`; the DpS equation then has another $\tau_0$
-or power (dps.hpp). The figures read columns by name.
+**To change it.** The size of the impact and the end of the run are `eps` and `tau_end`, with the instants from
+`instants_from` to `instants_to`; `sites` must grow with the time. Other wells or contacts are further members of every
+`Chain{sites}`, another power also of every `Dps{sites}` (dps.hpp); the DpS equation then has another $\tau_0$. The
+figures read columns by name.
 
 1. *Easy.* What if the chain is held at its first contact? `build/bin/sec31_dps_limit impact --end fixed` gives
    `amplitude` = 0.6587 and `speed` = 0.4142. Hint: an end that cannot recoil gives the packet more.

@@ -411,9 +411,12 @@ std::vector<double> report_blowup(Report& report) {
                     number("escape_time", "time of the blow-up; nan if the run has no blow-up"),
                     count("escaped", "1 if a bead escapes"),
                     count("agree", "1 where both resolutions agree on the outcome")});
-  std::vector<double> ends{far_away};  // of the curves of figure 19; the first well is linear
-  for (std::size_t w = 1; w < wells.size(); ++w) {
-    const SweptWell& well = wells[w];
+  std::vector<double> ends;  // of the curves of figure 19
+  for (const SweptWell& well : wells) {
+    if (well.s >= 0) {  // no bead can escape
+      ends.push_back(far_away);
+      continue;
+    }
     std::vector<Trial> trials(report.quick ? 31 : 801);
     for (std::size_t i = 0; i < trials.size(); ++i)
       trials[i].velocity =
@@ -459,9 +462,11 @@ void check_by_gsl() {
 /**
 ## Try it
 
-**To change it.** Another anharmonicity in figure 19 is a row of `wells` and a curve in its script; another kind of well
-is the second member of `Chain` in `followed`. Another observation of the packet is a line in the loop of `followed`,
-and a row of `SweepPoint::measure`. The figures read columns by name.
+**To change it.** Another anharmonicity in figure 19 is a row of `wells`, after the linear one and with no faster
+impacts than that, and a curve in its script; a well that beads cannot leave needs no band. Another kind of well is the
+second member of `Chain` in `followed`, and in the energy of `report_shares`. Another observation of the packet is a
+member of `Followed`, a line in the loop of `followed`, a row of `SweepPoint::measure` and a column. The figures read
+columns by name.
 
 1. *Easy.* Where is the energy in a soft well? `build/bin/sec34_impact run --s -0.7 --velocity 0.9` gives
    `boundary_energy_fraction` = 0.76318 and `packet_energy_fraction` = 0.073459. Hint: with `--s 0` most of it travels.

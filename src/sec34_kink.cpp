@@ -81,6 +81,8 @@ State<double> after_impact(std::size_t sites, double v0) {
   return state;
 }
 
+const Well on_site = Pendulum{};  // W = 1 - cos y
+
 Outcome outcome(double v0, std::size_t sites, double patience, const Method& method) {
   Outcome out{.end = after_impact(sites, v0)};
   double next = 100;  // a kink needs about sixty units of time for fifty sites
@@ -92,7 +94,7 @@ Outcome outcome(double v0, std::size_t sites, double patience, const Method& met
     next *= 2;
     return !out.settled;
   };
-  out.run = evolve(method, Chain{sites, Pendulum{}}, out.end, patience, 100, look);
+  out.run = evolve(method, Chain{sites, on_site}, out.end, patience, 100, look);
   return out;
 }
 
@@ -158,7 +160,7 @@ void report_examples(Report& report) {
       for (std::size_t n = 0; n < beads; ++n)
         examples.add({v0, now.t, n + 1, now.y[n] / (2 * std::numbers::pi)});
     };
-    evolve(method(v0, 1), Chain{beads, Pendulum{}}, state, 100, 0.5, look);
+    evolve(method(v0, 1), Chain{beads, on_site}, state, 100, 0.5, look);
   }
 }
 
@@ -231,7 +233,7 @@ Excursion excursion(double v0, double time, const Method& method) {
     for (double v : now.v) out.speed = std::max(out.speed, std::abs(v) / v0);
     for (double y : now.y) out.way = std::max(out.way, std::abs(y) / (v0 * time));
   };
-  out.drift = evolve(method, Chain{beads, Pendulum{}}, state, time, 0.2, look).energy_drift;
+  out.drift = evolve(method, Chain{beads, on_site}, state, time, 0.2, look).energy_drift;
   out.lasted = state.t / time;
   return out;
 }
@@ -279,7 +281,7 @@ check is GSL's adaptive method of order eight, which has no event detection: it 
 and a kink, after $v_0=5$, within $10^{-8}$ at the same positions at $t=60$, when the kink is about to leave. Much later
 the motion is chaotic, so the scan compares counts and not positions. */
 void check_by_gsl() {
-  const Chain chain{beads, Pendulum{}};
+  const Chain chain{beads, on_site};
   for (double v0 : {2.0, 5.0}) {
     State<double> state = after_impact(beads, v0);
     evolve(EventCorrected{0.0125}, chain, state, 60, 60);
@@ -301,8 +303,8 @@ void reproduce(Report& report) {
 /**
 ## Try it
 
-**To change it.** The well is `Pendulum{}` in `outcome`, the counts are `count_wells`, the wait is `patience`. Another
-well needs its own period in `count_wells`. The figure reads columns by name.
+**To change it.** The well is `on_site`, the counts are `count_wells`, which needs the period of another well, as
+`report_examples` does; the wait is `patience`. The figure reads columns by name.
 
 1. *Easy.* Does the kink need the whole chain? `build/bin/sec34_kink run --velocity 5 --sites 30` gives `moved` = 30.
    Hint: it forms within a few beads.

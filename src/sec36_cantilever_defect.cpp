@@ -559,8 +559,9 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** Two changed beams instead of one are two masses and three contacts in `cantilever_chain`
-(cantilever.hpp); the three windows are the sums in `shares`, the time is `defect_passed`. A new quantity is a
-`report.facts.add`, a new column one more entry of a table; the scripts in `figures/` read columns by name.
+(cantilever.cpp, with which its tests fail); the three windows are the sums in `shares`, which the legend of figure x09
+names, the time is `defect_passed`. A new quantity is a `report.facts.add`, a new column one more entry of a table; the
+scripts in `figures/` read columns by name.
 
 1. *Easy.* How much does a slightly heavier defect transmit? `build/bin/sec36_cantilever_defect run --ratio 1.1` gives
    `net_transmitted` = 0.29443. Hint: its mass differs by an eighth, its own frequency only by six per cent.

@@ -14,6 +14,7 @@
 #include <deque>
 #include <iostream>
 #include <optional>
+#include <set>
 #include <sstream>
 
 #include "report/command_line.hpp"
@@ -116,15 +117,33 @@ Table Provenance::sign(Table table) const {
   return table;
 }
 
+/// Removes tables that an earlier version of the program wrote into the folder, and this one does not.
+static void remove_older(const std::filesystem::path& folder, const std::string& program,
+                         const std::set<std::string>& written) {
+  std::vector<std::filesystem::path> older;
+  for (const auto& file : std::filesystem::directory_iterator(folder))
+    if (file.path().extension() == ".ecsv" && !written.count(file.path().stem().string())) try {
+        for (const auto& [key, text] : read(file.path()).meta)
+          if (key == "program" && text == program) older.push_back(file.path());
+      } catch (const std::exception&) {
+        continue;  // not one of ours
+      }
+  for (const auto& path : older) std::filesystem::remove(path);
+}
+
 void Output::finish(const Quantities& facts) {
   add("facts", facts.table);
+  std::set<std::string> written;
   std::string sums;
   for (auto& [name, table] : tables_) {
     if (table.columns.empty()) throw std::logic_error(name + ": a table without a row");
     sums += (sums.empty() ? "" : ", ") + name + " " + rows_sum(to_text(table));
     if (&table == &tables_.back().second) table.meta.emplace_back("tables", sums);
     write(folder_ / (name + ".ecsv"), provenance_.sign(table));
+    written.insert(name);
   }
+  for (const auto& [key, program] : provenance_.entries)
+    if (key == "program") remove_older(folder_, program, written);
 }
 
 namespace {

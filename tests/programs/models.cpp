@@ -60,7 +60,7 @@ TEST_CASE("every command answers a wrong well in one line", "[cli][model]") {
     check_refused(command + "--well pendulum --s 0.1", "--s: 'pendulum' has no parameter s");
   }
   const std::string why = "'none' does not hold a bead, and without a well ";
-  const std::string others = " (allowed: harmonic, quartic, pendulum)";
+  const std::string others = " (allowed: harmonic, quartic, pendulum";
   check_refused(breather + "--well none", why + "there is no breather" + others);
   check_refused(multipliers + "--well none", why + "there is no breather" + others);
   check_refused(squeezed + "--well none", why + "the phonon band is different" + others);

@@ -12,6 +12,7 @@
 #include "report/command_line.hpp"
 #include "report/heartbeat.hpp"
 #include "support/check.hpp"
+#include "support/scratch.hpp"
 
 using namespace lattice;
 
@@ -110,6 +111,22 @@ std::function<void(T)> template_here(T x) {
 }
 
 }  // namespace
+
+TEST_CASE("what a program writes no longer goes, and nothing else", "[unit][frame]") {
+  Scratch scratch;
+  Table mine{number("x", "number")}, other = mine;
+  mine.add({1.0}), other.add({2.0});
+  mine.meta = {{"program", "sec1_demo"}}, other.meta = {{"program", "sec2_other"}};
+  write(scratch.path / "older.ecsv", mine);
+  write(scratch.path / "other.ecsv", other);
+  write_whole(scratch.path / "notes.ecsv", "no table");
+  Output output(scratch.path, {{{"program", "sec1_demo"}}, {}});
+  output.add("speeds", mine);
+  output.finish({});
+  CHECK_FALSE(std::filesystem::exists(scratch.path / "older.ecsv"));
+  for (const char* name : {"other", "notes", "speeds", "facts"})
+    CHECK(std::filesystem::exists(scratch.path / (std::string(name) + ".ecsv")));
+}
 
 TEST_CASE("the function that recorded a number is known by its bare name", "[unit][frame]") {
   named_here(1);
