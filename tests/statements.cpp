@@ -11,6 +11,7 @@
 #include "report/table.hpp"
 #include "report/verdict.hpp"
 #include "support/check.hpp"
+#include "support/scratch.hpp"
 
 using namespace lattice;
 
@@ -132,6 +133,22 @@ TEST_CASE("a table that is cut short decides nothing", "[statements]") {
       tables.restore();
     }
   }
+}
+
+TEST_CASE("every row has its statement, and every statement its row", "[statements]") {
+  Tables tables(tables_of_run());
+  Scratch scratch;
+  const fs::path list = scratch.path / "paper/findings.ecsv";
+  fs::create_directory(scratch.path / "paper");
+  Table rows = read(VOLUME_DIR "/paper/findings.ecsv");
+  rows.rows[0][rows.find("id")] = "none.such";
+  write(list, rows);
+  check_line(refusal<std::runtime_error>([&] { judge(scratch.path, tables); }),
+             "none.such: no statement in src/statements judges it");
+  rows.rows.erase(rows.rows.begin());
+  write(list, rows);
+  check_line(refusal<std::runtime_error>([&] { judge(scratch.path, tables); }),
+             "no list has such a row");
 }
 
 TEST_CASE("what was observed names its range in its sentence", "[statements]") {
