@@ -43,9 +43,9 @@ std::string far_away(Case one, const Cases& all) {
 /// Whether the verdict becomes another decided one when what stands in the tables is another number: with the other sign,
 /// twice or half as large; a count also one larger; an answer that is missed also as it is printed.
 bool follows(const Case& one, const Cases& all, Tables& tables, const Change& cells) {
-  const auto differs = [&](double factor, double more) {
+  const auto differs = [&](double factor, double offset) {
     tables.change = cells;
-    tables.change->factor = factor, tables.change->more = more;
+    tables.change->factor = factor, tables.change->offset = offset;
     const std::string now = verdict({one.claim, statements().at(one.claim.id).judge(tables)}, all);
     tables.change.reset();
     return now != one.claim.status && now != "unresolved";

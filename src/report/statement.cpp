@@ -83,7 +83,7 @@ bool Tables::is_quick(const std::string& program) {
 double Tables::changed(const CellRead& cell, double value) const {
   const bool is_meant = change && change->program == cell.program && change->table == cell.table &&
                         change->column == cell.column && (!change->row || *change->row == cell.row);
-  return is_meant ? change->factor * value + change->more : value;
+  return is_meant ? change->factor * value + change->offset : value;
 }
 
 /**
@@ -323,7 +323,7 @@ std::string Judged::text() const {
 ## Statements
 
 What a comparison is about is told by the cells that were read for it. */
-std::string Statement::taken() {
+std::string Statement::cells_read() {
   const std::size_t most = 3, all = reading_.latest.size();
   std::string out;
   std::string before;
@@ -341,8 +341,8 @@ std::string Statement::taken() {
   return all > most ? out + " and " + std::to_string(all - 1) + " other values" : out;
 }
 
-void Statement::compare(const Estimate& a, const Estimate& b, bool may_be_equal) {
-  const std::string what = taken();
+void Statement::note(const Estimate& a, const Estimate& b, bool may_be_equal) {
+  const std::string what = cells_read();
   const auto& before = judged_.comparisons;
   judged_.comparisons.push_back(
       {what.empty() && !before.empty() ? before.back().what : what, a, b, may_be_equal});
@@ -350,13 +350,13 @@ void Statement::compare(const Estimate& a, const Estimate& b, bool may_be_equal)
 
 // The comparisons
 void Statement::less(const Estimate& a, const Estimate& b) {
-  compare(a, b, false);
+  note(a, b, false);
 }
 void Statement::not_more(const Estimate& a, const Estimate& b) {
-  compare(a, b, true);
+  note(a, b, true);
 }
 void Statement::near(const Estimate& a, const Estimate& b, const Estimate& distance) {
-  compare(abs(a - b), distance, false);
+  note(abs(a - b), distance, false);
   judged_.comparisons.back().what += " away from " + text_of(b);
 }
 void Statement::increases(const Data& rows, const std::string& along, const std::string& column) {

@@ -42,7 +42,8 @@ namespace lattice {
 /**
 ## Arithmetic with errors
 
-The errors of both sides add up, those of products and quotients in the worst case; what is exact stays so. A quotient
+A plain number, as in `less(0, x)`, is known to rounding; counts and whole numbers of a table are exact, and so is
+`exact(3)`. The errors of both sides add up, those of products and quotients in the worst case; what is exact stays so. A quotient
 whose denominator may be zero leaves the statement unresolved. */
 Estimate operator+(const Estimate& a, const Estimate& b);
 Estimate operator-(const Estimate& a, const Estimate& b);
@@ -59,8 +60,8 @@ struct Quantity : Estimate {
 /**
 ## The tables of all programs
 
-They are read when a statement asks for them. What it reads is noted, cell by cell, for the margin that it shows and for
-the test that changes each value and looks whether the verdict follows. */
+They are read when a statement asks for them. Each cell that it reads is recorded: to say what a comparison is about, and so
+that a test can change it and see whether the verdict changes. */
 struct CellRead {
   std::string program, table, column;
   std::size_t row;
@@ -71,7 +72,7 @@ struct CellRead {
 struct Change {
   std::string program, table, column;
   std::optional<std::size_t> row{};
-  double factor = 1, more = 0;
+  double factor = 1, offset = 0;
 };
 
 /// Why a statement has no verdict: a program that has not run, or what its tables lack.
@@ -152,8 +153,8 @@ class Data {
 
   explicit Data(Source source);
 
-  /// The rows whose `column` is `key`, or from `low` to `high`. Throws Unresolved if there is none, or none at an end of the
-  /// range that is finite: what is said of a range is not said of a part of it.
+  /// The rows whose `column` is `key`, or from `low` to `high`. Throws Unresolved if there is none; each finite end must be
+  /// the key of a row, since what is said of a range is not said of a part of it.
   Data where(const std::string& column, const Key& key) const;
   Data where(const std::string& column, double low, double high) const;
   /// The row with these keys, `at("s", 0, "velocity", 0.3)`. Throws Unresolved unless there is exactly one.
@@ -280,8 +281,8 @@ class Statement {
   void accuracy(const Quantity& known) { judged_.accuracy = known; }
 
  private:
-  void compare(const Estimate& a, const Estimate& b, bool may_be_equal);
-  std::string taken();
+  void note(const Estimate& a, const Estimate& b, bool may_be_equal);
+  std::string cells_read();
 
   Judged judged_{};
   Reading reading_{};

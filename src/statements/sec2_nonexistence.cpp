@@ -1,12 +1,12 @@
 /**
-# Statements: 2 no breathers without an on-site potential */
+# Statements of section 2: No breathers without an on-site potential */
 
 #include "report/statement.hpp"
 
 using namespace lattice;
 
 STATEMENT("thm.mean_force") {
-  // Without wells every contact of a periodic motion pushes alike, and not because it does not push
+  // Without wells every contact of a periodic motion has the same mean force, which is not zero
   const Data means = table("mean_forces");
   for (const char* periodic : {"ring_wave", "uneven_ring", "walls"}) {
     const Data contacts = means.where("motion", periodic);

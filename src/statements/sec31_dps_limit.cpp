@@ -1,5 +1,5 @@
 /**
-# Statements: 3.1 the discrete p-Schrödinger (DpS) equation and its error */
+# Statements of section 3.1: The discrete p-Schrödinger (DpS) equation and its error */
 
 #include "report/statement.hpp"
 

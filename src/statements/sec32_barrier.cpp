@@ -1,5 +1,5 @@
 /**
-# Statements: 3.2 the Peierls-Nabarro barrier */
+# Statements of section 3.2: The Peierls-Nabarro barrier */
 
 #include <cmath>
 #include <vector>
@@ -17,7 +17,7 @@ Estimate barrier(const Data::Row& pair) {
 }
 
 /// Whether the barrier has another sign than at the frequency before.
-bool has_turned(const Data::Row* pair) {
+bool sign_changed(const Data::Row* pair) {
   return (pair[-1]["equal_frequency"] * pair[0]["equal_frequency"]).value < 0;
 }
 
@@ -26,7 +26,7 @@ Estimate changes_of_sign(const Data& pairs) {
   int all = 0, doubtful = 0;
   for (const Data::Row* pair = pairs.begin() + 1; pair < pairs.end(); ++pair) {
     const Estimate product = pair[-1]["equal_frequency"] * pair[0]["equal_frequency"];
-    all += has_turned(pair);
+    all += sign_changed(pair);
     doubtful += std::abs(product.value) <= product.error;
   }
   return doubtful == 0 ? exact(all) : Estimate(all, doubtful);
@@ -70,7 +70,7 @@ STATEMENT("pn.grows") {
     // Each arch between two zeros is higher than the one before
     std::vector<std::vector<Estimate>> arches{{barrier(pairs.begin()[0])}};
     for (const Data::Row* pair = pairs.begin() + 1; pair < pairs.end(); ++pair) {
-      if (has_turned(pair)) arches.push_back({});
+      if (sign_changed(pair)) arches.push_back({});
       arches.back().push_back(barrier(*pair));
     }
     for (std::size_t k = 1; k < arches.size(); ++k)
@@ -105,9 +105,9 @@ STATEMENT("barrier.signs") {
 STATEMENT("barrier.equal_area") {
   // Towards omega_b = 1 the two barriers have the ratio -(omega_b - 1) / 5
   const Data pairs = table("key_pairs").where("s", linear);
-  const Data::Row limit = pairs.at("omega", 1.001), above = pairs.at("omega", 1.1);
-  const Estimate ratio = limit["equal_area"] / limit["equal_frequency"];
-  within(ratio / (-(limit("omega") - 1) / 5), 0.95, 1.05);
+  const Data::Row weakest = pairs.at("omega", 1.001), above = pairs.at("omega", 1.1);
+  const Estimate ratio = weakest["equal_area"] / weakest["equal_frequency"];
+  within(ratio / (-(weakest("omega") - 1) / 5), 0.95, 1.05);
   less(above["equal_area"], 0);
   less(0, above["equal_frequency"]);
 }

@@ -1,5 +1,5 @@
 /**
-# Statements: 3.2 static breathers of the DpS equation */
+# Statements of section 3.2: Static breathers of the DpS equation */
 
 #include "report/statement.hpp"
 

@@ -1,5 +1,5 @@
 /**
-# Statements: 3.2 static breathers of the chain */
+# Statements of section 3.2: Static breathers of the chain */
 
 #include "report/statement.hpp"
 

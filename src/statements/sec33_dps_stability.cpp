@@ -1,5 +1,5 @@
 /**
-# Statements: 3.3 stability of the DpS breathers */
+# Statements of section 3.3: Stability of the DpS breathers */
 
 #include "report/statement.hpp"
 

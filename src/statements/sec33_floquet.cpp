@@ -1,5 +1,5 @@
 /**
-# Statements: 3.3 floquet multipliers of the breathers of the chain */
+# Statements of section 3.3: Floquet multipliers of the breathers of the chain */
 
 #include <utility>
 
@@ -29,6 +29,7 @@ STATEMENT("floquet.s0_site") {
 }
 
 STATEMENT("floquet.harmonic") {
+  // kappa > 0: the pinning pair is real and the breather unstable
   const Data breathers = table("harmonic");
   less(0, breathers.at("centre", "site")["kappa"]);
   less(breathers.at("centre", "bond")["kappa"], 0);

@@ -1,5 +1,5 @@
 /**
-# Statements: 3.3 kicked breathers and the depinning threshold */
+# Statements of section 3.3: Kicked breathers and the depinning threshold */
 
 #include <string>
 
@@ -54,5 +54,6 @@ STATEMENT("depinning.law") {
   // Predicted and found are equal to a thousandth
   for (const char* threshold : {"predicted_threshold_bond_stretched", "threshold_bond_stretched"})
     within(fact(threshold), 4.45e-6, 4.453e-6);
-  less(fact("kinetic_share_bond_stretched"), 0);  // so the mass is negative
+  less(fact("kinetic_share_bond_stretched"),
+       0);  // the effective mass of the translation is negative
 }

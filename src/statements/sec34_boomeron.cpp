@@ -1,5 +1,5 @@
 /**
-# Statements: 3.4 packets that reverse their direction in hard wells */
+# Statements of section 3.4: Packets that reverse their direction in hard wells */
 
 #include "report/statement.hpp"
 

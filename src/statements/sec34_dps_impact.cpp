@@ -1,5 +1,5 @@
 /**
-# Statements: 3.4 a weak impact, in the chain and in the DpS equation */
+# Statements of section 3.4: A weak impact, in the chain and in the DpS equation */
 
 #include "report/statement.hpp"
 

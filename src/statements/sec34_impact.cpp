@@ -1,5 +1,5 @@
 /**
-# Statements: 3.4 strong impacts in soft wells: surface mode and blow-up */
+# Statements of section 3.4: Strong impacts in soft wells: surface mode and blow-up */
 
 #include <cmath>
 
@@ -31,7 +31,7 @@ STATEMENT("impact.slower") {
         less(soft[curve], linear.at("velocity", soft("velocity"))[curve]);
 }
 
-/// On the grid of a scan; an impact whose outcome depends on the time step counts for neither edge.
+/// On the grid of a scan; an impact whose outcome depends on the time step is ignored.
 struct Band {
   Estimate first_escape, last_survivor, disputed;
 };

@@ -1,5 +1,5 @@
 /**
-# Statements: 3.4 from travelling breather to kink in pendulum wells */
+# Statements of section 3.4: From travelling breather to kink in pendulum wells */
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 /**
-# Statements: 3.5 physical scales of a cradle and of an array of cantilevers */
+# Statements of section 3.5: Physical scales of a cradle and of an array of cantilevers */
 
 #include "report/statement.hpp"
 

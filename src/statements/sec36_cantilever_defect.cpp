@@ -1,5 +1,5 @@
 /**
-# Statements: 3.6 scattering of a breather by a defect in an array of cantilevers */
+# Statements of section 3.6: Scattering of a breather by a defect in an array of cantilevers */
 
 #include "report/statement.hpp"
 

@@ -1,5 +1,5 @@
 /**
-# Statements: 4 precompression: phonons, modulational instability and impacts */
+# Statements of section 4: Precompression: phonons, modulational instability and impacts */
 
 #include <cmath>
 #include <numbers>
@@ -95,7 +95,7 @@ STATEMENT("pre.mi_run") {
 }
 
 STATEMENT("pre.impact_s1") {
-  less(-front, fact("packet_exponent_s_1"));
+  less(-dispersal, fact("packet_exponent_s_1"));
   less(0.5, fact("steadiness_s_1"));
   for (double t : {291, 724, 3000}) {
     const auto sech = table("sech_fits").at("t", t);
@@ -110,7 +110,7 @@ STATEMENT("pre.impact_s1") {
 
 STATEMENT("pre.impact_other") {
   for (const std::string well : {"s_0", "s_minus_1_6"}) {
-    less(fact("packet_exponent_" + well), -front);
+    less(fact("packet_exponent_" + well), -dispersal);
     less(fact("boundary_exponent_" + well), -0.5);
   }
 

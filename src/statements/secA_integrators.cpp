@@ -1,5 +1,5 @@
 /**
-# Statements: Appendix the order of integrators at contact events */
+# Statements of the appendix: The order of integrators at contact events */
 
 #include <string>
 

@@ -1,5 +1,5 @@
 /**
-# Statements: 3.3 breathers between a site and a bond */
+# Statements of section 3.3: Breathers between a site and a bond */
 
 #include <string>
 

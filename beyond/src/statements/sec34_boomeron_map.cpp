@@ -1,5 +1,5 @@
 /**
-# Statements: 3.4 which packets turn round, and what lies behind them */
+# Statements of section 3.4: Which packets turn round, and what lies behind them */
 
 #include <string>
 

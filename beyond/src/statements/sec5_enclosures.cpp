@@ -1,5 +1,5 @@
 /**
-# Statements: 5 breathers between bounds */
+# Statements of section 5: Breathers between bounds */
 
 #include <string>
 

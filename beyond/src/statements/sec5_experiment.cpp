@@ -1,5 +1,5 @@
 /**
-# Statements: 5 what an experiment would see */
+# Statements of section 5: What an experiment would see */
 
 #include "report/statement.hpp"
 

@@ -1,5 +1,5 @@
 /**
-# Statements: 5 a theorem: exact travelling breathers exist */
+# Statements of section 5: A theorem: exact travelling breathers exist */
 
 #include <string>
 

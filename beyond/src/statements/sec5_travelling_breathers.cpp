@@ -1,5 +1,5 @@
 /**
-# Statements: 5 exact travelling breathers */
+# Statements of section 5: Exact travelling breathers */
 
 #include "report/statement.hpp"
 

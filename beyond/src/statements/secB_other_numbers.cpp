@@ -1,5 +1,5 @@
 /**
-# Statements: Appendix numbers of other authors */
+# Statements of the appendix: Numbers of other authors */
 
 #include "report/statement.hpp"
 
