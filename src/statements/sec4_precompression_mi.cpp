@@ -11,8 +11,8 @@
 using namespace lattice;
 
 constexpr double wells[] = {-1.0 / 6, 0, 1};
-constexpr double front =
-    1.0 / 6;  // a packet that is no breather loses its share faster than t^(-1/6)
+/// A packet that is no breather loses its share faster than t^(-1/6).
+constexpr double dispersal = 1.0 / 6;
 
 STATEMENT("pre.v1") {
   answer(fact("v1"));
