@@ -499,8 +499,8 @@ void report_speeds(Report& report, const Breathers& at, const std::array<double,
 ## Try it
 
 **To change it.** Another kick is the loop over `g[n]` in `kick`, and in `kick_direction` (sec33/kick.cpp) with which
-the threshold is found; another observable is a member of `KickedPath` (sec33/kick.hpp) and a line in `follow`; another
-rule for free and pinned goes into `frees`.
+the threshold is found and whose tests then fail; another observable is a member of `KickedPath` (sec33/kick.hpp) and a
+line in `follow`; another rule for free and pinned goes into `frees`.
 
 1. *Easy.* What does a kick of twice the size do to the speed?
    `build/bin/sec33_mobility kick --phase stretched --c 4e-4 --time 8000` gives `velocity` = -0.00107228. Hint: far

@@ -190,8 +190,8 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** The array's dimensions and materials are the members of `CantileverArray` (cantilever.hpp), the cradle
-is `cradle(g, contact_time)` (sec35/collision.hpp), whose tests fail when they change. Another law of contact is the
-third member of `Chain` in `collide`, and the integral in `collision_by_energy`.
+is `cradle(g, contact_time)` (sec35/collision.hpp); Another law of contact is the third member of `Chain` in `collide`,
+and the integral in `collision_by_energy`. The tests of these headers then fail.
 
 1. *Easy.* Strike the array ten times less: `build/bin/sec35_scales scales --velocity 0.1` gives
    `lambda` = 0.11702 and `contact_time` = 1.79796e-4. Hint: $\tau_h$ grows like $V^{-1/5}$.

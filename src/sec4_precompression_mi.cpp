@@ -778,9 +778,9 @@ void reproduce(Report& report) {
 
 **To change it.** Another well is the member `well` of the chains in `ring` and `struck_chain`, another start on the
 ring is `modulated_phonon`; figure 25 and the scale of $\beta$ need the `beta` of that well, here and as `nls_beta`
-(phonons.hpp). If the program stops because energy is lost, shorten the steps. The criteria for a breather are in
-`traits` and `ring_sample` (packets.cpp). A new quantity is a `report.facts.add`, a new column one more entry of a
-table; the scripts in `figures/` read columns by name.
+(phonons.hpp), whose tests then fail. If the program stops because energy is lost, shorten the steps. The criteria for a
+breather are in `traits` and `ring_sample` (packets.cpp). A new quantity is a `report.facts.add`, a new column one more
+entry of a table; the scripts in `figures/` read columns by name.
 
 1. *Easy.* How much faster are the fastest phonons when the compression is four times as large?
    `build/bin/sec4_precompression_mi band --d 2` gives `largest_group_velocity` = 1.03991. Hint: without wells phonons
