@@ -190,7 +190,7 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** The array's dimensions and materials are the members of `CantileverArray` (cantilever.hpp), the cradle
-is `cradle(g, contact_time)` (sec35/collision.hpp); Another law of contact is the third member of `Chain` in `collide`,
+is `cradle(g, contact_time)` (sec35/collision.hpp). Another law of contact is the third member of `Chain` in `collide`,
 and the integral in `collision_by_energy`. The tests of these headers then fail.
 
 1. *Easy.* Strike the array ten times less: `build/bin/sec35_scales scales --velocity 0.1` gives
