@@ -92,7 +92,7 @@ TEST_CASE("comparisons hold by more than the errors, all of them", "[unit]") {
   CHECK(on({{1, a}, {b, a}}) == "holds");
   CHECK(on({{1, a}, {a, b}}) == "discrepant");
   CHECK(on({{1, c}}) == "unresolved");
-  CHECK(on({{c, a}}) == "unresolved");  // both errors count
+  CHECK(on({{c, a}}) == "unresolved");            // both errors count
   CHECK(on({{1, c}, {1.2, b}}) == "discrepant");  // one that fails is enough
   CHECK(on({{1, c}, {1, a}}) == "unresolved");
 }
