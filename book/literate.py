@@ -2,9 +2,9 @@
 between them with the line numbers of the file. The lists (statements, findings, numbers, figures, commands) are pages made
 from tables. While Sphinx reads them, what prose mentions is bound to what made it:
 
-    [1.62e-11](num:pn.omega11)    a number of ours: its error on hover and focus, a link to its row
+    [0.0650](cell:shares/s=-0.7/packet), [1.62e-11](statement:pn.omega11)    a number: its error on hover, a link to its row
     ![Caption](fig:19)            a figure with its script, program, tables and command
-    [](finding:pull)              the sentence of a finding, with a link to its evidence
+    <!-- pull --> ... <!-- /pull -->    the sentence of a finding, with a link to its evidence
     Eq. (24), figure 19, well.hpp, `sec33_floquet`, `pn.omega11`    links
 
 Nothing is judged here: verdicts are those of build/report/claims.ecsv. What cannot be bound is a warning, and with -W
@@ -30,11 +30,12 @@ from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective
 
 from lineage import ecsv, inventory, markdown as md
+from lineage.cells import cited, home_of, read_cells, with_links
 from lineage.chapters import article_tests, explained_by, read_commands, read_costs, run_of, shown_cost
 from lineage.claims import (KINDS, OBTAINED, agrees, by_name, in_plain, meanings, programs_of, read_answers, read_claims, read_facts,
                             read_findings, read_literature, read_second, read_statements, read_verdicts, said as filled,
-                            with_kind, with_sentences)
-from lineage.lock import read_lock
+                            with_sentences)
+from lineage.lock import quoted, read_lock
 from lineage.refresh import command_of, printed, read_figures
 from lineage.sources import definitions, local_names, made_at, sources_of
 from lineage.values import distance
@@ -44,6 +45,7 @@ from live import live
 HERE = Path(__file__).resolve().parent
 KATEX = [Path("/usr/share/javascript/katex"), Path("/usr/share/nodejs/katex/dist")]
 LISTS = ("published", "findings", "figures", "equations", "commands", "packages", "library")
+STATEMENTS = re.compile(r"<!-- statements -->\n.*?<!-- /statements -->", re.S)
 ORPHAN = "---\norphan: true\n---\n"
 HEAD = re.compile(r"(?:(?:#\w+.*|using namespace.*|namespace \w+ \{|[ \t]*)\n){4,}")
 EQUATIONS = re.compile(r"\bEqs?\.\s*\(\d+\)(?:(?:,|\s+and|\s+to|,\s+and)\s+\(\d+\))*")
@@ -74,8 +76,9 @@ class Book:
         self.formulas, self.set = {}, {}
         self.places = {}  # what -> pages that speak of it
         for s in self.sources:
-            text = "\n".join(self.woven(text) for prose, _, text in s.blocks if prose)
-            said = re.findall(r"\]\(num:([^)\s]+)\)|\]\((finding:[^)]+)\)|^```\{(fig\} \w+)$", text, re.M)
+            text = "\n".join(self.woven(text, home_of(s.path)) for prose, _, text in s.blocks if prose)
+            said = [(name,) for name in cited(text)]
+            said += re.findall(r"\]\((finding:[^)]+)\)|^```\{(fig\} \w+)$", text, re.M)
             said += [("eq " + n,) for run in EQUATIONS.findall(text) for n in re.findall(r"\((\d+)\)", run)]
             for what in map("".join, said):
                 self.places.setdefault(what, {})[s.page] = True
@@ -104,7 +107,8 @@ class Book:
         self.second, self.alone, self.seconds = (joined(read, every) for read in (read_second, read_commands, read_costs))
         programs = [program for v in every for program in programs_of(v)]
         locked, report = joined(read_lock, every), self.build / "report"
-        fresh = read_facts(self.data, programs) | joined(lambda volume: read_answers(volume, report), every)
+        cells = read_cells(self.data, programs, quoted(self.root))
+        fresh = read_facts(self.data, programs) | cells | joined(lambda volume: read_answers(volume, report), every)
         known = locked | {key: replace(locked.get(key, f), made_by=f.made_by, row=f.row) for key, f in fresh.items()}
         self.numbers = by_name(known)
         self.stale = {fresh[key].name for key in locked.keys() & fresh.keys()
@@ -117,7 +121,7 @@ class Book:
             needed = [self.by_include[i] for i in chapter.includes if i in self.by_include]
             halves = [i for i in (s.included[:-4] + ".cpp" for s in needed) if i in self.by_include]
             near[chapter.stem] = [chapter, *needed, *(self.by_include[i] for i in halves)]
-        self.lines = {name: made_at(f, near.get(f.program, ())) for name, f in self.numbers.items()}
+        self.lines = {name: self.table_at(f) if f.what == "cell" else made_at(f, near.get(f.program, ())) for name, f in self.numbers.items()}
         for id, (_, path, line) in self.judged.items():
             self.lines[id] = self.by_path[str(path.relative_to(self.root))], line
 
@@ -128,11 +132,17 @@ class Book:
         self.labels = {row["label"]: f"Eq. ({row['number']})" for row in equations}
         self.labels |= {row["label"]: f"Fig. {int(id)}" for id, row in self.figures.items() if row["label"]}
 
+    def table_at(self, cell):
+        """Where a chapter begins the table of a cell."""
+        chapter, table = self.by_page[cell.program], cell.id.partition("/")[0]
+        lines = [k for k, line in enumerate(chapter.text.split("\n"), 1) if f'"{table}"' in line]
+        return (chapter, lines[0]) if lines else None
+
     # Links
 
     def row(self, name):
         """Where a list has this number."""
-        return f"published.html#{name}" if name in self.claims else f"numbers-{name.partition('.')[0]}.html#{name}"
+        return f"published.html#{name}" if name in self.claims else f"numbers-{re.match('[^./]*', name)[0]}.html#{name}"
 
     def file(self, text, here=""):
         """The page of a source that a text names; empty where the name is that of none or of several."""
@@ -157,7 +167,11 @@ class Book:
 
     def line_link(self, name):
         found = self.lines.get(name)
-        return md.link(f"{found[0].page}.html#L-{found[1]}", f"line {found[1]} of {found[0].name}") if found else ""
+        if not found:
+            return ""
+        above = re.findall(r"^## (.+)$", "\n".join(found[0].text.split("\n")[:found[1]]), re.M)
+        place = f"{above[-1].strip(' */')}, line" if above and not found[0].module else "line"
+        return md.link(f"{found[0].page}.html#L-{found[1]}", f"{place} {found[1]} of {found[0].name}")
 
     def page_link(self, page):
         return md.link(page + ".html", page)
@@ -182,10 +196,11 @@ class Book:
 
     # Chapters and other sources
 
-    def woven(self, text):
+    def woven(self, text, home=""):
         """A block of prose as MyST: sentences of findings in their places, figures as directives, each formula on one
         line, since a line that begins with a minus would begin a list."""
-        text = with_sentences(text, self.findings, with_kind)
+        text = with_links(text, lambda link, name: f"{link[1]}({link[2]}:{name})", home)
+        text = with_sentences(text, self.findings)
         text = re.sub(r"(```.*?```|`[^`]*`)|(\$\$?)(.+?)\2", lambda m: m[1] or m[0].replace("\n", " "), text, flags=re.S)
         return re.sub(r"!\[([^\]]*)\]\(fig:([^)]*)\)", lambda m: f"\n\n```{{fig}} {m[2]}\n{m[1]}\n```\n\n", text)
 
@@ -201,11 +216,13 @@ class Book:
     def source_page(self, source):
         """A chapter, a header, or what is compiled for one."""
         parts = [] if source.titled else [f"# {source.title}\n"]
-        parts += [f"\n{self.woven(text)}\n" if prose else self.listing(text, first) for prose, first, text in source.blocks
+        parts += [f"\n{self.woven(text, home_of(source.path))}\n" if prose else self.listing(text, first) for prose, first, text in source.blocks
                   if text.strip() != "#pragma once"]
         card = self.card_of_part(source) if source.module else self.card(source.path, source.stem)
         page = re.sub(r"^# .+$", lambda m: f'{m[0]}\n\n<p class="card">{card}</p>\n', "".join(parts), count=1, flags=re.M)
-        return ORPHAN + page if source.module else page + self.end_of(source.stem)
+        if source.module:
+            return ORPHAN + page
+        return STATEMENTS.sub(lambda _: self.decided(source.stem), page) + self.end_of(source.stem)
 
     def card(self, path, program):
         """What stands below the title of a chapter."""
@@ -222,20 +239,20 @@ class Book:
         return "<br>".join([f'{md.link("library.html", "Library")}: <code>{source.path}</code>', *lines])
 
     def end_of(self, program):
-        """Figures of a chapter that no prose shows, the statements that it answers, numbers of other authors."""
+        """Figures of a chapter that no prose shows."""
         left = [id for id, row in self.figures.items() if row["program"] == program and f"fig}} {id}" not in self.places]
+        return "".join([*["\n\n## Further figures of this program\n\n"] * bool(left),
+                        *(f"```{{fig}} {id}\n{self.figures[id]['caption']}\n```\n\n" for id in left), live.SCRIPT if self.lives else ""])
+
+    def decided(self, program):
+        """The statements that a chapter decides, and numbers of other authors, with links."""
         answers = [self.claim_row(id) for id, claim in self.claims.items() if claim["program"] == program]
         others = [[md.spelled(row["quantity"]), f"{md.plain(row['citation'])} {md.spelled(row['where'])}",
                    md.spelled(printed(row)), md.number(md.with_error(self.numbers[id])),
                    md.verdict(self.verdicts[id]["verdict"]), f"{OBTAINED[row['obtained']]}. {md.spelled(row['note'])}"]
                   for id, row in self.literature.items() if row["program"] == program]
-        return "".join([
-            *["\n\n## Further figures of this program\n\n"] * bool(left),
-            *(f"```{{fig}} {id}\n{self.figures[id]['caption']}\n```\n\n" for id in left),
-            *["\n\n## Statements answered here\n"] * bool(answers),
-            md.table(["statement", "article", "here", "verdict"], answers),
-            *["\n\n## Numbers of other authors\n"] * bool(others),
-            md.table(["number", "source", "printed", "here", "verdict", "read"], others), live.SCRIPT if self.lives else ""])
+        return (md.table(["statement", "article", "here", "verdict"], answers)
+                + md.table(["number of others", "source", "printed", "here", "verdict", "read"], others))
 
     # Statements, findings, numbers
 
@@ -243,7 +260,8 @@ class Book:
         """A statement of the article in short, below its chapter."""
         claim, found = self.claims[id], self.numbers.get(id)
         return [f"{md.link('published.html#' + id, md.name(id))} {md.spelled(claim['quantity'])}", md.spelled(printed(claim)),
-                md.number(md.with_error(found)) if found else "", md.verdict(self.verdicts[id]["verdict"])]
+                md.number(md.with_error(found)) if found else comparison(self.verdicts[id].get("closest", "")),
+                md.verdict(self.verdicts[id]["verdict"])]
 
     def whole_row(self, id):
         """The same in the table of all: what decides, what is assumed, why it fails, where it is told."""
@@ -299,9 +317,9 @@ class Book:
         """All numbers of a program, and its tables with their columns."""
         paths = sorted((self.data / program).glob("[!.]*.ecsv"))
         means = {c.name: c.description for path in paths for c in ecsv.header_of(ecsv.text_of(path))[0] if len(c.name) > 2}
-        rows = [[md.place(name) + md.name(f.id), meaning(f.id, means), md.number(md.with_error(f)) + self.second_mark(name),
+        rows = [[md.place(name) + md.name(f.id), meaning(f.id.rpartition("/")[2], means), md.number(md.with_error(f)) + self.second_mark(name),
                  ", ".join(filter(None, [self.line_link(name), self.speaks(name, program)])) + self.alone_mark(name)]
-                for name, f in sorted(self.numbers.items()) if name == f"{program}.{f.id}"]
+                for name, f in sorted(self.numbers.items()) if f.program == program and f.what in ("cell", "fact")]
         out = [f"{ORPHAN}# Numbers and tables of {program}\n\n*{self.by_page[program].title}*: `{program}`, computed by "
                f"`{run_of(program)}`{self.cost(program)}. What they decide is in [published against "
                "reproduced](published.md); how to read a table is told in [use the data](data.md).\n",
@@ -546,7 +564,7 @@ class Bind(SphinxTransform):
         self.book, self.page = self.env.app.book, self.env.docname
         for found in list(self.document.findall(nodes.reference)):
             kind, _, id = unquote(found.get("refuri", "")).partition(":")
-            if kind == "num":
+            if kind in ("num", "cell", "statement"):
                 found.replace_self(self.number(id, found))
             elif kind == "finding":
                 found.replace_self(link(found.astext(), f"findings.html#{id}", kind=["evidence"]))
@@ -583,13 +601,13 @@ class Bind(SphinxTransform):
         text, known = found.astext(), number.shown
         if text == "to":  # as the sentence of a finding has it
             text = number.shown_as_interval
-        if text not in ("", known, number.shown_in_prose, number.shown_in_table, number.shown_as_interval):
+        if text not in ("", known, number.shown_in_prose, number.shown_in_table, number.shown_as_interval, number.shown_like(text)):
             say.warning(f"{id} is stale: the text has {text}, the reference value is {known} (make refresh)", location=found)
         if id in self.book.stale:
             say.warning(f"{id} is stale: the computed value differs from the reference value {known} (make accept)", location=found)
         if not self.book.lines.get(id):
             say.warning(f"no line of the sources records '{id}'", location=found)
-        return Number("", text or known, id=id)
+        return Number("", text or number.shown_like(""), id=id)
 
     def bound(self, text):
         """The nodes of a text with its links."""

@@ -341,6 +341,14 @@ void reproduce(Report& report) {
 }
 
 /**
+## Statement by statement
+
+<!-- statements -->
+| statement | printed | here | verdict |
+|---|---|---|---|
+| `thm.mean_force`: period-averaged contact force is the same at every bond and zero for a localized periodic motion |  | 0.99 < 1 (dispersal.core (chain = wells, t = 200)) | holds |
+<!-- /statements -->
+
 ## Try it
 
 **To change it.** Another chain without wells is a function like `uneven_chain`, one more `add` in `of_free_chains`, and

@@ -205,7 +205,13 @@ std::array<std::vector<StabilityAt>, 2> report_wells(Report& report) {
 
 The zero of $\kappa$ in $s$ is found by regula falsi in double precision, with two last steps in extended precision (a
 64-bit mantissa; exchange.hpp). Its error is that of $\kappa$ over the slope of $\kappa$, which is small: two digits of
-$s_0$ need $\kappa$ to $10^{-9}$. [](finding:exchange.equal)
+$s_0$ need $\kappa$ to $10^{-9}$.
+
+<!-- exchange.equal -->
+At $\omega_b = 1.1$ the site- and bond-centred breathers exchange stability at almost the same anharmonicity, and not at
+$s = 0.05$ and $0.26$: the stability of the former changes at $s =$ 0.152519, that of the latter at $s =$ 0.152520. The
+two values are 3.22e-7 apart, and in between both breathers are stable. (computed)
+<!-- /exchange.equal -->
 
 Why do the two exchange their stability at all? Both are extrema of one potential of the breather's centre, which has
 the period of the chain (`sec32_barrier`). If it is nearly a sine, they are its only extrema in a period, and one is
@@ -576,6 +582,21 @@ void reproduce(Report& report) {
 }
 
 /**
+## Statement by statement
+
+<!-- statements -->
+| statement | printed | here | verdict |
+|---|---|---|---|
+| `floquet.spectrum`: four multipliers near +1 and the rest on the unit circle accumulating at exp(+-2 pi i/omega_b) | structure | 0.0008154 < 0.01 (spectra.fourth (centre = bond, omega = 1.975)) | holds |
+| `floquet.s0_bond`: anharmonicity at which the bond-centred breather loses stability (omega_b = 1.1) | 0.26 | 0.1525 | discrepant |
+| `floquet.s0_site`: anharmonicity above which the site-centred breather is stable (omega_b = 1.1) | 0.05 | 0.1525 | discrepant |
+| `floquet.harmonic`: at s = 0 and omega_b = 1.1 the site-centred breather is weakly unstable and the bond-centred one stable | verdict | 0 < 1.148e-08 (harmonic.kappa (centre = site)) | holds |
+| `floquet.instability_size`: unstable multipliers of section 3.3 (omega_b = 1.1) exceed 1 by less than | 1e-3 | 0.0005839 < 0.001 (site_against_s.largest_modulus (s = -1)) | holds |
+| `pinning.gradient`: pinning mode is close to the discrete gradient for both breathers | very close | 0.9797 | quantified |
+| `outlook.sign_of_s`: stability depends on the strength (and sign) of the anharmonicity | depends | 0 < 3.959e-09 (site_against_s.kappa (s = 0.1)) | holds |
+| `floquet.weaker`: the instability is O(epsilon^(1/2)) times weaker in the chain than in the DpS equation | 0.5 | 0.50 | reproduced |
+<!-- /statements -->
+
 ## Try it
 
 **To change it.** Another line through frequencies and wells is a vector of `Spot` for `along`; another well, contact or

@@ -301,6 +301,15 @@ void reproduce(Report& report) {
 }
 
 /**
+## Statement by statement
+
+<!-- statements -->
+| statement | printed | here | verdict |
+|---|---|---|---|
+| `impact.kink`: for W = 1 - cos y and large impact the breather becomes a kink ejecting beads at the far end | kink | 0.005698 < 0.05 (kink_transition.advanced (velocity = 1) and 864 other values) | holds |
+| `impact.no_blowup_pendulum`: no blow-up for W = 1 - cos y | does not occur | 1 < 1.001 (confinement.speed (velocity = 2)) | holds |
+<!-- /statements -->
+
 ## Try it
 
 **To change it.** The well is `on_site`, the counts are `count_wells`, which needs the period of another well, as

@@ -148,7 +148,13 @@ double energy_share(const Cut& cut, const ExchangePair& ends, const ThirdBreathe
 
 At $s = 0$ we follow the site-centred breather from $\omega_b = 1.01$ to 2 in 79 steps and locate, for both breathers,
 the exchanges where its $\kappa$ changes sign. A grid twenty-five times as dense, run once from 1.003, shows no others.
-[](finding:exchange.six) Up to the first exchange the bond-centred breather is the stable one, as in the DpS equation;
+
+<!-- exchange.six -->
+In the linear well the site- and bond-centred breathers exchange stability six times between $\omega_b = 1.003$ and 2,
+first at 1.01794 and last at 1.49164. (computed)
+<!-- /exchange.six -->
+
+Up to the first exchange the bond-centred breather is the stable one, as in the DpS equation;
 then they alternate. At 1.1 it is the bond-centred one again.
 
 | exchange | $\omega_b$ |
@@ -215,7 +221,14 @@ std::vector<ExchangePair> report_windows(Report& report, const Chart& grid) {
 
 We follow two families from a site, $Q=0$, to the next bond, $Q=1/2$: one in $s$ at $\omega_b = 1.1$, where both
 symmetric breathers are stable, and one in $\omega_b$ at $s = 0$, at the fifth exchange, where both are unstable. At the
-other exchanges no third breather was looked for. [](finding:exchange.between)
+other exchanges no third breather was looked for.
+
+<!-- exchange.between -->
+In two exchanges that we followed, the site- and bond-centred breathers do not exchange stability at the same parameter:
+in between, a third, asymmetric breather exists. At $\omega_b = 1.1$ it exists over an interval of 3.22e-7 in $s$ and is
+unstable, between two stable breathers, with $\kappa =$ 1.262e-14. In the linear well near $\omega_b =$ 1.32615 it is
+stable, between two unstable ones, with $\kappa =$ -1.73286e-11. (computed)
+<!-- /exchange.between -->
 
 The argument from two harmonics can be tested. Half way, at $a = 0$, all three curvatures are $16\pi^2|b|$ in size. So
 $\kappa$, proportional to minus the curvature, is as large there for the third breather as for the site-centred one,

@@ -301,7 +301,14 @@ The norms of both breathers agree to six digits. In intervals their difference k
 the energy of the site-centred breather minus that of the bond-centred one is
 [2.85e-9](num:sec5_enclosures.barrier_equal_mu) at $\mu = 1$. At equal norm, the physically relevant comparison, it is
 [-7.14e-10](num:sec5_enclosures.barrier_equal_norm). There the bond-centred breather, the stable one, is the higher of
-the two and a local *maximum* of $H$. [](finding:dps.enclosed) */
+the two and a local *maximum* of $H$.
+
+<!-- dps.enclosed -->
+On the infinite lattice the DpS equation has a site-centred and a bond-centred breather. The equation linearised about
+the site-centred one has exactly one real pair of exponents, $\pm$0.00155771 $\mu$; about the bond-centred one it has no
+real pair, and the bond-centred breather is orbitally stable. The energy of the site-centred breather minus that of the
+bond-centred one is 2.85411e-9 at $\mu = 1$ and -7.13526e-10 at equal norm. (enclosed)
+<!-- /dps.enclosed --> */
 void add_barrier(Bounds& bounds, const DpsBreather& site, const DpsBreather& bond) {
   const DpsBarrier barrier = dps_barrier(site, bond);
   if (!(barrier.equal_mu > Number(0) && barrier.equal_norm < Number(0)))
@@ -393,7 +400,14 @@ later the largest compression is at most four times its power $3/2$.
 
 Energy and peak are uncertain by the order of the small radius. The action $\int d_+^{5/2}dt$ is a critical value, so
 its error is of second order in the radius and is dominated by the residual. The actions of the two signs agree to ten
-digits and yet do not overlap. [](finding:travelling.two_waves) */
+digits and yet do not overlap.
+
+<!-- travelling.two_waves -->
+For Hertzian contacts, linear wells and $T = 2\pi$ there are at least two exact travelling breathers, one with either
+sign of the central velocity. The energy of the one with the sign plus, minus that of the one with the sign minus, is
+(-9.1 to -6.5)e-11; the corresponding difference of their actions is -2.(72 to 16)e-11. The signs of both differences
+are proved, so the breather with the sign minus is not the maximizer of the existence theorem. (enclosed)
+<!-- /travelling.two_waves --> */
 constexpr std::pair<int, const char*> signs[] = {{1, "_plus"}, {-1, "_minus"}};
 
 void report_waves(Report& report, Bounds& bounds, Table& table) {

@@ -213,7 +213,16 @@ void report_distances(Report& report, const std::vector<DampedPacket>& all) {
 }
 
 /**
-How good is the law? [](finding:experiment.clock) The clock never shows more than $4\,T_E$. Yet with $T_E = 1$ ms the
+How good is the law?
+
+<!-- experiment.clock -->
+If the beams have the energy lifetime $T_E$, a damped DpS field is $e^{-t/2T_E}$ times an undamped one at the time
+$4T_E(1-e^{-t/4T_E})$ of a clock that keeps slowing down. In the array of cantilevers this law has no free parameter.
+For impacts of 0.5 to 1 m/s and lifetimes of 1 to 100 ms it gives the distance that the centre of energy covers in 10 ms
+to within a fraction 0.01282 and, with the factor, that of the largest contact force to within 0.030497. (observed)
+<!-- /experiment.clock -->
+
+The clock never shows more than $4\,T_E$. Yet with $T_E = 1$ ms the
 strongest push travels farther ([10.8](num:sec5_experiment.sites_1ms) sites) than without losses in 4 ms
 ([8.35](num:sec5_experiment.sites_4_free)). A weak front runs ahead of the packet, and at a contact that the packet
 never reaches the push of the front is the strongest. Without the weight the law is off by
@@ -269,7 +278,13 @@ where $\sigma$ is the growth rate of the breather that is left (decay.hpp). We t
 damped chains confirm its growth to a tenth (a test). The *area* of the breather, $2\pi$ times the action, falls like
 $e^{-\nu t}$; without friction it would be an adiabatic invariant. On a long stretch farther down the branch $\sigma^2 <
 0$: the pair of multipliers is on the unit circle, and a shift that has grown reverses. We integrate this equation along
-the exact breathers (`largest_shift`, decay.hpp) until a hundredth of the area is left. [](finding:experiment.hidden) */
+the exact breathers (`largest_shift`, decay.hpp) until a hundredth of the area is left.
+
+<!-- experiment.hidden -->
+In linear wells a small displacement of the site-centred breather, released at $\omega_b = 1.1$ with a lifetime of 10
+ms, grows by the fraction 0.000183 until a hundredth of the energy is left. For it to grow by a factor $e$ the lifetime
+must be 959 ms, a quality factor of 4.18e4. (computed)
+<!-- /experiment.hidden --> */
 void report_instability(Report& report) {
   // The branch from 1.01 to 1.1, equidistant in ln(omega - 1), and for the error every second member of it
   const std::size_t each = report.quick ? 8 : 1, last = 64 / each;
@@ -358,7 +373,15 @@ $|U_0|$ along it, which is, to nine digits, the largest displacement of the site
 stands for its central bead. This gives the *asymptotic threshold*
 $$u_0 = 8\tau_0^2\,\delta^2\,\max|U_0|\;\bigl(1+O(\delta)+O(\nu/\delta)^2\bigr).$$
 The computed fold lies above it by some 1.1 to 1.3 $\delta$ without losses (figure x27 c) and, with them, by about
-$(\nu/\delta)^2$ more. [](finding:driving.law)
+$(\nu/\delta)^2$ more.
+
+<!-- driving.law -->
+For a piston without losses the fold of the non-emitting motion comes close, as the relative distance $\delta$ of the
+drive frequency above that of the beams decreases, to an asymptotic threshold: the peak amplitude of the static DpS
+breather that oscillates at the drive frequency, with the scaled displacements $U_n$, $u_0 = 8\tau_0^2\delta^2\max\lvert
+U_n\rvert$. At $\delta = 0.025$ the fold is at 1.0280 times this threshold, and with a lifetime of 10 ms at 1.0376
+times. (computed)
+<!-- /driving.law -->
 
 In chains with a band gap this mechanism is known as nonlinear supratransmission (Geniet and Leon, Phys. Rev. Lett. 89,
 134102, 2002). Leon (Phys. Lett. A 319, 130, 2003) explains the threshold by the largest amplitude at the end of a
@@ -474,7 +497,15 @@ void report_thresholds(Report& report, const Estimate& fold) {
 }
 
 /**
-[](finding:driving.onset) In between the array emits or not, depending on its history: this is the hysteresis. The
+
+<!-- driving.onset -->
+How strongly an array must be driven depends on how the drive begins. At 7000 Hz, with a lifetime of 10 ms, a piston
+that is switched on at once sends a first packet from 6.09 µm on and keeps emitting, in runs of 0.2 s, from 6.62 µm on,
+as does one that comes down slowly. A piston that is ramped up slowly needs 6.95 µm, within its error the fold of the
+non-emitting motion, 6.970 µm. (computed)
+<!-- /driving.onset -->
+
+In between the array emits or not, depending on its history: this is the hysteresis. The
 asymptotic value of the fold is [6.2](num:sec5_experiment.recipe_7000_law) µm; the fold lies above it by the departure
 of figure x27 c. A sudden drive shakes the first bead more than the non-emitting motion does, so that packets may leave
 below the threshold of lasting emission before the end falls silent.
@@ -536,7 +567,14 @@ neighbours against each other, from the edge $\cos Q_* = (1+3c)/(5c-1)$ on. At $
 its sign, and then the long ones grow, up to $Q_*$. There for all $Q$ but $Q = q$, and at
 $q = \frac\pi2$ for $Q = \pi$, $k^2 = a^2\ne0$: a double eigenvalue with one eigenvector, so that modulations grow in
 proportion to time. Rates go like
-$|A|^{1/2}$, and the band does not depend on the amplitude. [](finding:growth.bands)
+$|A|^{1/2}$, and the band does not depend on the amplitude.
+
+<!-- growth.bands -->
+Without precompression a plane wave of the DpS equation with the wavenumber $q$ is spectrally stable if $0<q<\frac\pi2$
+and exponentially unstable if $\frac\pi2<q\le\pi$, unless $\cos q = -\frac15$. The wave $q = \pi$ grows fastest, at the
+rate 0.373674 per unit of slow time for $\lvert A\rvert = 1$. At $q = \frac\pi2$ and at $\cos q = -\frac15$ modulations
+grow linearly in time. (proved)
+<!-- /growth.bands -->
 
 ![Which waves are unstable to which modulations (a), how nearly the chain agrees (b), and the growth at $q = \pi/2$ (c).
 Drawn by x32_unstable_waves.py from `growth`, `edge` and `chain_growth`.](fig:x32) */
@@ -593,7 +631,14 @@ double growth_in_run(const ModulatedWave& wave, double eps, double step) {
 The state of such a run is a wave of the chain up to $\epsilon^{1/2}$ only. We compute the chain's own waves by Newton's
 method, down to $\epsilon = 10^{-7}$, and with them the fastest growth on a ring (`chain_rates`, dps_waves.hpp). For $q
 = \pi$ at $\epsilon = 10^{-3}$ the run has [0.999956](num:sec5_experiment.run_over_eigenvalue) of this rate.
-[](finding:growth.chain)
+
+<!-- growth.chain -->
+The growth rates of three unstable plane waves of Newton's cradle approach those of the DpS equation like the square
+root of the amplitude, for $q = \pi$ with the order 0.499 between $\epsilon = 10^{-6}$ and $10^{-7}$. The wave $q =
+\frac\pi2$, marginal in the DpS equation, is exponentially unstable in the chain: per unit of slow time its growth rate
+is 0.0809977 at $\epsilon = 10^{-3}$ and vanishes with the order 0.248, about a fourth root, at the smallest $\epsilon$.
+(computed)
+<!-- /growth.chain -->
 
 The DpS equation is a limit that is reached slowly: at $\epsilon = 10^{-3}$ the wave $q = \pi$ grows at the rate
 [0.332](num:sec5_experiment.growth_3_8_4) instead of [0.374](num:sec5_experiment.greatest_growth), and this difference

@@ -74,7 +74,7 @@ void Tables::restore() {
 }
 
 bool Tables::is_quick(const std::string& program) {
-  const Meta& meta = of(program, "facts").meta;
+  const Meta meta = read(folder_ / program / "facts.ecsv").meta;
   return std::any_of(meta.begin(), meta.end(), [](const auto& entry) {
     return entry.first == "parameters" && entry.second.find("quick = yes") != std::string::npos;
   });
@@ -305,6 +305,10 @@ const Comparison* Judged::closest() const {
   const auto at = std::min_element(comparisons.begin(), comparisons.end(),
                                    [&](auto& a, auto& b) { return slack(a) < slack(b); });
   return at == comparisons.end() ? nullptr : &*at;
+}
+
+std::string Judged::closest_text() const {
+  return closest() && lost.empty() && not_run.empty() ? closest()->text() : text();
 }
 
 std::string Judged::text() const {

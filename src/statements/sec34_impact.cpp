@@ -70,7 +70,7 @@ STATEMENT("impact.surface_mode") {
 }
 
 STATEMENT("impact.snapshot") {
-  less(1, fact("snapshot_prominence"));
+  less(1, table("snapshot")["prominence"]);
 }
 
 STATEMENT("impact.tail") {

@@ -66,7 +66,7 @@ Commands, each with its own --help:
 END
 fi
 """
-REAL = ("value", "error", "margin", "margin_error", "seconds")
+REAL = ("value", "error", "value_error", "margin", "margin_error", "seconds")
 
 
 def table(names, rows):
@@ -121,11 +121,11 @@ class Scratch(unittest.TestCase):
     def judged(self, verdict="discrepant", one=1.0):
         """What `verdicts` would have written."""
         nan = float("nan")
-        self.report(["claims", "a.one", one, 1e-3, "m", nan, nan, verdict, "1 +- 1e-3 m", "judged", "sec1_demo"],
-                    ["claims", "a.two", nan, nan, "", 0.5, 0.05, "holds", "fact: 1 < 2 +- 0.1", "judged", "sec1_demo"])
+        self.report(["claims", "a.one", one, 1e-3, "m", nan, nan, verdict, "1 +- 1e-3 m", "1 +- 1e-3 m", "judged", "sec1_demo"],
+                    ["claims", "a.two", nan, nan, "", 0.5, 0.05, "holds", *["fact: 1 < 2 +- 0.1"] * 2, "judged", "sec1_demo"])
 
     def report(self, *rows):
-        columns = ["list", "id", "value", "error", "unit", "margin", "margin_error", "verdict", "found", "state", "program"]
+        columns = ["list", "id", "value", "error", "unit", "margin", "margin_error", "verdict", "found", "closest", "state", "program"]
         self.write("build/report/claims.ecsv", table(columns, rows))
 
     def facts(self, *rows):

@@ -11,7 +11,7 @@ import unittest
 
 from lineage import ecsv, markdown as md
 
-from common import ROOT, Scratch
+from common import ROOT, Scratch, table
 
 LACKING = [name for name in ("sphinx", "myst_parser", "furo") if not importlib.util.find_spec(name)]
 LACKING += [] if shutil.which("node") or shutil.which("nodejs") else ["node"]
@@ -35,6 +35,7 @@ CHAPTER = """/**
 # 1 A demonstration
 
 What we see, as in Eq. (9), is $x^2$, and it is [](num:a.one), with [2.0](num:sec1_demo.fact) beside it (demo.hpp).
+[1.5](cell:speeds/n=2/value) and [0.50](cell:n=1/value) were measured.
 ![All of $it$.](fig:01) */
 #include "lattice/numbers/demo.hpp"
 
@@ -43,8 +44,12 @@ What we see, as in Eq. (9), is $x^2$, and it is [](num:a.one), with [2.0](num:se
 
 Take $a$. And *this*. And $b$. It is
 $$E = \\tfrac12 v^2
-- 1.$$ */
+- 1.$$
+
+<!-- statements -->
+<!-- /statements --> */
 int main() {
+  report.table("speeds");
   facts.add("one", once(1));
   facts.add("fact", {2, 0.1});
 }
@@ -58,6 +63,7 @@ class Repository(Scratch):
     def setUp(self):
         super().setUp()
         self.write("src/sec1_demo.cpp", CHAPTER)
+        self.computed("sec1_demo/speeds.ecsv", table(["n", "value", "value_error"], [["1", 0.5, 1e-3], ["2", 1.5, 1e-3]]))
         self.write("src/lattice/numbers/demo.hpp", "#pragma once\n/**\n# A header\n\nWords. */\nint once(int x) {\n}\n")
         self.write("src/lattice/numbers/demo.cpp", '#include "lattice/numbers/demo.hpp"\n/** More words. */\nint x;\n')
         self.write("figures/fig01.gp", "plot x  # a line\n")
@@ -87,11 +93,12 @@ class Repository(Scratch):
         page = self.read("build/book/sec1_demo.html")
         for piece in ['href="published.html#a.one"', "1.000 ± 0.001 m; the article prints 1.02: discrepant", 'class="katex"',
                       'href="numbers-sec1_demo.html#sec1_demo.fact"', 'href="equations.html#eq-9"', 'href="numbers-demo.html">demo.hpp</a>',
-                      'id="fig-01"', "make fig01", "figures/fig01.gp", 'id="L-15"', "<em>this</em>. And", "Statements answered here"]:
+                      'id="fig-01"', "make fig01", "figures/fig01.gp", 'id="L-19"', "<em>this</em>. And", ">1.5</a> and <a"]:
             self.assertIn(piece, page)
         for name, pieces in {
                 "published": ['id="a.one"', "they erred", 'statements-sec1_demo-cpp.html#L-3">judged</a>', "--exactly"],
-                "numbers-sec1_demo": ['id="sec1_demo.fact"', "sec1_demo.html#L-16", "data/sec1_demo/facts.ecsv", "what quantity is"],
+                "numbers-sec1_demo": ['id="sec1_demo.fact"', "sec1_demo.html#L-21", "data/sec1_demo/facts.ecsv", "what quantity is",
+                                      'id="sec1_demo/speeds/n=1/value"', 'sec1_demo.html#L-19">Results, line 19 of'],
                 "fig-01": ["(a–c) At", "a line", "what quantity is"], "numbers-demo-cpp": ["A header: how", "declared in"],
                 "commands": ['id="sec1_demo-one"', "how fast it is, in sites (default: 0.5)"], "packages": ["not installed"],
                 "notebook-a-b": ["equations.html#eq-9", "a &lt; b"], "data": ["numbers-sec1_demo.html"]}.items():
@@ -110,7 +117,7 @@ class Repository(Scratch):
                 ("num:a.one", "num:a.none", "'a.none' has no reference value and no computed value"), ("[2.0]", "[3.0]", "is stale: the text has 3.0"),
                 ("fig:01", "fig:02", "no figure '02'"), ("Eq. (9)", "Eq. (99)", "no Eq. .99."), ("$x^2$", r"$\nonsense{x}$", "KaTeX.*nonsense"),
                 ("$x^2$", "[there](nowhere.html)", "nowhere"), ("$x^2$", r"it costs \$5 or", "left as text"), ("main()", "other()", "no line of the sources records"),
-                ("$x^2$", '<a href="sec1_demo.html#none">x</a>', "leads nowhere"), ("(num:a.one)", "(finding:none)", "no finding 'none'")]:
+                ("$x^2$", '<a href="sec1_demo.html#none">x</a>', "leads nowhere"), ("cell:n=1", "cell:n=3", "no row of .* with n = 3"), ("[0.50]", "[0.51]", "is stale: the text has 0.51")]:
             with self.subTest(new):
                 self.assertIn(old, CHAPTER)
                 self.write("src/sec1_demo.cpp", CHAPTER.replace(old, new))

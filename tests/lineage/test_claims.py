@@ -33,19 +33,22 @@ class Rows(Scratch):
     def test_the_sentence_of_a_finding_stands_in_one_place(self):
         self.write("paper/findings.ecsv", table(FINDINGS, [GOOD]))
         self.write("src/statements/sec1_demo.cpp", STATEMENTS + 'STATEMENT("pull") {\n  less(1, fact("one"));\n}\n')
-        for prose, words in [("[](finding:push)", "sec1_demo.cpp: paper/findings.ecsv has no finding 'push'"),
-                             ("", "pull: it is quoted in no chapter and no page of the report"),
-                             ("[](finding:pull) Up to t = 10 it\nis [1.0](num:a.one) and $x_1 > 0$.", "the sentence of pull is typed"),
-                             ("(finding:pull)", "this is not of the form [](finding:id)")]:
+        mark = "<!-- pull -->\n<!-- /pull -->"
+        for prose, words in [("", "pull: it is quoted in no chapter and no page of the report"),
+                             (mark + mark.replace("pull", "push"), "sec1_demo.cpp: there is no table 'push'"),
+                             (mark + mark, "sec1_demo.cpp: the two marks of the table 'pull' do not match")]:
             self.write("src/sec1_demo.cpp", f"/**\n# 1 A demonstration\n\n{prose} */\n")
             self.refuses("refresh", words)
-        self.write("src/sec1_demo.cpp", "/**\n# 1 A demonstration\n\n[](finding:pull) */\n")
+        self.write("src/sec1_demo.cpp", f"/**\n# 1 A demonstration\n\n{mark} */\n")
         self.write("README.md", "<!-- found -->\n<!-- /found -->\n")
         self.assertEqual(self.lineage("refresh")[0], 0)
         self.assertIn("- Up to t = 10 it is 1.000 and $x_1 > 0$. (make fig01)", self.read("README.md"))
+        self.assertIn("<!-- pull -->\nUp to t = 10 it is 1.000 and $x_1 > 0$. (observed)\n<!-- /pull -->", self.read("src/sec1_demo.cpp"))
+        self.change("src/sec1_demo.cpp", "1.000", "1.001")
+        self.assertEqual(self.lineage("refresh", "--check")[0], 1)
 
         nan = float("nan")
-        self.report(["findings", "pull", nan, nan, "", 0.1, 0.01, "holds", "one: 0.9 < 1 +- 1e-3; one: 1 < 2", "judged", "sec1_demo"])
+        self.report(["findings", "pull", nan, nan, "", 0.1, 0.01, "holds", "one: 0.9 < 1 +- 1e-3; one: 1 < 2", "one: 1 < 2", "judged", "sec1_demo"])
         out = self.lineage("show", "pull")[1]
         self.assertIn("we found   Up to t = 10 it is 1.000 and $x_1 > 0$.", out)
         self.assertIn("found      one: 0.9 < 1 +- 1e-3\n  found      one: 1 < 2\n  judged     src/statements/sec1_demo.cpp:9\n", out)

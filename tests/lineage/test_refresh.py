@@ -6,7 +6,8 @@ from lineage import ecsv, refresh
 
 from common import VOLUME, Scratch, finding, of_volume
 
-NUMBERS = {"pn.omega11": finding(1.62e-11, 1e-13), "p.x": finding(3)}
+NUMBERS = {"pn.omega11": finding(1.62e-11, 1e-13), "p.x": finding(3),
+           "sec1/t/s=-1/6/x": finding(0.2012, 1e-3), "sec1/t/s=0/y": finding(0.31251, 1e-5)}
 
 
 class Texts(unittest.TestCase):
@@ -18,16 +19,12 @@ class Texts(unittest.TestCase):
         self.assertEqual(refresh.with_numbers(row, NUMBERS), "a\n| a | [1.62e-11 ± 1e-13](num:pn.omega11) | [3](num:p.x) |\n")
         for text in ("to", "1.61(5 to 9)e-11"):
             self.assertEqual(refresh.with_numbers(f"[{text}](num:pn.omega11)", NUMBERS), "[1.6(09 to 30)e-11](num:pn.omega11)")
-        for bad in ("[](num:pn.omega12)", "](num:p.x)", "[](num:p.x"):
+        prose = "[0.1](cell:t/s=-1/6/x) and [](cell:s=0/y), [1.6](statement:pn.omega11)"
+        ought = "[0.2](cell:t/s=-1/6/x) and [0.313](cell:s=0/y), [1.6e-11](statement:pn.omega11)"
+        self.assertEqual(refresh.with_numbers(prose, NUMBERS, "sec1"), ought)
+        for bad in ("[](num:pn.omega12)", "](num:p.x)", "[](num:p.x", "[](cell:t/s=1/x)", "[](cell:y)", "[](cell:t/s=-1/6/x)\n[](cell:s=0/y)"):
             with self.assertRaises(ecsv.Fault):
-                refresh.with_numbers(bad, NUMBERS)
-
-    def test_a_page_shows_numbers_without_links(self):
-        page = "It is <!--num:pn.omega11-->17<!--/-->, not 1.77e-11."
-        self.assertEqual(refresh.with_marked_numbers(page, NUMBERS), page.replace("17<", "1.62e-11<"))
-        for bad in (page.replace("omega11", "omega12"), page.replace("<!--/-->", ""), page + "<!--/-->"):
-            with self.assertRaises(ecsv.Fault):
-                refresh.with_marked_numbers(bad, NUMBERS)
+                refresh.with_numbers(bad, NUMBERS, "sec1")
 
     def test_a_page_gets_the_tables_for_which_it_has_marks(self):
         page = "a\n<!-- t -->\nold\n<!-- /t -->\nb\n"
@@ -48,6 +45,16 @@ class Refreshing(Scratch):
         self.write("build/report/cost/sec1_demo", "9.1\n")
         self.assertIn("renewed", self.lineage("refresh")[1])
         self.assertIn("sec1_demo,9.1", self.read("paper/costs.ecsv"))
+
+    def test_statements_stand_at_the_end_of_their_chapter_when_they_are_judged(self):
+        mark = "<!-- statements -->\n<!-- /statements -->"
+        self.write("src/sec1_demo.cpp", f"/**\n# 1 A demonstration\n\n{mark} */\n")
+        self.lineage("refresh")
+        self.assertIn(mark, self.read("src/sec1_demo.cpp"))
+        self.judged()
+        self.lineage("refresh")
+        for line in ("| `a.one`: one | 1.02 | 1.00 m | discrepant |", "| `a.two`: two | yes | 1 < 2 (fact) | holds |"):
+            self.assertIn(line, self.read("src/sec1_demo.cpp"))
 
     def test_what_is_quoted_must_be_locked(self):
         self.write("src/sec1_demo.cpp", "/** [](num:sec1_demo.other) */\n")

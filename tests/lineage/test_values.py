@@ -21,6 +21,16 @@ class Values(unittest.TestCase):
             self.assertEqual(f.shown, shown)
         self.assertEqual([finding(1, e).shown_error for e in (3.7e-9, 0)], ["4e-9", "exact"])
 
+    def test_as_many_digits_as_are_typed_and_certain(self):
+        for f, typed, shown in [
+                (finding(0.0650178, 4e-8), "0.0650", "0.0650"), (finding(0.0650178, 4e-8), "", "0.0650"),
+                (finding(2.113, 1e-3), "2.1130 ± 0.01", "2.113 ± 0.001"), (finding(2.113, 1e-6), "2.11 ± 0.01", "2.11"),
+                (finding(2.113, 1e-3), "2.113", "2.11"), (finding(0.13, 0.02), "0.13", "0.13 ± 0.02"),
+                (finding(2e-5, 2e-4), "2e-5", "0 ± 0.0002"), (finding(180339.2, 0.5), "1.80e5", "1.80e5"),
+                (finding(4.45177e-6, 4e-10), "4.4518e-6", "4.452e-6"), (finding(11.0), "11.0", "11"), (finding(1 / 3), "0.333", "0.333"),
+                (finding(0), "", "0"), (finding(0.5, 2), "to", "(-1.5 to 2.5)"), (finding(math.nan, 1), "1", "nan")]:
+            self.assertEqual(f.shown_like(typed), shown)
+
     def test_both_ends_of_what_is_enclosed_are_rounded_outwards(self):
         for f, shown in [
                 (finding(0.18083351357990812, 6.4137584132595309e-12), "0.1808335135(734 to 864)"),

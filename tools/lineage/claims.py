@@ -10,6 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from . import ecsv
+from .cells import cited, with_links
 from .values import Finding, distance
 from .volumes import article
 
@@ -21,10 +22,9 @@ KINDS = {"proved": "by an argument that is written out in the chapter",
 OBTAINED = {"text": "read in its text", "data": "read in its data", "abstract": "read in its abstract",
             "memory": "from memory, its source not read"}
 MEANT = re.compile(r"^\| ([a-z, ]+?) \| (.+?) \|$", re.M)
-QUOTED = re.compile(r"\{([a-z]\w*\.\w+)\}")
-NUMBERS = re.compile(r"\[[^\]]*\]\(num:([^)]+)\)")
+QUOTED = re.compile(r"\{([a-z]\w*(?:\.\w+|/[^{}\s]+))\}")
 STATEMENT = re.compile(r'^STATEMENT\("([\w.]+)"\)', re.M)
-QUOTE = re.compile(r"(\[[^\]]*\])?\(finding:([^)\n]*)(\)?)")
+MARKED = re.compile(r"<!-- ([\w.]+) -->\n.*?<!-- /\1 -->", re.S)
 
 
 def meanings():
@@ -142,7 +142,20 @@ def by_name(found):
 def quoted_in(row):
     """The names of all numbers of ours that a row of a list mentions."""
     texts = [str(text) for text in row.values()]
-    return {name for text in texts for name in [*QUOTED.findall(text), *NUMBERS.findall(text)]}
+    return {name for text in texts for name in [*QUOTED.findall(text), *cited(text)]}
+
+
+def shown_at(link, name, numbers):
+    """The text of a link to a number of ours; Fault for one that leads nowhere."""
+    brackets, kind, _, end = link.groups()
+    if brackets is None or not end:
+        raise ecsv.Fault(f"a link without brackets: {link[0]}")
+    if name not in numbers:
+        raise ecsv.Fault(f"there is no reference value '{name}' (a new one: make accept)")
+    found, typed = numbers[name], brackets[1:-1]
+    if kind == "num":
+        return found.shown_as_interval if re.search(r"\bto\b", typed) else found.shown
+    return found.shown_like(typed)
 
 
 def said(text, numbers):
@@ -169,57 +182,27 @@ def agrees(name, finding, second):
     return name in second and distance(finding, replace(second[name][0], unit=finding.unit)) <= 1
 
 
-# Sentences of findings stand in their list and nowhere else; chapters quote them by `[](finding:id)`, the report by
-# `\finding{id}`.
+# Sentences of findings stand in their list. `make refresh` writes them into chapters between marks, `<!-- id -->` and
+# `<!-- /id -->`; the report quotes them by `\finding{id}`.
 
 
-def words_of(text):
-    """A text without links, marks of comments and line breaks, to compare sentences."""
-    text = re.sub(r"^\s*(?:\*|///?|%)+ ?", "", text, flags=re.M)
-    return re.sub(r"\s+", " ", NUMBERS.sub("#", re.sub(r"\\num\{[^}]*\}", "#", text))).strip()
-
-
-def with_sentences(text, rows, sentence):
-    """`text` with `sentence(row)` for each `[](finding:id)`; Fault for a quotation of nothing."""
+def with_sentences(text, rows):
+    """`text` as the book shows it: sentences between marks with their links, and their kind of evidence, which leads to the row."""
     def told(found):
-        brackets, id, end = found.groups()
-        if id in ("id", "..."):
-            return found[0]  # the form itself, where a comment explains it
-        if brackets != "[]" or not end:
-            raise ecsv.Fault(f"this is not of the form [](finding:id): {found[0]}")
-        if id not in rows:
-            raise ecsv.Fault(f"paper/findings.ecsv has no finding '{id}'")
-        return sentence(rows[id])
+        row = rows.get(found[1])
+        return f"{row['sentence']} [{row['kind']}](finding:{row['id']})" if row else found[0]
 
-    return QUOTE.sub(told, text)
-
-
-def with_kind(row):
-    """The sentence as the book shows it: with its kind of evidence, a link to its row."""
-    return f"{row['sentence']} [{row['kind']}](finding:{row['id']})"
+    return MARKED.sub(told, text)
 
 
 def in_plain(sentence, numbers):
     """The sentence with its numbers as texts, by their names."""
-    if lost := [name for name in NUMBERS.findall(sentence) if name not in numbers]:
-        raise ecsv.Fault(f"paper/findings.ecsv: there is no reference value '{lost[0]}' (a new one: make accept)")
-    return NUMBERS.sub(lambda m: numbers[m[1]].shown_as_interval if m[0].startswith("[to]") else numbers[m[1]].shown, sentence)
+    return with_links(sentence, lambda link, name: shown_at(link, name, numbers))
 
 
 def check_quotations(rows, texts):
-    """Fault unless every finding is quoted in one of the texts, by path, and stands in none of them word by word."""
-    quoted = set()
-    for path, text in texts.items():
-        quoted.update(id for _, id, _ in QUOTE.findall(text))
-        quoted.update(re.findall(r"\\finding\{([^}#]+)\}", text))
-        try:
-            with_sentences(text, rows, lambda row: "")
-        except ecsv.Fault as fault:
-            raise ecsv.Fault(f"{path}: {fault}") from None
-        bare = words_of(text)
-        for id, row in rows.items():
-            if words_of(row["sentence"]) in bare:
-                raise ecsv.Fault(f"{path}: the sentence of {id} is typed here; write [](finding:{id})")
+    """Fault for a finding that none of the texts quotes."""
+    quoted = {id for text in texts for id in re.findall(r"<!-- /([\w.]+) -->|\\finding\{([^}#]+)\}", text) for id in id}
     for id, row in rows.items():
         if id not in quoted:
             raise row.fault(f"{id}: it is quoted in no chapter and no page of the report")

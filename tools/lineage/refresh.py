@@ -1,52 +1,37 @@
-"""Numbers in prose. Nobody types a result: `[](num:pn.omega11)` names the answer to a claim and
-`[](num:sec32_dps_profiles.norm_site)` a fact of a program, and the text of the link is the locked value, in a row of a
-table with its error; `[to](num:...)` asks for both ends of what is enclosed. This file writes those texts, the tables of the pages, and the costs in paper/costs.ecsv.
+"""What is written into prose. Nobody types a result: a link names a cell (cells.py) or the answer to a statement, and its text is
+the locked value, with as many digits as were typed and are certain; `[to](...)` asks for both ends of what is enclosed. This file
+writes those texts, the sentences of findings and the tables between marks, and the costs in paper/costs.ecsv.
 
 The quoted values are the locked ones and not the fresh ones, because another compiler may change a digit of a
 rounding residue; that fresh and locked values agree is asserted on its own."""
 
 import re
+import textwrap
 from pathlib import Path
 
 from . import ecsv
+from .cells import home_of, with_links
 from .chapters import article_tests, costs_text, renewed_costs
-from .claims import by_name, check_quotations, in_plain, meanings, programs_of, read_claims, read_findings, read_verdicts
+from .claims import (MARKED, by_name, check_quotations, in_plain, meanings, programs_of, read_claims, read_findings, read_literature,
+                     read_verdicts, shown_at)
 from .lock import read_lock, sources
 from .volumes import article, below, joined
 
-LINK = re.compile(r"(\[[^\]]*\])?\(num:([^)\n]*)(\)?)")
-MARK = re.compile(r"<!--num:([\w.]+)-->[^<\n]*<!--/-->")
 PAGE = "README.md"
 
 
-def with_numbers(text, numbers):
-    """`text` with every link `[...](num:id)` renewed; Fault for an id that is not there, so that a reference that
-    dangles cannot be written."""
-    def renewed(found):
-        brackets, id, end = found.groups()
-        if id == "...":
-            return found[0]  # the form itself, where a comment explains it
-        if brackets is None or not end:
-            raise ecsv.Fault(f"a link without brackets: {found[0]}")
-        if id not in numbers:
-            raise ecsv.Fault(f"there is no reference value '{id}' (a new one: make accept)")
-        if re.search(r"\bto\b", brackets):
-            return f"[{numbers[id].shown_as_interval}](num:{id})"
-        row = text[text.rfind("\n", 0, found.start()) + 1:].startswith("|")
-        return f"[{numbers[id].shown_in_table if row else numbers[id].shown_in_prose}](num:{id})"
+def with_numbers(text, numbers, home="", is_prose=True):
+    """`text` with every link to a number of ours renewed; Fault for one that leads nowhere, so that a reference that dangles
+    cannot be written."""
+    def renewed(link, name):
+        _, kind, id, _ = link.groups()
+        shown = shown_at(link, name, numbers)
+        if kind == "num" and is_prose and shown == numbers[id].shown:
+            row = text[text.rfind("\n", 0, link.start()) + 1:].startswith("|")
+            shown = numbers[id].shown_in_table if row else numbers[id].shown_in_prose
+        return f"[{shown}]({kind}:{id})"
 
-    return LINK.sub(renewed, text)
-
-
-def with_marked_numbers(text, numbers):
-    """The same for a page that others show, where such a link would lead nowhere: `<!--num:id-->value<!--/-->`, of
-    which a reader sees the value. Fault for a mark that is not whole, or an id that is not there."""
-    if len(MARK.findall(text)) != text.count("<!--num:") or text.count("<!--num:") != text.count("<!--/-->"):
-        raise ecsv.Fault("the two marks of a number do not match")
-    for id in MARK.findall(text):
-        if id not in numbers:
-            raise ecsv.Fault(f"there is no reference value '{id}' (a new one: make accept)")
-    return MARK.sub(lambda found: f"<!--num:{found[1]}-->{numbers[found[1]].shown}<!--/-->", text)
+    return with_links(text, renewed, home)
 
 
 # The tables of the pages. What the book tells at length (assumptions, tolerances, errors) is left to it.
@@ -56,6 +41,28 @@ def printed(claim):
     """What the article prints, with a unit where it is a number."""
     text = claim["printed"]
     return f"{text} {claim['unit']}" if claim["unit"] and re.fullmatch(r"[-+.\de]+", text) else text
+
+
+def here(id, numbers, verdicts):
+    """What we have beside what is printed: an answer, or the closest of the comparisons that decide."""
+    if id in numbers:
+        return numbers[id].shown_like("1.000") + numbers[id].shown_unit
+    what, _, sides = re.sub(r" \+- [^\s<]+", "", verdicts[id]["closest"]).rpartition(": ")
+    return re.sub(r"\d+\.\d+(?:e-?\d+)?", lambda number: f"{float(number[0]):.4g}", f"{sides} ({what})")
+
+
+def statement_rows(rows, numbers, verdicts):
+    """The statements that a chapter decides, for its end; None where one of them has not been judged."""
+    if any("closest" not in verdicts[id] or verdicts[id]["state"] != "judged" for id in rows):
+        return None
+    return ["| statement | printed | here | verdict |", "|---|---|---|---|",
+            *(f"| `{id}`: {row['quantity']} | {printed(row)} | {here(id, numbers, verdicts)} | {verdicts[id]['verdict']} |"
+              for id, row in rows.items())]
+
+
+def finding_lines(row, numbers):
+    """The sentence of a finding as prose shows it, with its kind of evidence."""
+    return textwrap.wrap(f"{in_plain(row['sentence'], numbers)} ({row['kind']})", 120, break_long_words=False, break_on_hyphens=False)
 
 
 def discrepancy_rows(claims, numbers, verdicts):
@@ -127,10 +134,10 @@ def fresh_page(text, tables):
             return found[0]
         return f"<!-- {found[1]} -->\n" + "".join(line + "\n" for line in tables[found[1]]) + f"<!-- /{found[1]} -->"
 
-    for name in re.findall(r"<!-- (/?\w+) -->", text):
+    for name in re.findall(r"<!-- (/?[\w.]+) -->", text):
         if text.count(f"<!-- {name.strip('/')} -->\n") != 1 or text.count(f"<!-- /{name.strip('/')} -->") != 1:
             raise ecsv.Fault(f"the two marks of the table '{name.strip('/')}' do not match")
-    return re.sub(r"<!-- (\w+) -->\n.*?<!-- /\1 -->", renewed, text, flags=re.S)
+    return MARKED.sub(renewed, text)
 
 
 # What is stale
@@ -145,7 +152,7 @@ def fresh_texts(root, measured):
     root = Path(root)
     claims = read_claims(root)
     numbers = by_name(joined(read_lock, below(root)))
-    check_quotations(read_findings(root), {path: ecsv.text_of(path) for path in sources(root) + sorted((root / "paper").glob("*.tex"))})
+    check_quotations(read_findings(root), map(ecsv.text_of, sources(root) + sorted((root / "paper").glob("*.tex"))))
 
     def fresh(path, change):
         try:
@@ -153,12 +160,20 @@ def fresh_texts(root, measured):
         except ecsv.Fault as fault:
             raise ecsv.Fault(f"{path}: {str(fault).removeprefix(f'{path}: ')}") from None
 
+    findings, verdicts = read_findings(root), read_verdicts(root)
+    told = {id: finding_lines(row, numbers) for id, row in findings.items()}
+    printed_rows = (claims if root == article(root) else {}) | read_literature(root)
     for path in sources(root):
-        yield fresh(path, lambda text: with_numbers(text, numbers))
+        home = home_of(path)
+        rows = {id: row for id, row in printed_rows.items() if row["program"] == home}
+        marked = told | {"statements": statement_rows(rows, numbers, verdicts)}
+        yield fresh(path, lambda text: fresh_page(with_numbers(text, numbers, home), marked))
+    if (root / "paper/findings.ecsv").exists():
+        yield fresh(root / "paper/findings.ecsv", lambda text: with_numbers(text, numbers, is_prose=False))
     yield root / "paper/costs.ecsv", costs_text(renewed_costs(root, measured))
     tables = generated_tables(root, claims, numbers)
     if (root / PAGE).exists():
-        yield fresh(root / PAGE, lambda text: fresh_page(with_marked_numbers(text, numbers), tables))
+        yield fresh(root / PAGE, lambda text: fresh_page(text, tables))
 
 
 def renew(root, costs, check=False):

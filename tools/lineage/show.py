@@ -5,6 +5,7 @@ import math
 import re
 
 from . import ecsv
+from .cells import read_cells
 from .chapters import chapter_of, explained_by, read_commands, read_costs, run_of, shown_cost
 from .claims import (agrees, by_name, in_plain, programs_of, read_answers, read_claims, read_facts, read_findings, read_second,
                      read_statements, read_verdicts, runs_of, said)
@@ -70,7 +71,7 @@ def show(root, data, name):
     programs = [program for volume in all for program in programs_of(volume)]
     ran = {program for program, _ in runs_of(data, programs)}
     locked = {key: f for key, f in joined(read_lock, all).items() if key[0] not in ran or f.what != "fact"}
-    fresh = read_facts(data, programs) | joined(read_answers, all)
+    fresh = read_facts(data, programs) | read_cells(data, programs, {name}) | joined(read_answers, all)
     numbers = by_name(locked | fresh)
     findings = joined(read_findings, all)
     names = sorted(numbers.keys() | claims.keys() | findings.keys())

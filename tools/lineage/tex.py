@@ -10,8 +10,9 @@ import re
 from pathlib import Path
 
 from . import ecsv
+from .cells import cited
 from .chapters import chapter_of
-from .claims import NUMBERS, by_name, meanings, read_claims, read_findings, read_verdicts
+from .claims import by_name, meanings, read_claims, read_findings, read_verdicts
 from .lock import read_lock, uncommented
 from .refresh import read_figures
 from .sources import blocks_of
@@ -104,7 +105,7 @@ def paper_texts(claims, numbers, verdicts, figures, meta, findings):
         out["num", name], out["both", name] = value(f.shown), both(f)
     out.update({("both", id): "--" for id in claims if id not in numbers})  # comparisons decide
     for id, row in findings.items():
-        if lost := [name for name in NUMBERS.findall(row["sentence"]) if name not in numbers]:
+        if lost := sorted(cited(row["sentence"]) - set(numbers)):
             raise row.fault(f"{id}: there is no reference value '{lost[0]}' (a new one: make accept)")
         out["finding", id] = sentences(row["sentence"]) + rf" [\emph{{{row['kind']}}}]"
     for id, f in figures.items():
@@ -137,7 +138,7 @@ def omissions(paper, verdicts):
 
 
 MARKS = re.compile(r"\*\*(?P<bold>[^*]+)\*\*|\*(?P<emph>[^*]+)\*|`(?P<code>[^`]+)`"
-                   r"|\[[^]]*\]\(num:(?P<num>[^)]+)\)|(?P<odd>[*`<|\]])")
+                   r"|\[[^]]*\]\(num:(?P<num>[^)]+)\)|\[(?P<shown>[^]]*)\]\((?:cell|statement):[^)]+\)|(?P<odd>[*`<|\]])")
 
 
 def marked(words):
@@ -147,6 +148,9 @@ def marked(words):
             raise ecsv.Fault(f"a mark that tools/lineage/tex.py does not know: {m.string[m.start():][:40]}")
         if m["num"]:
             return rf"\num{{{m['num']}}}"
+        if m["shown"]:
+            shown, _, error = m["shown"].partition(" ± ")
+            return value(shown) + rf" $\pm$ {value(error)}" * bool(error)
         kind = "textbf" if m["bold"] else "emph" if m["emph"] else "texttt"
         return rf"\{kind}{{{escaped(m['bold'] or m['emph'] or m['code'])}}}"
 

@@ -32,7 +32,7 @@ class Finding:
     kind: str = "value"
     made_by: str = ""
     row: int = 0  # in the table that it was read from
-    what: str = "fact"  # or answer, margin
+    what: str = "fact"  # or cell, answer, margin
 
     @property
     def key(self):
@@ -41,7 +41,8 @@ class Finding:
     @property
     def name(self):
         """What others call it: a statement has a name of its own."""
-        return f"{self.program}.{self.id}" if self.what == "fact" else self.id
+        between = {"fact": ".", "cell": "/"}.get(self.what)
+        return f"{self.program}{between}{self.id}" if between else self.id
 
     @property
     def shown(self):
@@ -60,6 +61,26 @@ class Finding:
             return with_digits(self.value, 1)
         places = math.floor(math.log10(abs(self.value))) - math.floor(math.log10(self.error))
         return with_digits(self.value, min(max(places + 1, 1), 6))
+
+    @property
+    def certain(self):
+        """How many digits are certain: the error is at most half a unit of the last one."""
+        return math.floor(math.log10(abs(self.value))) + 1 - math.ceil(math.log10(2 * self.error) - 1e-9) if self.value else 0
+
+    def shown_like(self, typed):
+        """With as many digits as the typed text has, three for none, but for uncertain ones. The error is shown where it was
+        typed and the last digit is in doubt, or where fewer than two digits are certain."""
+        digits = len(re.sub(r"[eE±(].*|\D", "", typed).lstrip("0")) or 3
+        if " to " in typed or typed == "to":
+            return self.shown_as_interval
+        if self.error == 0 or self.kind == "residue" or not (math.isfinite(self.value) and math.isfinite(self.error)):
+            is_whole = self.error or self.value == math.floor(self.value)
+            return self.shown if is_whole else without_zeros(with_digits(self.value, digits))
+        if digits <= self.certain or self.certain > 1 and "±" not in typed:
+            return with_digits(self.value, min(digits, self.certain))
+        error = with_digits(self.error, 1)
+        places = math.floor(math.log10(abs(self.value) or self.error)) - math.floor(math.log10(float(error)))
+        return f"{with_digits(self.value, places + 1) if places >= 0 else 0} ± {error}"
 
     @property
     def shown_in_prose(self):
