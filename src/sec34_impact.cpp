@@ -196,8 +196,8 @@ for a linear and a very soft well after the same impact, $v_0 = 0.94$, just belo
 ![Contact forces for a linear and a very soft well. Drawn by fig20_surface_mode.py: `force` over `n` and `t`, from the
 table `surface_mode_forces`.](fig:20)
 
-Each contact of the linear well carries the packet once and then small waves. In the soft well the first two contacts
-keep touching, with a force that does not decay. */
+In linear wells the packet leaves ever weaker waves behind. In the soft wells the first contacts are pressed again and
+again, as hard at the end as soon after the impact. */
 void report_forces(Report& report) {
   Table& forces = report.table("surface_mode_forces",
                                {number("s", "anharmonicity of the well"), number("t", "time"),

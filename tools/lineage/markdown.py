@@ -65,8 +65,8 @@ def place(id):
 
 
 def name(text):
-    """A long name, which may be broken behind a point or an underscore."""
-    return "<code>" + re.sub(r"([._])(?=\w)", r"\1<wbr>", text) + "</code>"
+    """A long name, which may be broken behind a point, an underscore or a slash."""
+    return "<code>" + re.sub(r"([._/])(?=[A-Za-z])", r"\1<wbr>", text) + "</code>"
 
 
 def link(address, text):
