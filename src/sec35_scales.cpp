@@ -65,13 +65,13 @@ breather travels there.
 
 | quantity | article | here |
 |---|---|---|
-| contact time, in $\tau_h$ | 2.43 | [2.43884 ± 2e-8](num:scale.contact_time) |
-| largest compression, in $\delta$ | 0.76 | [0.828614 ± 5e-9](num:scale.max_compression) |
-| $2^{-2/5}$ | | [0.757858](num:sec35_scales.compression_printed) |
-| contact time with this 0.76, in $\tau_h$ | | [2.23689](num:sec35_scales.contact_time_of_printed_compression) |
-| cradle: $\lambda^{5/2}$ with $g = 10$ m/s² and 2.43 | $1.75\cdot10^{19}$ | [1.74986e19](num:scale.cradle) |
-| the same with 9.81 m/s² | | [1.83582e19](num:sec35_scales.cradle_printed_rounding) |
-| the same with all digits of the contact time | | [1.86945e19 ± 8e11](num:sec35_scales.cradle_converged) | */
+| contact time, in $\tau_h$ | 2.43 | [2.439](cell:collision/contact_time) |
+| largest compression, in $\delta$ | 0.76 | [0.829](cell:collision/compression) |
+| $2^{-2/5}$ | | 0.758 |
+| contact time with a compression of 0.76, in $\tau_h$ | | [2.237](cell:collision/for_076) |
+| cradle: $\lambda^{5/2}$ with $g = 10$ m/s² and 2.43 | $1.75\cdot10^{19}$ | [1.74986e19](cell:cradle/digits=printed/g=10/impact) |
+| the same with 9.81 m/s² | | [1.83582e19](cell:cradle/digits=printed/g=9.81/impact) |
+| the same with all digits of the contact time | | [1.869e19](cell:cradle/digits=all/impact) | */
 void report_collision(Report& report) {
   const double step = report.quick ? 0.2 : 0.1;
   const TwoRuns<Collision> runs{collide(step), collide(step / 2)};
@@ -81,15 +81,25 @@ void report_collision(Report& report) {
   if (!(std::abs(time.value - known.contact_time) < 1e-7) ||
       !(std::abs(compression.value - known.compression) < 1e-7))
     throw Failure("the integrated collision disagrees with the conservation of energy");
-  report.facts.add("contact_time", time, "tau_h");
-  report.facts.add("max_compression", compression, "delta");
-  report.facts.add("cradle", exact(cradle(10, 2.43)));
-  report.facts.add("compression_printed", exact(std::pow(0.5, 0.4)), "delta");
-  report.facts.add("contact_time_of_printed_compression",
-                   exact(0.76 * known.contact_time / known.compression), "tau_h");
-  const double ratio = cradle(9.81, time.value);
-  report.facts.add("cradle_converged", {ratio, 5 * ratio * time.error / time.value});
-  report.facts.add("cradle_printed_rounding", exact(cradle(9.81, 2.43)));
+  Estimate for_076 = quotient(time, compression);
+  for_076.value *= 0.76, for_076.error *= 0.76;
+  report.table("collision")
+      .add({{"contact_time", "time for which the beads touch", time, "tau_h"},
+            {"compression", "largest compression", compression, "delta"},
+            {"for_076", "contact time that belongs to a compression of 0.76", for_076, "tau_h"}});
+  Table& cradles = report.table("cradle");
+  const auto add_cradle = [&](const char* digits, double g, const Estimate& contact) {
+    const double impact = cradle(g, contact.value);
+    cradles.add({{"digits", "digits of the contact time that are used", digits},
+                 {"g", "acceleration of gravity", g, "m/s^2"},
+                 {"impact", "lambda^(5/2), velocity of the dimensionless impact",
+                  contact.is_exact ? exact(impact)
+                                   : Estimate{impact, 5 * impact * contact.error / contact.value},
+                  "", "from the contact time"}});
+  };
+  add_cradle("printed", 10, exact(2.43));
+  add_cradle("printed", 9.81, exact(2.43));
+  add_cradle("all", 9.81, time);
 }
 
 /**
@@ -104,10 +114,10 @@ Replacing beam and beads by one point mass changes the frequency by a thousandth
 
 | of a clamped beam | article | here |
 |---|---|---|
-| stiffness, in $EI/\ell^3$ | 192 | [192.000 ± 1e-12](num:beam.stiffness) |
-| frequency $x^2$, in $(EI/\rho A)^{1/2}/\ell^2$ | 22.4 | [22.3733 ± 5e-10](num:beam.frequency) |
-| effective mass, in masses of the beam | 0.38 | [0.383567 ± 2e-11](num:beam.mass) |
-| frequency, model over decorated beam | 1 | [0.998945 ± 2e-10](num:sec35_scales.point_mass_frequency_ratio) |
+| stiffness, in $EI/\ell^3$ | 192 | [192.00](cell:beam/stiffness) |
+| frequency $x^2$, in $(EI/\rho A)^{1/2}/\ell^2$ | 22.4 | [22.37](cell:beam/frequency) |
+| effective mass, in masses of the beam | 0.38 | [0.3836](cell:beam/mass) |
+| frequency, model over decorated beam | 1 | [0.9989](cell:beam/model_over_decorated) |
 
 Here $EI$ is the bending stiffness and $\rho A$ the mass per length. */
 void report_beam(Report& report, const CantileverArray& array) {
@@ -120,11 +130,17 @@ void report_beam(Report& report, const CantileverArray& array) {
     const double root = ClampedBeam{steps, load}.wavenumber();
     return model / (root * root);
   };
-  report.facts.add("beam_stiffness",
-                   both([](std::size_t steps) { return ClampedBeam{steps}.stiffness(0); }));
-  report.facts.add("beam_frequency", compare(by_shooting * by_shooting, x * x));
-  report.facts.add("beam_mass", compare(mass(by_shooting), mass(x)));
-  report.facts.add("point_mass_frequency_ratio", both(over_decorated));
+  report.table("beam").add(
+      {{"stiffness", "force at the middle over its deflection",
+        both([](std::size_t steps) { return ClampedBeam{steps}.stiffness(0); }), "E I/l^3"},
+       {"frequency", "lowest frequency, the square of the wavenumber",
+        compare(by_shooting * by_shooting, x * x), "(E I/(rho A))^(1/2)/l^2",
+        "shooting against cos x cosh x = 1"},
+       {"mass", "mass with which the spring has this frequency",
+        compare(mass(by_shooting), mass(x)), "mass of the beam",
+        "shooting against cos x cosh x = 1"},
+       {"model_over_decorated", "frequency of spring and mass over that of the beam with two beads",
+        both(over_decorated)}});
 }
 
 /**
@@ -138,11 +154,11 @@ grows by less than a factor of $e$ in that time; the limit is $(1+\epsilon)^{10/
 
 | impact of 1 m/s | article | here |
 |---|---|---|
-| $\tau_h$, ms | 0.047 | [0.0465155](num:cantilever.tau_h) |
-| $\tau_c$, ms | 0.025 | [0.025219](num:cantilever.tau_c) |
-| $\lambda$ | 0.29 | [0.293941](num:cantilever.lambda) |
-| $\epsilon$ with the period 0.15 ms | 0.015 | [0.0151131](num:outlook.dominated) |
-| $\epsilon$ with the period $2\pi\tau_c$ | | [0.0159718](num:sec35_scales.epsilon_e_fold) |
+| $\tau_h$, ms | 0.047 | [0.0465](cell:array/tau_h) |
+| $\tau_c$, ms | 0.025 | [0.0252](cell:array/tau_c) |
+| $\lambda$ | 0.29 | [0.294](cell:array/lambda) |
+| $\epsilon$ with the period 0.15 ms | 0.015 | [0.0151](cell:losses/period=printed/epsilon) |
+| $\epsilon$ with the period $2\pi\tau_c$ | | [0.016](cell:losses/period=of_the_wells/epsilon) |
 
 Figure 1 is drawn to scale. The two beads of each cantilever touch those of its neighbours, so the pitch is one
 thickness and four radii. The cradle's string has the length of this section; the size of its beads is not given, and we
@@ -151,12 +167,19 @@ void report_array(Report& report, const CantileverArray& array) {
   const Scales s = array.scales();
   const double velocity = 1;  // m/s
   report.output.add("scales", AllScales{velocity}.table());
-  report.facts.add("tau_h", exact(s.tau_h(velocity) * 1e3), "ms");
-  report.facts.add("tau_c", exact(s.tau_c() * 1e3), "ms");
-  report.facts.add("lambda", exact(s.lambda(velocity)));
-  const double lifetime = 10, period = 0.15, linear = s.milliseconds(2 * std::numbers::pi);  // ms
-  report.facts.add("epsilon_printed_period", exact(std::expm1(period / lifetime)));
-  report.facts.add("epsilon_e_fold", exact(std::expm1(linear / lifetime)));
+  report.table("array").add(
+      {{"tau_h", "time scale of a contact", exact(s.tau_h(velocity) * 1e3), "ms", "exact"},
+       {"tau_c", "time scale of the wells", exact(s.tau_c() * 1e3), "ms", "exact"},
+       {"lambda", "their ratio, squared", exact(s.lambda(velocity)), "", "exact"}});
+  Table& losses = report.table("losses");
+  const double lifetime = 10;  // ms
+  const auto add = [&](const char* period, double ms) {
+    losses.add({{"period", "period of the breather", period},
+                {"epsilon", "growth in a period that is a factor of e in 10 ms",
+                 exact(std::expm1(ms / lifetime)), "", "exact"}});
+  };
+  add("printed", 0.15);
+  add("of_the_wells", s.milliseconds(2 * std::numbers::pi));
 
   // What the drawing needs
   Table& drawn = report.table(
@@ -195,9 +218,9 @@ void reproduce(Report& report) {
 | `scale.contact_time`: duration of a two-bead collision in units of tau_h | 2.43 | 2.439 tau_h | reproduced |
 | `scale.max_compression`: maximal compression in units of delta | 0.76 | 0.8286 delta | discrepant |
 | `scale.cradle`: lambda^(5/2) of the desk-top Newton's cradle | 1.75e19 | 1.74986e19 | reproduced, assuming |
-| `beam.stiffness`: clamped-clamped mid-point stiffness in units of E I / l^3 | 192 | 192.0 | reproduced |
-| `beam.frequency`: first bending frequency constant of the clamped-clamped beam | 22.4 | 22.37 | reproduced |
-| `beam.mass`: effective mass over beam mass | 0.38 | 0.3836 | reproduced |
+| `beam.stiffness`: clamped-clamped mid-point stiffness in units of E I / l^3 | 192 | 192.0 E I/l^3 | reproduced |
+| `beam.frequency`: first bending frequency constant of the clamped-clamped beam | 22.4 | 22.37 (E I/(rho A))^(1/2)/l^2 | reproduced |
+| `beam.mass`: effective mass over beam mass | 0.38 | 0.3836 mass of the beam | reproduced |
 | `cantilever.tau_h`: Hertz time at 1 m/s | 0.047 ms | 0.04652 ms | reproduced |
 | `cantilever.tau_c`: local time scale | 0.025 ms | 0.02522 ms | reproduced |
 | `cantilever.lambda`: ratio of Hertz to local stiffness | 0.29 | 0.2939 | reproduced |

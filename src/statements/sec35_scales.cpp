@@ -6,41 +6,41 @@
 using namespace lattice;
 
 STATEMENT("scale.contact_time") {
-  answer(fact("contact_time"));
+  answer(table("collision")["contact_time"]);
 }
 
 STATEMENT("scale.max_compression") {
-  answer(fact("max_compression"));
+  answer(table("collision")["compression"]);
 }
 
 STATEMENT("scale.cradle") {
-  answer(fact("cradle"));
+  answer(table("cradle").at("digits", "printed", "g", 10)["impact"]);
 }
 
 STATEMENT("beam.stiffness") {
-  answer(fact("beam_stiffness"));
+  answer(table("beam")["stiffness"]);
 }
 
 STATEMENT("beam.frequency") {
-  answer(fact("beam_frequency"));
+  answer(table("beam")["frequency"]);
 }
 
 STATEMENT("beam.mass") {
-  answer(fact("beam_mass"));
+  answer(table("beam")["mass"]);
 }
 
 STATEMENT("cantilever.tau_h") {
-  answer(fact("tau_h"));
+  answer(table("array")["tau_h"]);
 }
 
 STATEMENT("cantilever.tau_c") {
-  answer(fact("tau_c"));
+  answer(table("array")["tau_c"]);
 }
 
 STATEMENT("cantilever.lambda") {
-  answer(fact("lambda"));
+  answer(table("array")["lambda"]);
 }
 
 STATEMENT("outlook.dominated") {
-  answer(fact("epsilon_printed_period"));
+  answer(table("losses").at("period", "printed")["epsilon"]);
 }
