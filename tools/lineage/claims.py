@@ -163,7 +163,8 @@ def said(text, numbers):
     def shown(m):
         if m[1] not in numbers:
             raise ecsv.Fault(f"paper/claims.ecsv: there is no number '{m[1]}' (a new number: make accept)")
-        return numbers[m[1]].shown
+        found = numbers[m[1]]
+        return found.shown_like("1.000") if found.what == "cell" else found.shown
 
     return QUOTED.sub(shown, text)
 
