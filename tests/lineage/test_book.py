@@ -11,7 +11,7 @@ import unittest
 
 from lineage import ecsv, markdown as md
 
-from common import ROOT, Scratch
+from common import ROOT, Scratch, table
 
 LACKING = [name for name in ("sphinx", "myst_parser", "furo") if not importlib.util.find_spec(name)]
 LACKING += [] if shutil.which("node") or shutil.which("nodejs") else ["node"]
@@ -66,7 +66,7 @@ class Repository(Scratch):
         self.write("book/contents.txt", "= One\nsec1_demo\n")
         self.write("book/start.md", "# Start\n\nTake [](num:a.one).\n")
         self.write("book/commands.txt", "a.one build/bin/sec1_demo one --exactly # one\n")
-        self.write("CONTRIBUTING.md", "")
+        self.write("src/modules.ecsv", table(["folder", "idea"], [["src/lattice/numbers", "what numbers are"]]))
         self.write("tools/apt-packages.txt", "dpkg\n[book]\nno-such-package\n")
         cells = [{"cell_type": "markdown", "source": ["# In Python\n", "\n", "By Eq. (9), $x^2$; [](num:a.one)."]},
                  {"cell_type": "code", "source": ["x = 1  # one"], "outputs": [{"output_type": "stream", "text": ["a < b\n"]}]}]
@@ -93,8 +93,8 @@ class Repository(Scratch):
                 "published": ['id="a.one"', "they erred", 'statements-sec1_demo-cpp.html#L-3">judged</a>', "--exactly"],
                 "numbers-sec1_demo": ['id="sec1_demo.fact"', "sec1_demo.html#L-16", "data/sec1_demo/facts.ecsv", "what quantity is"],
                 "fig-01": ["(a–c) At", "a line", "what quantity is"], "numbers-demo-cpp": ["A header: how", "declared in"],
-                "commands": ['id="sec1_demo-one"', "how fast it is, in sites (default: 0.5)"], "packages": ["not installed"],
-                "notebook-a-b": ["equations.html#eq-9", "a &lt; b"], "data": ["numbers-sec1_demo.html"]}.items():
+                "commands": ['id="sec1_demo-one"', "how fast it is, in sites", "[1e-06, 1] m/s"], "packages": ["not installed"],
+                "notebook-a-b": ["equations.html#eq-9", "a &lt; b"], "library": ["what numbers are"], "data": ["numbers-sec1_demo.html"]}.items():
             for piece in pieces:
                 self.assertIn(piece, self.read(f"build/book/{name}.html"))
 

@@ -1,8 +1,10 @@
 // What holds for every program of a volume: what its help and the prose of its chapters promise.
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
+#include "report/parameters.hpp"
 #include "support/check.hpp"
 #include "support/commands.hpp"
 
@@ -38,28 +40,36 @@ TEST_CASE("what the prose tells a reader to type is there", "[cli]") {
   CHECK(found > 10);
 }
 
-TEST_CASE("every option of every command refuses what its help does not allow", "[cli]") {
-  Scratch scratch;
-  std::size_t seen = 0;
-  const auto refused = [&](const std::string& command, const std::string& option,
-                           const std::string& value, const std::string& range) {
-    const std::string line = command + " " + option + " " + value;
-    const std::string out = command.find(' ') == std::string::npos ? " --out " : " --output ";
-    const Result r = call(line + out + word(scratch.path / "x"));
-    CAPTURE(line);
-    check_refused(r, option + ": '" + value + "' is not ");
-    check_refused(r, range);
-    CHECK(scratch.empty());
-    ++seen;
+TEST_CASE("every option takes what --describe says, and nothing beyond", "[cli]") {
+  const auto check = [](const std::string& line, const std::string& option,
+                        const std::vector<std::string>& good, const std::vector<std::string>& bad) {
+    // Values are checked from the left to the right, and the threads refuse what would compute
+    for (const std::string& value : good)
+      check_refused(line + " " + option + "=" + word(value) + " --threads 0", "--threads: '0' is");
+    for (const std::string& value : bad)
+      check_refused(line + " " + option + "=" + value, option + ": '" + value + "' is not ");
   };
-  for (const auto& [command, help] : offers()) {
-    for (const auto& found : matches(help, "^  (--[a-z]+) (\\[[^,]+, ([^\\]]+)\\])")) {
-      if (found[1] == "--threads" && command != offers().begin()->first) continue;
-      refused(command, found[1], "9" + found[3].str(), found[2]);
-      refused(command, found[1], seen % 2 ? "nan" : "1,5", found[2]);
+  std::size_t seen = 0;
+  for (const auto& [program, help] : offers()) {
+    if (program.find(' ') != std::string::npos) continue;
+    const Table told = table_of(program + " --describe");
+    const auto text = [&](const char* column, std::size_t k) { return told.texts(column)[k]; };
+    for (std::size_t k = 0; k < told.rows.size(); ++k) {
+      const std::string command = text("command", k), takes = text("takes", k),
+                        line = program + (command.empty() ? "" : " " + command),
+                        option = "--" + text("option", k), standard = text("default", k);
+      CHECK((takes.empty() || offers().at(line).find("\n  " + option + " ") != std::string::npos));
+      if (option == "--threads" || takes.empty() || takes == "flag") continue;
+      const double least = told.numbers("lowest")[k], most = told.numbers("highest")[k];
+      const bool number = std::isfinite(least), plain = !number || typed_number(standard);
+      check(line, option,
+            plain && !standard.empty() ? std::vector{standard} : std::vector<std::string>{}, {});
+      if (number)
+        check(line, option, {number_text(least), number_text(most)},
+              {number_text(least - 1), number_text(2 * std::abs(most) + 1), "nan"});
+      if (takes == "name") check(line, option, {}, {"corner"});
+      ++seen;
     }
-    for (const auto& found : matches(help, "^  (--[a-z]+) \\{([a-z]+)"))
-      refused(command, found[1], "corner", found[2]);
   }
   CHECK(seen > 30);
 }
