@@ -358,10 +358,10 @@ class Book:
         out = [md.table(["option", "meaning"], [[f"`--{name}`", md.plain(first[name])] for name in common if name in first])]
         for row in (row for row in rows if not row["option"]):
             name = f"{row['program']} {row['command']}".strip()
-            own = [[f"`--{o['option']}`", *(md.plain(text) for text in (inventory.allowed(o), o["default"], o["meaning"]))] for o in rows
+            own = [[f"`--{o['option']}`", *map(md.plain, (inventory.allowed(o), inventory.explained(o)))] for o in rows
                    if (o["program"], o["command"]) == (row["program"], row["command"]) and o["option"] not in ("", *common)]
             out.append(f"\n{md.place(name.replace(' ', '-'))}\n\n##{'#' * bool(row['command'])} `{name}`\n\n"
-                       f"{md.plain(row['meaning'])}\n{md.table(['option', 'allowed', 'default', 'meaning'], own)}")
+                       f"{md.plain(row['meaning'])}\n{md.table(['option', 'allowed', 'meaning'], own)}")
         return "\n".join(out)
 
     def data_page(self):

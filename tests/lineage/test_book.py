@@ -93,7 +93,7 @@ class Repository(Scratch):
                 "published": ['id="a.one"', "they erred", 'statements-sec1_demo-cpp.html#L-3">judged</a>', "--exactly"],
                 "numbers-sec1_demo": ['id="sec1_demo.fact"', "sec1_demo.html#L-16", "data/sec1_demo/facts.ecsv", "what quantity is"],
                 "fig-01": ["(a–c) At", "a line", "what quantity is"], "numbers-demo-cpp": ["A header: how", "declared in"],
-                "commands": ['id="sec1_demo-one"', "how fast it is, in sites", "[1e-06, 1] m/s"], "packages": ["not installed"],
+                "commands": ['id="sec1_demo-one"', "how fast it is, in sites (default: 0.5)", "[1e-06, 1] m/s"], "packages": ["not installed"],
                 "notebook-a-b": ["equations.html#eq-9", "a &lt; b"], "library": ["what numbers are"], "data": ["numbers-sec1_demo.html"]}.items():
             for piece in pieces:
                 self.assertIn(piece, self.read(f"build/book/{name}.html"))

@@ -41,33 +41,37 @@ TEST_CASE("what the prose tells a reader to type is there", "[cli]") {
 }
 
 TEST_CASE("every option takes what --describe says, and nothing beyond", "[cli]") {
-  const auto check = [](const std::string& line, const std::string& option,
-                        const std::vector<std::string>& good, const std::vector<std::string>& bad) {
-    // Values are checked from the left to the right, and the threads refuse what would compute
-    for (const std::string& value : good)
-      check_refused(line + " " + option + "=" + word(value) + " --threads 0", "--threads: '0' is");
-    for (const std::string& value : bad)
-      check_refused(line + " " + option + "=" + value, option + ": '" + value + "' is not ");
+  // Values are checked from the left to the right, and no threads are what keeps a line from being computed
+  const auto taken = [](const std::string& option, const std::string& value) {
+    check_refused(option + "=" + word(value) + " --threads 0", "--threads: '0' is not ");
+  };
+  const auto refused = [](const std::string& option, const std::string& value) {
+    check_refused(option + "=" + value + " --threads 0", "'" + value + "' is not ");
+  };
+  const auto check = [&](const std::string& option, const std::string& takes, double least,
+                         double most, const std::string& standard) {
+    const bool whole = takes == "whole number", number = whole || takes == "number";
+    if (!number || typed_number(standard)) taken(option, standard);
+    if (takes == "name") refused(option, "corner");
+    if (!number) return;
+    for (double end : {least, most}) taken(option, number_text(end));
+    refused(option, number_text(whole ? least - 1 : std::nextafter(least, -HUGE_VAL)));
+    refused(option, number_text(whole ? most + 1 : std::nextafter(most, HUGE_VAL)));
+    refused(option, "nan");
+    refused(option, "1,5");
   };
   std::size_t seen = 0;
-  for (const auto& [program, help] : offers()) {
-    if (program.find(' ') != std::string::npos) continue;
-    const Table told = table_of(program + " --describe");
-    const auto text = [&](const char* column, std::size_t k) { return told.texts(column)[k]; };
+  for (const auto& [offer, help] : offers()) {
+    if (offer.find(' ') != std::string::npos) continue;
+    const Table told = table_of(offer + " --describe");
     for (std::size_t k = 0; k < told.rows.size(); ++k) {
-      const std::string command = text("command", k), takes = text("takes", k),
-                        line = program + (command.empty() ? "" : " " + command),
-                        option = "--" + text("option", k), standard = text("default", k);
-      CHECK((takes.empty() || offers().at(line).find("\n  " + option + " ") != std::string::npos));
-      if (option == "--threads" || takes.empty() || takes == "flag") continue;
-      const double least = told.numbers("lowest")[k], most = told.numbers("highest")[k];
-      const bool number = std::isfinite(least), plain = !number || typed_number(standard);
-      check(line, option,
-            plain && !standard.empty() ? std::vector{standard} : std::vector<std::string>{}, {});
-      if (number)
-        check(line, option, {number_text(least), number_text(most)},
-              {number_text(least - 1), number_text(2 * std::abs(most) + 1), "nan"});
-      if (takes == "name") check(line, option, {}, {"corner"});
+      const auto text = [&](const char* column) { return told.texts(column)[k]; };
+      const std::string command = text("command"), name = text("option"), takes = text("takes"),
+                        line = offer + (command.empty() ? "" : " " + command);
+      CHECK((name.empty() || offers().at(line).find("\n  --" + name + " ") != std::string::npos));
+      if (name.empty() || takes == "flag" || name == "threads") continue;
+      check(line + " --" + name, takes, told.numbers("lowest")[k], told.numbers("highest")[k],
+            text("default"));
       ++seen;
     }
   }

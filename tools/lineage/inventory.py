@@ -39,6 +39,11 @@ def allowed(row):
     return row["names"] or {"text": "a name"}.get(row["takes"], "")
 
 
+def explained(row):
+    """The meaning of an option, with its default."""
+    return row["meaning"] + f" (default: {row['default']})" * bool(row["default"])
+
+
 def wells(program):
     """The wells that a program offers, in the order of the library's list, each with the names of its parameters."""
     rows = description(program)
