@@ -260,7 +260,8 @@ Table description(const std::string& program, const std::deque<Offer>& offers) {
              {"lowest", "least number; nan where none is taken", range.least},
              {"highest", "largest number; nan where none is taken", range.most},
              {"unit", "unit of the number", range.unit},
-             {"names", "names of which one is taken", comma_list(p.check.names)},
+             {"words", "the names of which one is taken; of a text what it is",
+              p.check.range ? "" : p.check.allowed},
              {"default", "value without the option, or what takes its place", p.standard},
              {"chosen_by", "option that decides whether this one has a meaning", p.chosen_by},
              {"choices", "those of its names with which it has", comma_list(p.choices)}});

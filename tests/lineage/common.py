@@ -45,7 +45,7 @@ FACTS_OF_DEMO = ["one", 1.0, 1e-3, "m"], ["other", 1.0, 0.0, ""], ["fact", 2.0, 
 FIGURES = ["id", "label", "section", "program", "script", "class", "data", "caption", "details"]
 REAL = ("value", "error", "margin", "margin_error", "seconds", "lowest", "highest")
 NAN = float("nan")
-DESCRIPTION = ["command", "option", "meaning", "takes", "lowest", "highest", "unit", "names", "default", "chosen_by", "choices"]
+DESCRIPTION = ["command", "option", "meaning", "takes", "lowest", "highest", "unit", "words", "default", "chosen_by", "choices"]
 OPTIONS = [["", "", "A demonstration (section 1)", "", NAN, NAN, *[""] * 5], ["", "help", "this text", "flag", NAN, NAN, *[""] * 5],
            ["one", "", "one thing, of two", "", NAN, NAN, *[""] * 5],
            ["one", "speed", "how fast it is, in sites", "number", 1e-6, 1.0, "m/s", "", "0.5", "", ""],

@@ -54,7 +54,7 @@ def good_value(chance, row):
     if takes == "text":
         return f"{chance.randint(1, 3)}/100000" if name == "part" else "x"
     if takes == "name":
-        return chance.choice(row["names"].split(", "))
+        return chance.choice(row["words"].split(", "))
     if name in SIZES:
         most = min(most, max(least, 1) * SIZES[name])
     least = max(least, LOOSE.get(name, least))

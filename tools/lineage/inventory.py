@@ -22,7 +22,7 @@ def description(program):
         run = subprocess.run([str(program), "--describe"], capture_output=True, text=True, check=True, timeout=60)
     except (OSError, subprocess.SubprocessError) as error:
         raise ecsv.Fault(f"{program}: cannot describe itself ({error}); make programs") from None
-    return ecsv.parse(run.stdout, program, ("command", "option", "meaning", "takes", "lowest", "highest", "names", "default")).rows
+    return ecsv.parse(run.stdout, program, ("command", "option", "meaning", "takes", "lowest", "highest", "words", "default")).rows
 
 
 def commands(root, folder):
@@ -35,8 +35,8 @@ def commands(root, folder):
 def allowed(row):
     """What an option takes, in words; nothing for a flag."""
     if "number" in row["takes"]:
-        return f"[{row['lowest']:.15g}, {row['highest']:.15g}] {row['unit']}".strip()
-    return row["names"] or {"text": "a name"}.get(row["takes"], "")
+        return "[{}, {}] {}".format(*(repr(row[end]).removesuffix(".0") for end in ("lowest", "highest")), row["unit"]).strip()
+    return row["words"]
 
 
 def explained(row):
@@ -49,7 +49,7 @@ def wells(program):
     rows = description(program)
     well = next(row for row in rows if row["option"] == "well")
     own = [row for row in rows if (row["command"], row["chosen_by"]) == (well["command"], "well")]
-    return {name: [row["option"] for row in own if name in row["choices"].split(", ")] for name in well["names"].split(", ")}
+    return {name: [row["option"] for row in own if name in row["choices"].split(", ")] for name in well["words"].split(", ")}
 
 
 def modules(root):
