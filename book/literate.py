@@ -31,7 +31,7 @@ from sphinx.util.docutils import SphinxDirective
 
 from lineage import ecsv, inventory, markdown as md
 from lineage.cells import cited, home_of, read_cells, with_links
-from lineage.chapters import article_tests, explained_by, read_commands, read_costs, run_of, shown_cost
+from lineage.chapters import explained_by, read_commands, read_costs, run_of, shown_cost
 from lineage.claims import (KINDS, OBTAINED, agrees, by_name, in_plain, meanings, programs_of, read_answers, read_claims, read_facts,
                             read_findings, read_literature, read_second, read_statements, read_verdicts, said as filled,
                             with_sentences)
@@ -116,7 +116,7 @@ class Book:
         self.verdicts = joined(lambda volume: read_verdicts(volume, report), every)
         self.judged = joined(read_statements, every)
         self.literature = joined(read_literature, every)
-        self.tests, self.lines, near = article_tests(self.root), {}, {}
+        self.lines, near = {}, {}
         for chapter in self.chapters:
             needed = [self.by_include[i] for i in chapter.includes if i in self.by_include]
             halves = [i for i in (s.included[:-4] + ".cpp" for s in needed) if i in self.by_include]
@@ -277,9 +277,8 @@ class Book:
         program, words = claim["program"], set(re.findall(r"\w+", claim["where"]))
         chapter = md.link(program + ".html", "chapter") if program in self.by_page else ""
         figures = [self.figure_link(f) for f, row in self.figures.items() if row["label"] in words]
-        test = f"test `article.cpp:{self.tests[id]}`" if id in self.tests else ""
         source, line = self.lines[id]
-        links = ", ".join(filter(None, [md.link(f"{source.page}.html#L-{line}", "judged"), chapter, *figures, self.speaks(id, program), test]))
+        links = ", ".join(filter(None, [md.link(f"{source.page}.html#L-{line}", "judged"), chapter, *figures, self.speaks(id, program)]))
         return [f"{md.place(id)}{md.name(id)} {md.spelled(claim['quantity'])} ({md.plain(where)})", article,
                 here + self.second_mark(id), said, links + self.alone_mark(id)]
 
@@ -361,10 +360,9 @@ class Book:
         return ", ".join([self.page_link(chapter.page), *(md.link(f"{chapter.page}.html#L-{k}", f"line {k}") for k in sorted(lines))])
 
     def naming(self, label):
-        """The statements of the article that name a figure, with their tests."""
+        """The statements of the article that name a figure."""
         ids = [id for id, claim in self.claims.items() if label and label in re.findall(r"\w+", claim["where"])]
-        return ", ".join(md.link(f"published.html#{id}", id) + (f" (test `article.cpp:{self.tests[id]}`)" if id in self.tests else "")
-                         for id in ids)
+        return ", ".join(md.link(f"published.html#{id}", id) for id in ids)
 
     def equations_page(self):
         return "".join(f"\n{md.place(f'eq-{n}')}\n\n## ({n}) {row['name']}\n\n$$\n{row['tex']} \\tag{{{n}}}\n$$\n\n"
@@ -373,15 +371,15 @@ class Book:
     def commands_page(self):
         """What the programs say of themselves; options that all have stand once."""
         rows = list(inventory.commands(self.root, self.root / "build/bin"))
-        common = ("--help", "--version", "--out", "--quick", "--threads", "--output")
-        first = {row["option"]: row["description"].split(" (default")[0] for row in reversed(rows)}
-        out = [md.table(["option", "meaning"], [[f"`{name}`", md.plain(first[name])] for name in common if name in first])]
+        common = ("help", "version", "describe", "out", "quick", "threads", "output")
+        first = {row["option"]: row["meaning"] for row in reversed(rows)}
+        out = [md.table(["option", "meaning"], [[f"`--{name}`", md.plain(first[name])] for name in common if name in first])]
         for row in (row for row in rows if not row["option"]):
             name = f"{row['program']} {row['command']}".strip()
-            own = [[f"`{o['option']}`", md.plain(o["allowed"]), md.plain(o["description"])] for o in rows
+            own = [[f"`--{o['option']}`", *map(md.plain, (inventory.allowed(o), inventory.explained(o)))] for o in rows
                    if (o["program"], o["command"]) == (row["program"], row["command"]) and o["option"] not in ("", *common)]
             out.append(f"\n{md.place(name.replace(' ', '-'))}\n\n##{'#' * bool(row['command'])} `{name}`\n\n"
-                       f"{md.plain(row['description'])}\n{md.table(['option', 'allowed', 'meaning'], own)}")
+                       f"{md.plain(row['meaning'])}\n{md.table(['option', 'allowed', 'meaning'], own)}")
         return "\n".join(out)
 
     def data_page(self):
@@ -399,8 +397,8 @@ class Book:
         return md.table(["package", "version", "needed for"], rows)
 
     def library_page(self):
-        """The modules in the order of the table in CONTRIBUTING.md, with their files."""
-        ideas = dict(re.findall(r"^\| \[`(\w+)`\]\(src/[^)]*\) \| (.*) \|$", ecsv.text_of(self.root / "CONTRIBUTING.md"), re.M))
+        """The modules in the order of their list, with their files."""
+        ideas = {Path(folder).name: idea for folder, idea in inventory.modules(self.root).items()}
         out = []
         for module in [m for m in ideas if m in self.rest] + [m for m in self.rest if m not in ideas]:
             files = [md.link(s.page + ".html", s.name) + f" {s.title}" * (s.is_header and s.titled) for s in self.rest[module]]
@@ -478,7 +476,7 @@ class Book:
         for path in (path for s in self.chapters for path in sorted((self.data / s.stem).glob("[!.]*.ecsv"))):
             (out / "data" / path.parent.name).mkdir(parents=True, exist_ok=True)
             shutil.copyfile(path, out / "data" / path.parent.name / path.name)
-        live.copy(self.lives, self.compiled, self.root, out)
+        live.copy(self.lives, self.compiled, out)
 
 
 def columns(path):

@@ -4,19 +4,20 @@ left out where it was not compiled."""
 import base64
 import gzip
 import json
-import re
 from pathlib import Path
 
-from lineage import ecsv
+from lineage import ecsv, inventory
 
 PAGES = ("strike", "breather", "defect", "drive")
+KNOWS_WELLS = "../bin/sec34_impact"
 SCRIPT = '\n\n<script src="live.js" defer></script>\n'
 
 
 def found(volumes, compiled):
-    """The live pages of these volumes, [(folder, name)], if all of them were compiled."""
+    """The live pages of these volumes, [(folder, name)], if all of them and the program with the wells were compiled."""
     lives = [(v / "book/live", name) for name in PAGES for v in volumes if (v / f"book/live/{name}.cpp").exists()]
-    return lives if all((compiled / f"{name}.wasm").exists() for _, name in lives) else []
+    needed = [compiled / KNOWS_WELLS, *(compiled / f"{name}.wasm" for _, name in lives)]
+    return lives if all(path.exists() for path in needed) else []
 
 
 def read_buttons(path):
@@ -30,18 +31,7 @@ def read_buttons(path):
     return out
 
 
-def wells_of(root):
-    """The wells that the library knows by name, in the order of its list, each with the names of its parameters."""
-    text = ecsv.text_of(Path(root) / "src/lattice/model/well.hpp")
-    structs = dict(re.findall(r"^struct (\w+).*?\{\n(.*?)^\};", text, re.M | re.S))
-    listed = re.search(r"^struct Well : OneOf<OwnWell, ([\w,\s]+)>", text, re.M)
-    if not listed:
-        raise ecsv.Fault("src/lattice/model/well.hpp: no list of wells")
-    bodies = [structs[name] for name in re.split(r",\s*", listed[1])]
-    return {re.search(r'name = "(\w+)"', body)[1]: re.findall(r'Parameter<\w+>\{"(\w+)"', body) for body in bodies}
-
-
-def copy(lives, compiled, root, out):
+def copy(lives, compiled, out):
     """The library as scripts, because a page from a folder may not fetch a file."""
     for _, name in lives:
         packed = base64.b64encode(gzip.compress((compiled / f"{name}.wasm").read_bytes(), mtime=0)).decode()
@@ -49,4 +39,4 @@ def copy(lives, compiled, root, out):
     if lives:
         paths = [Path(__file__).with_name("live.js"), *(folder / f"{name}.js" for folder, name in lives)]
         shared, *kinds = map(ecsv.text_of, paths)
-        (out / "live.js").write_text(f"{shared}Live.wells = {json.dumps(wells_of(root))};\n{''.join(kinds)}", encoding="utf-8")
+        (out / "live.js").write_text(f"{shared}Live.wells = {json.dumps(inventory.wells(compiled / KNOWS_WELLS))};\n{''.join(kinds)}", encoding="utf-8")

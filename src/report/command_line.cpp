@@ -8,6 +8,7 @@ happened when a line is refused. */
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdio>
 #include <numeric>
 #include <sstream>
@@ -57,6 +58,20 @@ static std::string perhaps(const std::optional<std::string>& name, const std::st
   return name ? "; did you mean " + mark + *name + (mark == "'" ? mark : "") + "?" : "";
 }
 
+/// What can be asked instead of a run: of a command only for help.
+struct Question {
+  const char *word, *meaning;
+  Asked::What what;
+};
+static std::vector<Question> questions(const Offer& of) {
+  std::vector<Question> all{
+      {"help", "this text", Asked::What::help},
+      {"version", "version and build of the program", Asked::What::version},
+      {"describe", "all commands and options as a table", Asked::What::describe}};
+  if (!of.name.empty()) all.resize(1);
+  return all;
+}
+
 /**
 ## Every word in its place
 
@@ -93,7 +108,8 @@ struct Reader {
                offer.name.empty() ? "belongs to a full run, without a command"
                                   : "belongs to '" + offer.name + "'",
                known);
-    std::vector<std::string> names{"help"};
+    std::vector<std::string> names;
+    for (const auto& [word, meaning, what] : questions(*at)) names.push_back(word);
     for (const Option& p : at->parameters.all()) names.push_back(p.name);
     refuse("--" + name, "unknown option" + perhaps(nearest(name, names), "--"), known);
   }
@@ -174,7 +190,8 @@ Asked read_line(std::deque<Offer>& offers, const std::vector<std::string>& words
   }
   for (std::size_t k = 0; k < words.size(); ++k) {
     const std::string& word = words[k];
-    if (word == "--version" && reader.at->name.empty()) return {Asked::What::version, reader.at};
+    for (const auto& [asked, meaning, what] : questions(*reader.at))
+      if (word == std::string("--") + asked) return {what, reader.at};
     if (word.size() > 2 && word.rfind("--", 0) == 0)
       reader.place_option(k);
     else if (like_option(word))
@@ -207,8 +224,9 @@ std::string help_text(const std::string& program, const std::deque<Offer>& offer
   const bool whole = of.name.empty(), commands = whole && offers.size() > 1;
   std::string out = of.meaning + "\nUsage: " + program + (whole ? "" : " " + of.name) +
                     " [options]" + (commands ? "\n       " + program + " COMMAND [options]" : "") +
-                    "\n\nOptions:\n" + entry("--help", "this text");
-  if (whole) out += entry("--version", "version and build of the program");
+                    "\n\nOptions:\n";
+  for (const auto& [word, meaning, what] : questions(of))
+    out += entry(std::string("--") + word, meaning);
   bool numbers = false;
   for (const Option& p : of.parameters.all()) {
     const bool flag = p.takes == Option::Takes::flag;
@@ -221,6 +239,41 @@ std::string help_text(const std::string& program, const std::deque<Offer>& offer
     if (commands && !offer.name.empty()) out += entry(offer.name, offer.meaning);
   if (numbers) out += "\nA number may be a fraction, such as -1/6.\n";
   return out + (of.note.empty() ? "" : (numbers ? "" : "\n") + of.note + "\n");
+}
+
+/**
+The same as a table. */
+static std::string kind_of(const Option& p) {
+  if (p.takes == Option::Takes::flag) return "flag";
+  if (p.check.range) return p.check.whole ? "whole number" : "number";
+  return p.check.names.empty() ? "text" : "name";
+}
+
+Table description(const std::string& program, const std::deque<Offer>& offers) {
+  Table out;
+  const auto add = [&](const Offer& offer, const Option& p, const std::string& takes) {
+    const Allowed range = p.check.range.value_or(Allowed{std::nan(""), std::nan("")});
+    out.add({{"command", "command; empty for the program without one", offer.name},
+             {"option", "option, without its dashes; empty where the command is told", p.name},
+             {"meaning", "what the option or the command means", p.meaning},
+             {"takes", "what follows: flag (nothing), number, whole number, name, text", takes},
+             {"lowest", "least number; nan where none is taken", range.least},
+             {"highest", "largest number; nan where none is taken", range.most},
+             {"unit", "unit of the number", range.unit},
+             {"words", "the names of which one is taken; of a text what it is",
+              p.check.range ? "" : p.check.allowed},
+             {"default", "value without the option, or what takes its place", p.standard},
+             {"chosen_by", "option that decides whether this one has a meaning", p.chosen_by},
+             {"choices", "those of its names with which it has", comma_list(p.choices)}});
+  };
+  for (const Offer& offer : offers) {
+    add(offer, {"", offer.meaning, ""}, "");
+    for (const auto& [word, meaning, what] : questions(offer))
+      add(offer, {word, meaning, ""}, "flag");
+    for (const Option& p : offer.parameters.all()) add(offer, p, kind_of(p));
+  }
+  out.meta = {{"program", program}};
+  return out;
 }
 
 /**

@@ -23,9 +23,9 @@ struct Offer {
   std::function<Table()> compute{};  ///< what a command computes from their values
 };
 
-/// What was asked for: the offer that was chosen, or its help, or the version.
+/// What was asked for: the offer that was chosen, or its help, or the version, or what the program offers, as a table.
 struct Asked {
-  enum class What { run, help, version } what = What::run;
+  enum class What { run, help, version, describe } what = What::run;
   Offer* of = nullptr;  ///< one of the offers
 };
 
@@ -35,6 +35,9 @@ Asked read_line(std::deque<Offer>& offers, const std::vector<std::string>& words
 
 /// What `--help` prints for `of`, which ends with its note.
 std::string help_text(const std::string& program, const std::deque<Offer>& offers, const Offer& of);
+
+/// What `--describe` prints: a row for each offer, without an option, and below it a row for each of its options.
+Table description(const std::string& program, const std::deque<Offer>& offers);
 
 /// The name that is nearest to `word`, if one is near.
 std::optional<std::string> nearest(const std::string& word, const std::vector<std::string>& names);

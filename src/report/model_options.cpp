@@ -59,8 +59,9 @@ void add_potential(Parameters& p, const std::string& option, const std::string& 
         range == own.end() ? std::pair(info.least, info.most) : range->second;
     double& value = choice->values[info.name];
     value = value_in(any, info.name).value_or(info.fallback);
-    p.add(info.name, value, info.meaning + " (" + comma_list(owners<Any>(info.name)) + ")",
-          {least, most});
+    const auto has = owners<Any>(info.name);
+    p.add(info.name, value, info.meaning + " (" + comma_list(has) + ")", {least, most})
+        .only_with(option, has);
   }
   // Once the line is complete
   p.when_read([&p, &any, choice, option, own] {

@@ -38,7 +38,7 @@ static Check in_range(const Allowed& range, bool whole) {
     if (*x >= range.least && *x <= range.most) return "";
     return is_not + "in the allowed range " + allowed + (range.why.empty() ? "" : ": " + range.why);
   };
-  return {complaint, allowed};
+  return {complaint, allowed, {}, range, whole};
 }
 
 Check not_empty() {

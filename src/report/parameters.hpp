@@ -37,20 +37,22 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Numbers in [least, most], in the given unit. Where a reader may expect others, complaints end with the reason.
+struct Allowed {
+  double least, most;
+  std::string unit = "", why = "";
+};
+
 /// A check is told what was typed and answers with a complaint, or with nothing.
 struct Check {
   std::function<std::string(const std::string&)> complaint;
   std::string allowed;               ///< as complaints show it
   std::vector<std::string> names{};  ///< if only some names are allowed
+  std::optional<Allowed> range{};    ///< if it is a number
+  bool whole = false;                ///< whether only whole numbers are allowed
 
   /// As help shows it: names as {one|other}.
   std::string shown() const;
-};
-
-/// Numbers in [least, most], in the given unit. Where a reader may expect others, complaints end with the reason.
-struct Allowed {
-  double least, most;
-  std::string unit = "", why = "";
 };
 
 /// A name that is not empty.
@@ -76,6 +78,8 @@ struct Option {
   Check check{};
   std::function<void(const std::string&)> take{};  ///< hands a checked value to the variable
   std::vector<std::string> old_names{}, rivals{};  ///< see `formerly` and `excludes`
+  std::string chosen_by{};                         ///< see `only_with`
+  std::vector<std::string> choices{};              ///< the same
   std::optional<std::string> typed{};              ///< the value as it was typed; empty for a flag
 
   /// Whether it was typed.
@@ -90,6 +94,11 @@ struct Option {
   /// Typing both is refused.
   Option& excludes(const Option& other) {
     rivals.push_back(other.name);
+    return *this;
+  }
+  /// It has a meaning for these names that the option `other` takes, and for no others.
+  Option& only_with(const std::string& other, const std::vector<std::string>& names) {
+    chosen_by = other, choices = names;
     return *this;
   }
 };

@@ -264,6 +264,7 @@ void Invocation::run(const std::vector<std::string>& words) {
   }
   if (asked.what == Asked::What::version)
     return say(program.name + " " LATTICE_VERSION " (" LATTICE_BUILD "; " LATTICE_LIBRARIES ")\n");
+  if (asked.what == Asked::What::describe) return say(to_text(description(program.name, offers)));
   set_threads(threads > 0 ? threads : granted_by_slurm());
   return asked.of->compute ? print(*asked.of) : reproduce(*asked.of);
 }

@@ -4,18 +4,7 @@
 
 What the article prints stands in `paper/claims.ecsv`, one row a statement, with its tolerance; our findings and the numbers
 of other authors are rows of the same form. What our tables say to it is found by the function of the same id in
-`src/statements` (statement.hpp). Here both are put together.
-
-| verdict | meaning |
-|---|---|
-| reproduced | a printed number, met within its tolerance under the printed conditions |
-| reproduced, assuming | the same, where a condition is not printed and a natural one reaches the number |
-| holds | a statement of which all comparisons hold |
-| quantified | a word without a number, or a number that depends on what is not printed: ours stands beside it |
-| within its own accuracy | missed by no more than the accuracy that the article itself prints |
-| follows | missed because it is computed from another printed number, which is judged in its own row |
-| discrepant | missed in every natural reading |
-| unresolved | a value is missing, or the error does not allow a verdict; no test accepts that | */
+`src/statements` (statement.hpp). Here both are put together. `paper/verdicts.ecsv` says what each verdict means. */
 
 #include <filesystem>
 #include <map>
@@ -52,6 +41,11 @@ using Cases = std::vector<Case>;
 /// All rows of a volume's lists, judged on `tables`. Throws std::runtime_error for a row without a statement, and for a
 /// statement without a row.
 Cases judge(const std::filesystem::path& volume, Tables& tables);
+
+/// All verdicts, in the order of `paper/verdicts.ecsv`.
+inline constexpr const char* verdict_words[] = {
+    "reproduced", "reproduced, assuming", "holds",     "quantified", "within its own accuracy",
+    "follows",    "discrepant",           "unresolved"};
 
 /// Whether a row with this verdict agrees with what is printed, or is left open.
 bool is_met(const std::string& verdict);

@@ -41,7 +41,7 @@ Table table_of(const Cases& rows) {
          {"margin", "least difference of the two sides of a comparison, relative to the larger one",
           closest ? closest->margin().value : none.value},
          {"margin_error", "error of the margin", closest ? closest->margin().error : none.error},
-         {"verdict", "verdict, as explained in src/report/verdict.hpp", verdict(one, rows)},
+         {"verdict", "verdict, as explained in paper/verdicts.ecsv", verdict(one, rows)},
          {"found", "the value, or the comparisons, of many the closest one", found.text()},
          {"closest", "the value, or the comparison that is closest to failing", found.closest_text()},
          {"state", "judged here; not run: the recorded verdict; quick: from coarse tables",
@@ -65,9 +65,8 @@ void print(const std::string& list, const std::string& title, const Cases& rows)
   }
   if (all > 0) std::printf("%-11s: %d\n", title.c_str(), all);
   if (quick > 0) return void(std::printf("  quick, not compared      %3d\n", quick));
-  for (const char* word : {"reproduced", "reproduced, assuming", "holds", "quantified",
-                           "within its own accuracy", "follows", "discrepant", "unresolved"}) {
-    if (by.count(word)) std::printf("  %-24s %3d\n", word, int(by[word].size()));
+  for (const std::string word : verdict_words) {
+    if (by.count(word)) std::printf("  %-24s %3d\n", word.c_str(), int(by[word].size()));
     if (is_met(word)) continue;
     for (const Case* one : by[word])
       std::printf(
@@ -119,6 +118,8 @@ int main(int argc, char** argv) {
       judge_all(root, data, output);
     else if (asked.what == Asked::What::version)
       std::cout << "verdicts " LATTICE_VERSION "\n";
+    else if (asked.what == Asked::What::describe)
+      std::cout << to_text(description("verdicts", offers));
     else
       std::cout << help_text("verdicts", offers, offers[0]);
   });

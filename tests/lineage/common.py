@@ -43,30 +43,14 @@ STATEMENT("a.two") {
 FACTS = ["quantity", "value", "error", "unit", "made_by"]
 FACTS_OF_DEMO = ["one", 1.0, 1e-3, "m"], ["other", 1.0, 0.0, ""], ["fact", 2.0, 0.1, ""]
 FIGURES = ["id", "label", "section", "program", "script", "class", "data", "caption", "details"]
-HELP = """#!/bin/sh
-if [ "$1" = one ]; then cat <<'END'
-one thing, of two
-Usage: sec1_demo one [options]
-
-Options:
-  --help                      this text
-  --speed [0, 1]              how fast it is, in
-                              sites (default: 0.5)
-  --well none, harmonic, quartic, pendulum  well of every bead
-END
-else cat <<'END'
-A demonstration (section 1)
-Usage: sec1_demo [options]
-
-Options:
-  --help                      this text
-
-Commands, each with its own --help:
-  one                         one thing, of two
-END
-fi
-"""
-REAL = ("value", "error", "value_error", "margin", "margin_error", "seconds")
+REAL = ("value", "error", "value_error", "margin", "margin_error", "seconds", "lowest", "highest")
+NAN = float("nan")
+DESCRIPTION = ["command", "option", "meaning", "takes", "lowest", "highest", "unit", "words", "default", "chosen_by", "choices"]
+OPTIONS = [["", "", "A demonstration (section 1)", "", NAN, NAN, *[""] * 5], ["", "help", "this text", "flag", NAN, NAN, *[""] * 5],
+           ["one", "", "one thing, of two", "", NAN, NAN, *[""] * 5],
+           ["one", "speed", "how fast it is, in sites", "number", 1e-6, 1.0, "m/s", "", "0.5", "", ""],
+           ["one", "well", "well of every bead", "name", NAN, NAN, "", "none, quartic", "none", "", ""],
+           ["one", "s", "anharmonicity", "number", -1.0, 2.0, "", "", "0", "well", "quartic"]]
 
 
 def table(names, rows):
@@ -140,10 +124,10 @@ class Scratch(unittest.TestCase):
         header = re.sub(r"# - \{tables: .*\n", "", ecsv.text_of(facts))
         ecsv.write_whole(facts, header.replace("# schema", f"# - {{tables: '{sums}'}}\n# schema", 1))
 
-    def program(self):
+    def program(self, before=""):
         """A program with a command, that says so in the form of ours."""
         path = self.root / "build/bin/sec1_demo"
-        self.write("build/bin/sec1_demo", HELP)
+        self.write("build/bin/sec1_demo", f"#!/bin/sh\n{before}cat <<'END'\n{table(DESCRIPTION, OPTIONS)}END\n")
         path.chmod(0o755)
         return path
 

@@ -1,4 +1,4 @@
-"""What chapters cost, where a claim is tested, and the commands that compute one number. Which chapters explain a
+"""What chapters cost, and the commands that compute one number. Which chapters explain a
 claim stands in the README, where test_refresh.py notices a change."""
 
 import unittest
@@ -29,13 +29,6 @@ class Chapters(Scratch):
 
 
 class Here(unittest.TestCase):
-    def test_cases_of_the_article_are_called_after_claims(self):
-        """The index of the README and the book leads from a claim to the line of its test."""
-        tests, lines = chapters.article_tests(ROOT), ecsv.text_of(ROOT / "tests/article.cpp").split("\n")
-        self.assertEqual(sorted(set(tests) - set(read_claims(ROOT))), [])
-        self.assertGreater(len(tests), 50)
-        self.assertTrue(all("TEST_CASE" in lines[line - 1] for line in tests.values()))
-
     def test_commands_that_compute_one_number_exist(self):
         known = by_name(joined(read_lock, volumes(ROOT)))
         for id, (command, quantity) in joined(chapters.read_commands, volumes(ROOT)).items():

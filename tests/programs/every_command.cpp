@@ -1,8 +1,10 @@
 // What holds for every program of a volume: what its help and the prose of its chapters promise.
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
+#include "report/parameters.hpp"
 #include "support/check.hpp"
 #include "support/commands.hpp"
 
@@ -38,28 +40,40 @@ TEST_CASE("what the prose tells a reader to type is there", "[cli]") {
   CHECK(found > 10);
 }
 
-TEST_CASE("every option of every command refuses what its help does not allow", "[cli]") {
-  Scratch scratch;
-  std::size_t seen = 0;
-  const auto refused = [&](const std::string& command, const std::string& option,
-                           const std::string& value, const std::string& range) {
-    const std::string line = command + " " + option + " " + value;
-    const std::string out = command.find(' ') == std::string::npos ? " --out " : " --output ";
-    const Result r = call(line + out + word(scratch.path / "x"));
-    CAPTURE(line);
-    check_refused(r, option + ": '" + value + "' is not ");
-    check_refused(r, range);
-    CHECK(scratch.empty());
-    ++seen;
+TEST_CASE("every option takes what --describe says, and nothing beyond", "[cli]") {
+  // Values are checked from the left to the right, and no threads are what keeps a line from being computed
+  const auto taken = [](const std::string& option, const std::string& value) {
+    check_refused(option + "=" + word(value) + " --threads 0", "--threads: '0' is not ");
   };
-  for (const auto& [command, help] : offers()) {
-    for (const auto& found : matches(help, "^  (--[a-z]+) (\\[[^,]+, ([^\\]]+)\\])")) {
-      if (found[1] == "--threads" && command != offers().begin()->first) continue;
-      refused(command, found[1], "9" + found[3].str(), found[2]);
-      refused(command, found[1], seen % 2 ? "nan" : "1,5", found[2]);
+  const auto refused = [](const std::string& option, const std::string& value) {
+    check_refused(option + "=" + value + " --threads 0", "'" + value + "' is not ");
+  };
+  const auto check = [&](const std::string& option, const std::string& takes, double least,
+                         double most, const std::string& standard) {
+    const bool whole = takes == "whole number", number = whole || takes == "number";
+    if (!number || typed_number(standard)) taken(option, standard);
+    if (takes == "name") refused(option, "corner");
+    if (!number) return;
+    for (double end : {least, most}) taken(option, number_text(end));
+    refused(option, number_text(whole ? least - 1 : std::nextafter(least, -HUGE_VAL)));
+    refused(option, number_text(whole ? most + 1 : std::nextafter(most, HUGE_VAL)));
+    refused(option, "nan");
+    refused(option, "1,5");
+  };
+  std::size_t seen = 0;
+  for (const auto& [offer, help] : offers()) {
+    if (offer.find(' ') != std::string::npos) continue;
+    const Table told = table_of(offer + " --describe");
+    for (std::size_t k = 0; k < told.rows.size(); ++k) {
+      const auto text = [&](const char* column) { return told.texts(column)[k]; };
+      const std::string command = text("command"), name = text("option"), takes = text("takes"),
+                        line = offer + (command.empty() ? "" : " " + command);
+      CHECK((name.empty() || offers().at(line).find("\n  --" + name + " ") != std::string::npos));
+      if (name.empty() || takes == "flag" || name == "threads") continue;
+      check(line + " --" + name, takes, told.numbers("lowest")[k], told.numbers("highest")[k],
+            text("default"));
+      ++seen;
     }
-    for (const auto& found : matches(help, "^  (--[a-z]+) \\{([a-z]+)"))
-      refused(command, found[1], "corner", found[2]);
   }
   CHECK(seen > 30);
 }

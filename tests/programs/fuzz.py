@@ -3,7 +3,7 @@
 
     fuzz.py BIN [COUNT [SEED]]
 
-The options are those that `--help` declares, with their ranges. Half of the values are drawn from them, sizes and times
+The options are those that `--describe` declares, with their ranges. Half of the values are drawn from them, sizes and times
 from their small ends, so that a run is short; the others are what people mistype, and what nobody does. Asked is of
 every answer: exit code 0, 1 or 2 and no signal, within thirty seconds (times LATTICE_SLACK); a complaint is one line and
 comes without a table; a table can be read, and holds a nan only where a description or a reason says so; nothing is left
@@ -39,25 +39,22 @@ FREE = {"output", "out", "folder"}
 
 
 def declared(folder):
-    """What help declares, by programs and commands ('' is the full run): the options, each a range, a list of names, a flag
-    or a text."""
+    """What `--describe` declares, by programs and commands ('' is the full run): the rows of the options."""
     known = {}
     for row in inventory.commands(ROOT, folder):
-        allowed, name = row["allowed"], row["option"].lstrip("-")
         options = known.setdefault(row["program"], {}).setdefault(row["command"], {})
-        if name not in ("", "help", "version"):
-            options[name] = [float(end) for end in allowed[1:].split("]")[0].split(", ")] if allowed.startswith("[") else \
-                allowed[1:-1].split("|") if allowed.startswith("{") else "text" if allowed else "flag"
+        if row["option"] not in ("", "help", "version", "describe"):
+            options[row["option"]] = row
     return known
 
 
-def good_value(chance, name, kind):
+def good_value(chance, row):
     """A value that is declared as allowed, and cheap."""
-    if kind == "text":
+    name, takes, least, most = (row[what] for what in ("option", "takes", "lowest", "highest"))
+    if takes == "text":
         return f"{chance.randint(1, 3)}/100000" if name == "part" else "x"
-    if isinstance(kind[0], str):
-        return chance.choice(kind)
-    least, most = kind
+    if takes == "name":
+        return chance.choice(row["words"].split(", "))
     if name in SIZES:
         most = min(most, max(least, 1) * SIZES[name])
     least = max(least, LOOSE.get(name, least))
@@ -67,8 +64,7 @@ def good_value(chance, name, kind):
         x = least * (most / least) ** chance.random()
     else:
         x = least + (most - least) * chance.random()
-    whole = name in ("sites", "columns", "rows", "k", "reach", "threads")
-    return repr(math.floor(x) if whole else min(max(x, least), most))
+    return repr(math.floor(x) if takes == "whole number" else min(max(x, least), most))
 
 
 class Line:
@@ -92,9 +88,10 @@ class Line:
             self.output = "asked for.ecsv"
             self.words += ["--output", self.output]
 
-    def add(self, chance, option, kind, bad):
-        value = chance.choice(BAD) if bad else "" if kind == "flag" else good_value(chance, option, kind)
-        if kind == "flag" and not bad:
+    def add(self, chance, option, row, bad):
+        flag = row["takes"] == "flag"
+        value = chance.choice(BAD) if bad else "" if flag else good_value(chance, row)
+        if flag and not bad:
             self.words += ["--" + option]
         else:
             self.words += [f"--{option}={value}"] if chance.random() < 0.2 else ["--" + option, value][:1 + (chance.random() < 0.95)]

@@ -60,6 +60,13 @@ TEST_CASE("a print is met, missed, or not decided", "[unit]") {
   CHECK_THROWS_AS(allowed(printing("1", "abs -1", 1).claim), std::invalid_argument);
 }
 
+TEST_CASE("the list of verdicts has the words that are passed", "[unit]") {
+  const Table list = read(SOURCE_DIR "/paper/verdicts.ecsv");
+  const auto words = list.texts("verdict"), met = list.texts("met");
+  CHECK(words == std::vector<std::string>(std::begin(verdict_words), std::end(verdict_words)));
+  for (std::size_t k = 0; k < words.size(); ++k) CHECK(is_met(words[k]) == (met[k] == "yes"));
+}
+
 TEST_CASE("the article's own accuracy covers what is not farther", "[unit]") {
   const auto barrier = [](double accuracy, double error) {
     Case one = printing("1.77e-11", "rel 5e-3", {1.62e-11, 1e-19});

@@ -51,20 +51,6 @@ def read_commands(root):
     return out
 
 
-# Where it is tested
-
-CASE = re.compile(r'TEST_CASE\(\s*(?:"[^"]*"\s*)+,\s*"\[article\]((?:\[[\w.]+\])+)"\)')
-
-
-def article_tests(root):
-    """The line of tests/article.cpp at which a claim is asserted in a sentence of its own, by the claim's id: a case
-    has the ids of its claims among its tags."""
-    path = article(root) / "tests/article.cpp"
-    text = ecsv.text_of(path) if path.exists() else ""
-    return {id: text.count("\n", 0, found.start()) + 1
-            for found in CASE.finditer(text) for id in re.findall(r"\[([\w.]+)\]", found[1])}
-
-
 # What it costs
 
 

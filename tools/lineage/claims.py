@@ -21,16 +21,15 @@ KINDS = {"proved": "by an argument that is written out in the chapter",
          "observed": "seen in every run of a stated range, which the sentence names"}
 OBTAINED = {"text": "read in its text", "data": "read in its data", "abstract": "read in its abstract",
             "memory": "from memory, its source not read"}
-MEANT = re.compile(r"^\| ([a-z, ]+?) \| (.+?) \|$", re.M)
 QUOTED = re.compile(r"\{([a-z]\w*(?:\.\w+|/[^{}\s]+))\}")
 STATEMENT = re.compile(r'^STATEMENT\("([\w.]+)"\)', re.M)
 MARKED = re.compile(r"<!-- ([\w.]+) -->\n.*?<!-- /\1 -->", re.S)
 
 
 def meanings():
-    """What each verdict means, in their order: the table in src/report/verdict.hpp, where they are given."""
-    header = Path(__file__).resolve().parents[2] / "src/report/verdict.hpp"
-    return {word: text for word, text in MEANT.findall(ecsv.text_of(header)) if word != "verdict"}
+    """What each verdict means, in their order."""
+    verdicts = Path(__file__).resolve().parents[2] / "paper/verdicts.ecsv"
+    return {row["verdict"]: row["meaning"] for row in ecsv.read(verdicts, ("verdict", "meaning")).rows}
 
 
 def read_statements(root):

@@ -1,9 +1,8 @@
-"""What there is: every command with its options, and the packages that all was made with.
+"""What there is: every command with its options, the modules of the library, and the packages that all was made with.
 
-Nothing of it is written by hand: a program describes itself in its `--help`, and dpkg knows the versions. The book makes
-pages of them."""
+A program describes itself by `--describe`, src/modules.ecsv says what a module is about, and dpkg knows the versions. The
+book makes pages of them."""
 
-import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -17,39 +16,45 @@ GRANTED = "build"
 GRANTED_PACKAGES = ("g++", "cmake", "make", "git")
 
 
-def entries(help_text, heading):
-    """The lines of help below a heading: (name, what is allowed, meaning)."""
-    block = re.search(rf"^{heading}.*?:\n((?: .*\n)*)", help_text, re.M)
-    for line in re.sub(r"\n {20,}(?=\S)", " ", block[1]).splitlines() if block else ():
-        name, meaning = re.split(r" {2,}", line.strip(), maxsplit=1)
-        name, _, allowed = name.partition(" ")
-        yield name, allowed, meaning
-
-
-def help_of(program, *command):
+def description(program):
+    """What a program says of itself: a row for each command, without an option, and rows of its options below it."""
     try:
-        run = subprocess.run([str(program), *command, "--help"], capture_output=True, text=True, check=True, timeout=60)
+        run = subprocess.run([str(program), "--describe"], capture_output=True, text=True, check=True, timeout=60)
     except (OSError, subprocess.SubprocessError) as error:
-        raise ecsv.Fault(f"{program}: cannot print its help ({error})") from None
-    return run.stdout
-
-
-def rows_of(program, command, text):
-    title, _, rest = text.partition("\n")
-    yield {"program": program, "command": command, "option": "", "allowed": "", "description": title}
-    for name, allowed, meaning in entries(rest, "Options"):
-        yield {"program": program, "command": command, "option": name, "allowed": allowed, "description": meaning}
+        raise ecsv.Fault(f"{program}: cannot describe itself ({error}); make programs") from None
+    return ecsv.parse(run.stdout, program, ("command", "option", "meaning", "takes", "lowest", "highest", "words", "default")).rows
 
 
 def commands(root, folder):
-    """What the programs say of themselves; nothing for one that is not built."""
+    """The same of all programs; nothing of one that is not built."""
     for name in (program for folder in volumes(root) for program in programs_of(folder)):
         program = (Path(folder) / name).resolve()
-        if program.exists():
-            text = help_of(program)
-            yield from rows_of(name, "", text)
-            for command, _, _ in entries(text, "Commands"):
-                yield from rows_of(name, command, help_of(program, command))
+        yield from ({"program": name, **row} for row in description(program)) if program.exists() else ()
+
+
+def allowed(row):
+    """What an option takes, in words; nothing for a flag."""
+    if "number" in row["takes"]:
+        return "[{}, {}] {}".format(*(repr(row[end]).removesuffix(".0") for end in ("lowest", "highest")), row["unit"]).strip()
+    return row["words"]
+
+
+def explained(row):
+    """The meaning of an option, with its default."""
+    return row["meaning"] + f" (default: {row['default']})" * bool(row["default"])
+
+
+def wells(program):
+    """The wells that a program offers, in the order of the library's list, each with the names of its parameters."""
+    rows = description(program)
+    well = next(row for row in rows if row["option"] == "well")
+    own = [row for row in rows if (row["command"], row["chosen_by"]) == (well["command"], "well")]
+    return {name: [row["option"] for row in own if name in row["choices"].split(", ")] for name in well["words"].split(", ")}
+
+
+def modules(root):
+    """What each module is about, by its folder."""
+    return {folder: row["idea"] for folder, row in ecsv.read(Path(root) / "src/modules.ecsv", ("folder", "idea")).by("folder").items()}
 
 
 def packages(root):

@@ -11,13 +11,14 @@ from pathlib import Path
 
 from . import ecsv
 from .cells import home_of, with_links
-from .chapters import article_tests, costs_text, renewed_costs
+from .chapters import costs_text, renewed_costs
 from .claims import (MARKED, by_name, check_quotations, in_plain, meanings, programs_of, read_claims, read_findings, read_literature,
                      read_verdicts, shown_at)
+from .inventory import modules
 from .lock import read_lock, sources
 from .volumes import article, below, joined
 
-PAGE = "README.md"
+PAGES = "README.md", "CONTRIBUTING.md"
 
 
 def with_numbers(text, numbers, home="", is_prose=True):
@@ -97,17 +98,22 @@ def tally(claims, verdicts):
 
 
 def index_rows(root, figures):
-    """Every chapter, in the article's order, with its figures, and the first line of tests/article.cpp that asserts a number of it."""
-    claims, tests = read_claims(root), article_tests(root)
+    """Every chapter, in the article's order, with its figures and what judges its statements."""
     rows = []
     for program in programs_of(root):
-        lines = sorted(tests[id] for id, claim in claims.items() if claim["program"] == program and id in tests)
         section, title = re.match(r"/\*\*\n# (\w[\w.]*):? (.*)", ecsv.text_of(Path(root) / f"src/{program}.cpp")).groups()
         shown = [id for id, row in figures.items() if row["program"] == program]
-        link = f"[line\u00a0{lines[0]}](tests/article.cpp#L{lines[0]})" if lines else ""
+        judged = f"src/statements/{program}.cpp"
+        link = f"[`{program}.cpp`]({judged})" if (Path(root) / judged).exists() else ""
         rows.append((section, min(shown, default="x"), f"| {section} | [{title[0].upper() + title[1:]}](src/{program}.cpp) | "
                      f"{', '.join(id.lstrip('0') for id in shown)} | {link} |"))
-    return ["| section | chapter | figures | tests |", "|---|---|---|---|", *(row for *_, row in sorted(rows))]
+    return ["| section | chapter | figures | statements |", "|---|---|---|---|", *(row for *_, row in sorted(rows))]
+
+
+def module_rows(root):
+    """The modules of the library, from the bottom up."""
+    rows = [f"| [`{Path(folder).name}`]({folder}) | {idea} |" for folder, idea in modules(root).items()]
+    return ["| module | what it is about |", "|---|---|", *rows]
 
 
 def command_of(figure):
@@ -119,6 +125,7 @@ def generated_tables(root, claims, numbers):
     """Every table that the page may show, by the name in its marks."""
     judged, verdicts = Path(root) == article(root), read_verdicts(root)
     return {"found": found_rows(read_findings(root), numbers),
+            "modules": module_rows(root) if (Path(root) / "src/modules.ecsv").exists() else None,
             "index": index_rows(root, read_figures(root)) if judged else None,
             "summary": tally(claims, verdicts) if judged else None,
             "discrepant": list(discrepancy_rows(claims, numbers, verdicts)) if judged else None}
@@ -172,8 +179,8 @@ def fresh_texts(root, measured):
         yield fresh(root / "paper/findings.ecsv", lambda text: with_numbers(text, numbers, is_prose=False))
     yield root / "paper/costs.ecsv", costs_text(renewed_costs(root, measured))
     tables = generated_tables(root, claims, numbers)
-    if (root / PAGE).exists():
-        yield fresh(root / PAGE, lambda text: fresh_page(text, tables))
+    for page in (root / name for name in PAGES if (root / name).exists()):
+        yield fresh(page, lambda text: fresh_page(text, tables))
 
 
 def renew(root, costs, check=False):
