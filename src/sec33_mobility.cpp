@@ -184,17 +184,19 @@ Table& report_strong(Report& report) {
       const Estimate v = paths[k].of([&](const auto& p) { return p.speed_during(since, until); });
       return Estimate{std::abs(v.value), v.error};
     };
+
+    // In the window, in its halves, and site by site
     const double to = paths[k].fine.run.t_end, from = to / 16, middle = (from + to) / 2;
     const Estimate mean = speed(from, to);
     Estimate unsteadiness{}, lost = paths[k].of(outside);
     lost.error += sampling;
-    for (double t = from; t + 1 / mean.value <= to; t += 1 / mean.value) {  // site by site
+    for (double t = from; t + 1 / mean.value <= to; t += 1 / mean.value) {
       const Estimate one = quotient(speed(t, t + 1 / mean.value), mean);
       unsteadiness = larger(unsteadiness, {std::abs(one.value - 1), one.error});
     }
     const char* how = "from two steps and the fit";
     table.add(Row{{"breather", "its centre and, at the kick, its contact", names[k]},
-                  {"speed", "after a sixteenth of the run", mean, per_time, how},
+                  {"speed", "slope of X, from a sixteenth of the run on", mean, per_time, how},
                   {"first_half", "the same, first half", speed(from, middle), per_time, how},
                   {"second_half", "the same, second half", speed(middle, to), per_time, how},
                   {"unsteadiness", "largest change of the speed over a site, as a fraction of it",
@@ -478,6 +480,7 @@ void report_speeds(Report& report, const Breathers& at, const Table& strong_kick
   if (report.quick) kicks = {{0, strong}, {1, strong}};
   const auto by = schemes(report.quick).speeds;
   const std::vector<double> fast = strong_kicks.numbers("speed");
+  // The chain with two steps, and the pendulum
   const auto row = [&](const Kick& kick) {
     const auto& [k, c] = kick;
     const Estimate speed =
