@@ -184,8 +184,6 @@ Table& report_strong(Report& report) {
       const Estimate v = paths[k].of([&](const auto& p) { return p.speed_during(since, until); });
       return Estimate{std::abs(v.value), v.error};
     };
-
-    // In the window, in its halves, and site by site
     const double to = paths[k].fine.run.t_end, from = to / 16, middle = (from + to) / 2;
     const Estimate mean = speed(from, to);
     Estimate unsteadiness{}, lost = paths[k].of(outside);
@@ -215,18 +213,18 @@ Table& report_strong(Report& report) {
 | first half of the window | [5.445e-4](cell:strong_kicks/breather=site/first_half) | [5.363e-4](cell:strong_kicks/breather=bond_stretched/first_half) | [5.527e-4](cell:strong_kicks/breather=bond_compressed/first_half) |
 | second half | [5.445e-4](cell:strong_kicks/breather=site/second_half) | [5.363e-4](cell:strong_kicks/breather=bond_stretched/second_half) | [5.527e-4](cell:strong_kicks/breather=bond_compressed/second_half) |
 
-From site to site the speed changes by at most [5e-5 ± 2e-5](statement:moving.steady) of itself (*almost steadily*), and
-no more than [3.0e-9](statement:moving.dispersion) of the energy is outside (*negligible dispersion*). At which phase did
-the article kick? Its approximate breather, Eqs. (18) and (20), begins with the central contact compressed, but then the
-bond-centred breather is three per cent too fast. With the contact stretched both printed speeds are met to
+From site to site the speed changes by at most [5e-5 ± 2e-5](statement:moving.steady) of itself (*almost steadily*),
+and no more than [3.0e-9](statement:moving.dispersion) of the energy is outside (*negligible dispersion*). At which phase
+did the article kick? Its approximate breather, Eqs. (18) and (20), begins with the central contact compressed, but then
+the bond-centred breather is three per cent too fast. With the contact stretched both printed speeds are met to
 $2\cdot10^{-4}$, so we assume that. A kick to the right drives the breather to the left.
 
 ## A weak kick (figure 15)
 
 After $c = 3\cdot10^{-6}$ the bond-centred breather oscillates about its bond: in either phase it turns back at a
 quarter of a site. The site-centred one starts at an unstable position. It passes the same position at every further
-site, slowly, and is faster over the bonds. For each breather we note how far it comes, and by how much it has come back
-when its run ends.
+site, slowly, and is faster over the bonds. We note how far each breather comes, and how much closer to its start it is
+at the end of its run.
 
 ![Energy centre after a weak kick. Drawn by fig15_energy_centre.gp: the columns `X_` of `paths` against `t`.](fig:15) */
 TwoRuns<KickedPath> report_weak(Report& report, const Breathers& at) {
@@ -252,10 +250,11 @@ TwoRuns<KickedPath> report_weak(Report& report, const Breathers& at) {
   const auto came_back = [](const KickedPath& p) { return p.farthest() - std::abs(p.travelled()); };
   Table& table = report.table("weak_kicks");
   for (std::size_t k = 0; k < 3; ++k)
-    table.add(Row{{"breather", "its centre and, at the kick, its contact", names[k]},
-                  {"until", "end of the run", times[k]},
-                  {"farthest", "largest distance", paths[k].of(farthest), "site", how},
-                  {"came_back", "way back by the end", paths[k].of(came_back), "site", how}});
+    table.add(Row{
+        {"breather", "its centre and, at the kick, its contact", names[k]},
+        {"until", "end of the run", times[k]},
+        {"farthest", "largest distance", paths[k].of(farthest), "site", how},
+        {"came_back", "how much closer it is at the end", paths[k].of(came_back), "site", how}});
   return paths[0];
 }
 
@@ -265,12 +264,11 @@ TwoRuns<KickedPath> report_weak(Report& report, const Breathers& at) {
 | article | pinned after 2 sites | pinned | pinned |
 | followed until $t$ | [2.5e5](cell:weak_kicks/breather=site/until) | [1.7e5](cell:weak_kicks/breather=bond_stretched/until) | [8e4](cell:weak_kicks/breather=bond_compressed/until) |
 | farthest, sites | [2.817](statement:moving.site_below) | [0.2356](cell:weak_kicks/breather=bond_stretched/farthest) | [0.2441](cell:weak_kicks/breather=bond_compressed/farthest) |
-| way back by then, sites | [0](cell:weak_kicks/breather=site/came_back) | [0.0667](cell:weak_kicks/breather=bond_stretched/came_back) | [0.1050](cell:weak_kicks/breather=bond_compressed/came_back) |
+| closer by then, sites | [0](cell:weak_kicks/breather=site/came_back) | [0.0667](cell:weak_kicks/breather=bond_stretched/came_back) | [0.1050](cell:weak_kicks/breather=bond_compressed/came_back) |
 
 Does the site-centred breather slow down? We time its passages and compare its speed with that at the bond at 1.5 sites.
-Could short runs explain the printed threshold? They take for pinned what has not passed the next site by their end. So
-we kick the bond-centred breather with the printed $c_c$, wait until it has passed, and see where the other one is by
-then. */
+Could short runs explain the printed threshold? They count as pinned what has not passed the next site by their end. So
+we time this passage after a kick of the printed $c_c$, and see where the site-centred breather is by then. */
 void report_passages(Report& report, const RestingBreather& bond, const TwoRuns<KickedPath>& site) {
   const auto reached = [](double x) {
     return [=](const KickedPath& p) { return p.t[0] + x / p.mean_speed(x); };
@@ -313,10 +311,9 @@ It passes the second site as fast as the first. A figure that ends at $t = 1.8\c
 pinning. By $t = 10^6$ (`sec33_mobility kick --centre site --c 3e-6 --time 1e6 --sites 61`) it has travelled eleven
 sites at the same mean speed. The cause of the printed pinning is not known.
 
-After a kick of the printed $c_c$ the bond-centred breather passes the next site at
-$t =$ [3.588e4](cell:short_run/time), so runs of that length reproduce the printed threshold. But by then the
-site-centred one of figure 15 has moved by [0.3688](cell:short_run/moved) sites, not by two. No single run length
-explains both.
+The passage after the printed $c_c$ takes until $t =$ [3.588e4](cell:short_run/time), so runs of that length reproduce
+the printed threshold. But by then the site-centred breather of figure 15 has moved by [0.3688](cell:short_run/moved)
+sites, not by two. No single run length explains both.
 
 ## Why most of a kick is wasted
 
@@ -428,18 +425,19 @@ Table& report_thresholds(Report& report, const Breathers& at, const Table& stron
 | $c_c$ of a pendulum | | [4.453e-6](cell:thresholds/breather=bond_stretched/by_pendulum) | [4.321e-6](cell:thresholds/breather=bond_compressed/by_pendulum) |
 | kick along the mode, predicted | | [4.436e-6](cell:thresholds/breather=bond_stretched/along_mode) | [4.232e-6](cell:thresholds/breather=bond_compressed/along_mode) |
 | norm of $g$ as printed | | [63.00](cell:thresholds/breather=bond_stretched/printed_norm) | [64.45](cell:thresholds/breather=bond_compressed/printed_norm) |
-| $c_c$ for this $g$ | | [7.066e-8](cell:thresholds/breather=bond_stretched/as_printed) | [6.702e-8](cell:thresholds/breather=bond_compressed/as_printed) |
+| $c_c$ for this $g$ | | [7.07e-8](cell:thresholds/breather=bond_stretched/as_printed) | [6.70e-8](cell:thresholds/breather=bond_compressed/as_printed) |
 | $c^2/2$ of the strong kick | $2\cdot10^{-8}$ | [2.00e-8](statement:moving.kick_energy) | [2.00e-8](cell:thresholds/breather=bond_compressed/strong_energy) |
-| $c_c^2/2$ | $1.92\cdot10^{-11}$ | [9.909e-12](statement:moving.pn_dynamic) | [9.330e-12](cell:thresholds/breather=bond_compressed/energy) |
+| $c_c^2/2$ | $1.92\cdot10^{-11}$ | [9.91e-12](statement:moving.pn_dynamic) | [9.33e-12](cell:thresholds/breather=bond_compressed/energy) |
 | the same over $E_{PN}$ = [1.624e-11](statement:pn.omega11) | quite close | [0.610](statement:moving.barrier_close) | [0.574](cell:thresholds/breather=bond_compressed/over_barrier) |
 
 [](finding:depinning.law)
 
-Chain and linearised flow agree to four digits, and the pendulum comes close. Neither phase, nor a kick along the mode,
-nor the printed norm gives the printed threshold; with that norm even $c = 3\cdot10^{-6}$ would depin every breather, so
-this is hardly what was computed. Fixed steps commensurate with the period can keep a breather
-pinned for long beyond our threshold, but their energy drifts by more than the kick adds. That such steps, or short runs,
-explain the printed value is a conjecture. The law was tested only for slow motion and kicks along $g$.
+Chain and linearised flow agree to four digits, and the pendulum comes close. A small oscillation about the bond takes
+$2\pi/\Omega \approx 1.7\cdot10^5$, as long as the runs of figure 15. Neither phase, nor a kick along the mode, nor the
+printed norm gives the printed threshold; with that norm even $c = 3\cdot10^{-6}$ would depin every breather, so this is
+hardly what was computed. Fixed steps commensurate with the period can keep a breather pinned for long beyond our
+threshold, but their energy drifts by more than the kick adds. That such steps, or short runs, explain the printed value
+is a conjecture. The law was tested only for slow motion and kicks along $g$.
 
 ## Speed against kick (figure x15)
 
@@ -501,10 +499,9 @@ void report_speeds(Report& report, const Breathers& at, const Table& strong_kick
 /**
 ## Try it
 
-**To change it.** Another kick is the loop over `g[n]` in `kick`; for the prediction change also `kick_direction`
-(sec33/kick.cpp), whose tests then fail. Another observable is a member of `KickedPath` (sec33/kick.hpp), a line in
-`follow`, and an entry of a `Row`. Another rule for free and pinned is `mobility_of` (sec33/kick.cpp). Other steps are a
-line of `schemes`.
+**To change it.** Another kick is the loop over `g[n]` in `kick` and in `kick_direction` (sec33/kick.cpp), from which
+the threshold is predicted and whose tests then fail; another observable is a member of `KickedPath` (sec33/kick.hpp), a
+line in `follow` and an entry of a `Row`; another rule for free and pinned is `mobility_of` (sec33/kick.cpp).
 
 1. *Easy.* What does a kick of twice the size do to the speed?
    `build/bin/sec33_mobility kick --phase stretched --c 4e-4 --time 8000` gives `velocity` = -0.00107228. Hint: far
