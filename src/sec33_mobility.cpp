@@ -216,9 +216,9 @@ Table& report_strong(Report& report) {
 From site to site the speed changes by at most [5e-5 ± 2e-5](statement:moving.steady) of itself (*almost steadily*),
 and no more than [3.0e-9](statement:moving.dispersion) of the energy is outside (*negligible dispersion*).
 
-At which phase did the article kick? Its approximate breather, Eqs. (18) and (20), begins with the central contact compressed, but then
-the bond-centred breather is three per cent too fast. With the contact stretched both printed speeds are met to
-$2\cdot10^{-4}$, so we assume that. A kick to the right drives the breather to the left.
+At which phase did the article kick? Its approximate breather, Eqs. (18) and (20), begins with the central contact
+compressed, but then the bond-centred breather is three per cent too fast. With the contact stretched both printed
+speeds are met to $2\cdot10^{-4}$, so we assume that. A kick to the right drives the breather to the left.
 
 ## A weak kick (figure 15)
 
