@@ -24,8 +24,8 @@ for centre, color, mark, dash in [("site", "#D55E00", "s", "--"),
     axes.loglog(c, column(table, "speed"), mark, color=color, ms=4, mfc="white",
                 label=centre.replace("_stretched", ""))
 axes.plot([], [], "-", color="black", lw=0.9, label="pendulum")
-facts = {row["quantity"]: float(row["value"]) for row in rows("facts")}
-axes.axvline(facts["threshold_bond_stretched"], color="#0072B2", lw=0.8, ls=(0, (1, 1)),
+threshold, = [float(row["threshold"]) for row in rows("thresholds") if row["breather"] == "bond_stretched"]
+axes.axvline(threshold, color="#0072B2", lw=0.8, ls=(0, (1, 1)),
              label="threshold")
 axes.axvline(6.19e-6, color="#888888", lw=0.8, ls=(0, (5, 2)), label="printed threshold")
 axes.set(xlabel="size $c$ of the kick", ylabel="mean speed (sites per unit of time)")

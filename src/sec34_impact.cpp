@@ -291,7 +291,7 @@ takes from the packet: the rest, slower waves behind the packet, is lower, too. 
 |---|---|---|---|---|
 | 0.94, 0 | [0.102](cell:shares/velocity=0.94/s=0/first_five) | [0.441](cell:packet) | [0.457](cell:rest) | [0.183](cell:speed) |
 | 0.94, $-0.7$ | [0.799](cell:shares/velocity=0.94/s=-0.7/first_five) | [0.0650](cell:packet) | [0.136](cell:rest) | [0.127](cell:speed) |
-| 0.95, $-0.7$ | [0.00443 ± 6e-5](cell:shares/velocity=0.95/s=-0.7/first_five) | [0.156](cell:packet) | [0.840](cell:rest) | [0.134](cell:speed) |
+| 0.95, $-0.7$ | [4.43e-3 ± 6e-5](cell:shares/velocity=0.95/s=-0.7/first_five) | [0.156](cell:packet) | [0.840](cell:rest) | [0.134](cell:speed) |
 | 1.87, $-\frac16$ | [0.592](cell:shares/velocity=1.87/s=-1/6/first_five) | [0.129](cell:packet) | [0.279](cell:rest) | [0.194](cell:speed) |
 
 The impact of figure 20 is a special one. It lies in the last 0.05 before the first escape, where the outcome is erratic:

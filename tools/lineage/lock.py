@@ -76,7 +76,7 @@ def quoted(root):
         for path in sources(folder) + sorted((folder / "book").glob("*.md")):
             out.update(cited(ecsv.text_of(path), home_of(path)))
         for path in sorted((folder / "paper").glob("*.tex")):
-            out.update(re.findall(r"\\(?:num|both)\{([^}#]+)\}", uncommented(ecsv.text_of(path))))
+            out.update(re.findall(r"\\(?:num|both|cell\{[^}]*\})\{([^}#]+)\}", uncommented(ecsv.text_of(path))))
     return out
 
 

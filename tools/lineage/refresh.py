@@ -44,10 +44,10 @@ def printed(claim):
     return f"{text} {claim['unit']}" if claim["unit"] and re.fullmatch(r"[-+.\de]+", text) else text
 
 
-def here(id, numbers, verdicts):
+def here(id, row, numbers, verdicts):
     """What we have beside what is printed: an answer, or the closest of the comparisons that decide."""
     if id in numbers:
-        return numbers[id].shown_like("1.000") + numbers[id].shown_unit
+        return numbers[id].shown_like("1.000e0" if re.search(r"\de", row["printed"]) else "1.000") + numbers[id].shown_unit
     what, _, sides = re.sub(r" \+- [^\s<]+", "", verdicts[id]["closest"]).rpartition(": ")
     return re.sub(r"\d+\.\d+(?:e-?\d+)?", lambda number: f"{float(number[0]):.4g}", f"{sides} ({what})")
 
@@ -57,7 +57,7 @@ def statement_rows(rows, numbers, verdicts):
     if any("closest" not in verdicts[id] or verdicts[id]["state"] != "judged" for id in rows):
         return None
     return ["| statement | printed | here | verdict |", "|---|---|---|---|",
-            *(f"| `{id}`: {row['quantity']} | {printed(row)} | {here(id, numbers, verdicts)} | {verdicts[id]['verdict']} |"
+            *(f"| `{id}`: {row['quantity']} | {printed(row)} | {here(id, row, numbers, verdicts)} | {verdicts[id]['verdict']} |"
               for id, row in rows.items())]
 
 

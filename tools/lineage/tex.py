@@ -1,5 +1,6 @@
 """Numbers for the two documents in TeX, paper and theorem. They say `\\num{pn.omega11}` for a reference value,
-`\\both{pn.omega11}` for the value with its error, as in 1.62(3)e-11, `\\pub{pn.omega11}` for the printed value,
+`\\both{pn.omega11}` for the value with its error, as in 1.62(3)e-11, `\\cell{0.065}{sec34_impact/shares/s=-0.7/packet}` for a
+cell with the digits that are typed (cells.py), `\\pub{pn.omega11}` for the printed value,
 `\\claimed{pn.omega11}` for the claim, `\\verdict{pn.omega11}` for its verdict, `\\cause{pn.omega15}` for the likely cause of
 a discrepancy, `\\finding{pull}` for the sentence of a finding, `\\tally{claims}` for a count, and `\\meta{version}` and
 `\\meta{date}`. This file writes the definitions of all these, and the text of the theorem, which is that of its chapter. It names
@@ -56,6 +57,12 @@ def both(finding):
         return value(shown)
     last = int(digits[2] or 0) - len(digits[1] or "")
     return value(shown, f"({max(1, round(float(error) / 10.0**last))})")
+
+
+def as_shown(text):
+    """A number as prose has it, with or without its error."""
+    shown, _, error = text.partition(" ± ")
+    return value(shown) + rf" $\pm$ {value(error)}" * bool(error)
 
 
 def name(word):
@@ -116,6 +123,7 @@ def paper_texts(claims, numbers, verdicts, figures, meta, findings):
     return out | {("meta", "version"): meta["version"], ("meta", "date"): meta["datePublished"]}
 
 
+CELL = re.compile(r"\\cell\{([^}#]*)\}\{([^}#]*)\}")
 FIGURES = re.compile(r"\\(?:wide|twins|own)(?:\[[^]]*\])?((?:\{x?\d\d\})+)"
                      r"|\bFigs?\.[~\s](x?\d\d(?:(?:--|,\s|\sand\s|,\sand\s)x?\d\d)*)")
 CAUSED = re.compile(r"\\gone\{([^}#]*)\}")
@@ -149,8 +157,7 @@ def marked(words):
         if m["num"]:
             return rf"\num{{{m['num']}}}"
         if m["shown"]:
-            shown, _, error = m["shown"].partition(" ± ")
-            return value(shown) + rf" $\pm$ {value(error)}" * bool(error)
+            return as_shown(m["shown"])
         kind = "textbf" if m["bold"] else "emph" if m["emph"] else "texttt"
         return rf"\{kind}{{{escaped(m['bold'] or m['emph'] or m['code'])}}}"
 
@@ -205,8 +212,13 @@ def write(root, out):
     lock, figures, findings, verdicts = (joined(read, all) for read in (read_lock, read_figures, read_findings, read_verdicts))
     figures = {id: row | {"chapter": chapter_of(root, row["program"])} for id, row in figures.items()}
     meta = json.loads(ecsv.text_of(all[0] / "codemeta.json"))
-    texts = paper_texts(claims, by_name(lock), verdicts, figures, meta, findings)
+    numbers = by_name(lock)
+    texts = paper_texts(claims, numbers, verdicts, figures, meta, findings)
     documents = {path: ecsv.text_of(path) for folder in all for path in sorted((folder / "paper").glob("*.tex"))}
+    for typed, address in {cell for text in documents.values() for cell in CELL.findall(uncommented(text))}:
+        if address not in numbers:
+            raise ecsv.Fault(f"paper: \\cell{{{typed}}}{{{address}}} refers to nothing (a new number: make accept)")
+        texts["cell", f"{typed}@{address}"] = as_shown(numbers[address].shown_like(typed))
     wrong = [f"{path}: {reference} refers to nothing" for path, text in documents.items() for reference in dangling(text, texts)]
     if wrong:
         raise ecsv.Fault("; ".join(wrong) + " (a new number: make accept)")

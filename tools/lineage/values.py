@@ -14,6 +14,12 @@ def with_digits(x, digits):
     return mantissa.rstrip(".") + (f"e{int(exponent)}" if exponent else "")
 
 
+def like(x, digits, typed):
+    """The same with an exponent if the typed text has one."""
+    mantissa, _, exponent = f"{x:.{digits - 1}e}".partition("e")
+    return f"{mantissa}e{int(exponent)}" if re.search(r"\de", typed) else with_digits(x, digits)
+
+
 def without_zeros(text):
     """Without the zeros at the end of the decimals: for values that are exact."""
     mantissa, e, exponent = text.partition("e")
@@ -73,14 +79,14 @@ class Finding:
         digits = len(re.sub(r"[eE±(].*|\D", "", typed).lstrip("0")) or 3
         if " to " in typed or typed == "to":
             return self.shown_as_interval
-        if self.error == 0 or self.kind == "residue" or not (math.isfinite(self.value) and math.isfinite(self.error)):
-            is_whole = self.error or self.value == math.floor(self.value)
-            return self.shown if is_whole else without_zeros(with_digits(self.value, digits))
+        if self.error <= sys.float_info.min or self.kind == "residue" or not (math.isfinite(self.value) and math.isfinite(self.error)):
+            is_whole = self.error > sys.float_info.min or self.value == math.floor(self.value)
+            return self.shown if is_whole else without_zeros(like(self.value, digits, typed))
         if digits <= self.certain or self.certain > 1 and "±" not in typed:
-            return with_digits(self.value, min(digits, self.certain))
+            return like(self.value, min(digits, self.certain), typed)
         error = with_digits(self.error, 1)
         places = math.floor(math.log10(abs(self.value) or self.error)) - math.floor(math.log10(float(error)))
-        return f"{with_digits(self.value, places + 1) if places >= 0 else 0} ± {error}"
+        return f"{like(self.value, places + 1, typed) if places >= 0 else 0} ± {error}"
 
     @property
     def shown_in_prose(self):
