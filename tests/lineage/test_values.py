@@ -28,7 +28,7 @@ class Values(unittest.TestCase):
                 (finding(2.113, 1e-3), "2.113", "2.11"), (finding(0.13, 0.02), "0.13", "0.13 ± 0.02"),
                 (finding(2e-5, 2e-4), "2e-5", "0 ± 0.0002"), (finding(180339.2, 0.5), "1.80e5", "1.80e5"),
                 (finding(4.45177e-6, 4e-10), "4.4518e-6", "4.452e-6"), (finding(5.445e-4, 1e-9), "5.4e-4", "5.4e-4"),
-                (finding(0, 2.3e-308), "0", "0"), (finding(11.0), "11.0", "11"), (finding(1 / 3), "0.333", "0.333"),
+                (finding(0, 2.2e-308), "0", "0"), (finding(11.0), "11.0", "11"), (finding(1 / 3), "0.333", "0.333"),
                 (finding(0), "", "0"), (finding(0.5, 2), "to", "(-1.5 to 2.5)"), (finding(math.nan, 1), "1", "nan")]:
             self.assertEqual(f.shown_like(typed), shown)
 
