@@ -94,6 +94,8 @@ def killed_at_random(scratch):
             check(not debris(hurt, "*.part"), f"a killed run leaves {debris(hurt)}")
     check(ended > 0, "no run was killed in time")
     check(run(QUICK + [hurt])[0] == 0 and tables(hurt) == whole and not debris(hurt), "the run after the killed ones is not whole")
+    disturbed(QUICK + [hurt], lambda: not (hurt / "SHA256SUMS").exists(), signal.SIGKILL)
+    check(tables(hurt) is None, "a killed run leaves the list of the one before")
     return f"{ended} of {COUNT} runs killed, seed {SEED}"
 
 
