@@ -76,10 +76,10 @@ images := $(svgs) $(svgs:.svg=.pdf) $(svgs:.svg=.png)
 by_cost := $(shell grep -v '^\#' $(home)paper/costs.ecsv | LC_ALL=C sort -t, -k2gr | cut -d, -f1)
 chapters := $(basename $(notdir $(wildcard $(home)src/sec*.cpp)))
 chapters := $(filter-out $(by_cost),$(chapters)) $(filter $(chapters),$(by_cost))
-facts := $(foreach p,$(chapters),$(D)/data/$(p)/facts.ecsv)
+runs := $(foreach p,$(chapters),$(D)/data/$(p)/SHA256SUMS)
 # What the statements of volume two read of the article's chapters is computed with it.
 borrowed := $(if $(home),$(sort $(filter $(basename $(notdir $(wildcard src/sec*.cpp))),$(shell grep -oh '"sec[A-Za-z0-9_]*"' beyond/src/statements/*.cpp 2>/dev/null | tr -d '"'))))
-facts += $(foreach p,$(borrowed),$(D)/data/$(p)/facts.ecsv)
+runs += $(foreach p,$(borrowed),$(D)/data/$(p)/SHA256SUMS)
 
 # A reader who has read enough, `make show | head -1`, is no error.
 or_read := || { code=$$?; [ $$code = 141 ] || exit $$code; }
@@ -132,7 +132,7 @@ ready: install-deps
 all-figures: programs
 	@$(MAKE) built=yes $(two_by_two) all-data
 	@$(MAKE) built=yes $(side_by_side) $(images)
-all-data: $(facts)
+all-data: $(runs)
 
 ## programs: build build/bin/<program>
 # A single figure needs only its own program. Who calls with `built=yes` has just built them.
@@ -144,26 +144,26 @@ programs: $(if $(built),,configure)
 configure:
 	@sh tools/configure.sh $(B)
 
-# compute.sh decides whether a program is another one than that which wrote the facts.
-$(sort $(facts) $(foreach r,$(all_rows),$(D)/data/$(call field,$(r),2)/facts.ecsv)): $(D)/data/%/facts.ecsv: programs
+# compute.sh decides whether a program is another one than that which wrote the tables.
+$(sort $(runs) $(foreach r,$(all_rows),$(D)/data/$(call field,$(r),2)/SHA256SUMS)): $(D)/data/%/SHA256SUMS: programs
 	@sh tools/compute.sh $(B)/bin/$* $@ $(D)/report/cost/$* $(at_once) \
 	  $(LAUNCH) $(B)/bin/$* --out $(@D) $(if $(quick),--quick) $(threads)
 
-# $(1) id, $(2) program, $(3) script, $(4) tables. Tables come with the facts, which are written last.
+# $(1) id, $(2) program, $(3) script, $(4) tables. Tables come with their list, which is written last.
 define figure
 .PHONY: $(call command,$(1))
 $(call command,$(1)): ready
 	@$$(MAKE) TARGETS=$(2) $(foreach e,svg pdf png,$(call drawn,$(3)).$(e))
 	@echo "  figure   $(call drawn,$(3)).png"
-$(call drawn,$(3)).svg: $(3) $(D)/data/$(2)/facts.ecsv $(call tables,$(2),$(4)) tools/draw.sh \
+$(call drawn,$(3)).svg: $(3) $(D)/data/$(2)/SHA256SUMS $(call tables,$(2),$(4)) tools/draw.sh \
     $(if $(filter %.gp,$(3)),figures/style.gp,figures/draw.py figures/matplotlibrc)
 	@mkdir -p $$(@D)
 	@echo "  draw     $(basename $(notdir $(3)))"
 	@PYTHON="$$(PYTHON)" FROM="$$^" sh tools/draw.sh $$@ $(D)/data $$<
-$(filter-out %/facts.ecsv,$(call tables,$(2),$(4))): $(D)/data/$(2)/facts.ecsv
+$(call tables,$(2),$(4)): $(D)/data/$(2)/SHA256SUMS
 endef
 $(foreach r,$(all_rows),$(eval $(call figure,$(call field,$(r),1),$(call field,$(r),2),$(call field,$(r),3),$(call field,$(r),4))))
-$(filter-out %/facts.ecsv,$(sort $(foreach r,$(all_rows),$(call tables,$(call field,$(r),2),$(call field,$(r),4))))): ;
+$(sort $(foreach r,$(all_rows),$(call tables,$(call field,$(r),2),$(call field,$(r),4)))): ;
 
 # fig7 is fig07, x1 is x01.
 .PHONY: $(patsubst 0%,fig%,$(filter 0%,$(ids))) $(patsubst x0%,x%,$(filter x0%,$(ids)))
@@ -195,7 +195,7 @@ book: install-book
 ## weave: build the book from the existing data and figures, in seconds
 weave: verdicts
 	@if sh tools/configure.sh $(B)/live book/live; then sh tools/build.sh $(B)/live $(JOBS) pages; else rm -f $(B)/live/*.wasm; fi
-	@[ ! -f $(D)/data/sec5_experiment/facts.ecsv ] || $(MAKE) volume=beyond verdicts
+	@[ ! -f $(D)/data/sec5_experiment/SHA256SUMS ] || $(MAKE) volume=beyond verdicts
 	@rm -rf $(D)/book.part $(D)/book.pages $(D)/book.read && mkdir -p $(D)/book.pages
 	@$(sphinx) -m sphinx -q -n -W --keep-going -D literate_build=$(D) -c book -d $(D)/book.read $(D)/book.pages $(D)/book.part
 	@rm -rf $(D)/book $(D)/book.read && mv $(D)/book.part $(D)/book

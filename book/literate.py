@@ -17,7 +17,6 @@ import re
 import shutil
 import subprocess
 from collections import Counter
-from dataclasses import replace
 from html import escape, unescape
 from pathlib import Path
 from urllib.parse import unquote
@@ -37,7 +36,7 @@ from lineage.claims import (KINDS, OBTAINED, agrees, by_name, in_plain, meanings
                             with_sentences)
 from lineage.lock import quoted, read_lock
 from lineage.refresh import command_of, printed, read_figures
-from lineage.sources import definitions, local_names, made_at, sources_of
+from lineage.sources import definitions, local_names, named_at, sources_of
 from lineage.values import distance
 from lineage.volumes import joined, volumes
 from live import live
@@ -109,8 +108,7 @@ class Book:
         locked, report = joined(read_lock, every), self.build / "report"
         cells = read_cells(self.data, programs, quoted(self.root))
         fresh = read_facts(self.data, programs) | cells | joined(lambda volume: read_answers(volume, report), every)
-        known = locked | {key: replace(locked.get(key, f), made_by=f.made_by, row=f.row) for key, f in fresh.items()}
-        self.numbers = by_name(known)
+        self.numbers = by_name(fresh | locked)
         self.stale = {fresh[key].name for key in locked.keys() & fresh.keys()
                       if self.build.name != "quick" and distance(locked[key], fresh[key]) > 1}
         self.verdicts = joined(lambda volume: read_verdicts(volume, report), every)
@@ -121,7 +119,7 @@ class Book:
             needed = [self.by_include[i] for i in chapter.includes if i in self.by_include]
             halves = [i for i in (s.included[:-4] + ".cpp" for s in needed) if i in self.by_include]
             near[chapter.stem] = [chapter, *needed, *(self.by_include[i] for i in halves)]
-        self.lines = {name: self.table_at(f) if f.what == "cell" else made_at(f, near.get(f.program, ())) for name, f in self.numbers.items()}
+        self.lines = {name: self.table_at(f) if f.what == "cell" else named_at(f.id, near.get(f.program, ())) for name, f in self.numbers.items()}
         for id, (_, path, line) in self.judged.items():
             self.lines[id] = self.by_path[str(path.relative_to(self.root))], line
 
@@ -314,7 +312,7 @@ class Book:
 
     def numbers_page(self, program):
         """All numbers of a program, and its tables with their columns."""
-        paths = sorted((self.data / program).glob("[!.]*.ecsv"))
+        paths = ecsv.tables_in(self.data / program)
         means = {c.name: c.description for path in paths for c in ecsv.header_of(ecsv.text_of(path))[0] if len(c.name) > 2}
         rows = [[md.place(name) + md.name(f.id), meaning(f.id.rpartition("/")[2], means), md.number(md.with_error(f)) + self.second_mark(name),
                  ", ".join(filter(None, [self.line_link(name), self.speaks(name, program)])) + self.alone_mark(name)]
@@ -351,12 +349,9 @@ class Book:
             [[self.figure_link(id), row["section"], self.table_links(row), self.naming(row["label"])] for id, row in self.figures.items()])
 
     def table_links(self, row):
-        """Where a chapter begins each table of a figure: the line with the longest piece of its name in quotation marks."""
-        chapter, lines = self.by_page[row["program"]], set()
-        for name in row["data"].split():
-            said = [(len(word), -k) for k, line in enumerate(chapter.text.split("\n"), 1)
-                    for word in re.findall(r'"(\w{4,})"', line) if name.startswith(word) or name.endswith(word)]
-            lines |= {-max(said)[1]} if said else set()
+        """Where a chapter begins each table of a figure."""
+        chapter = self.by_page[row["program"]]
+        lines = {found[1] for name in row["data"].split() if (found := named_at(name, [chapter]))}
         return ", ".join([self.page_link(chapter.page), *(md.link(f"{chapter.page}.html#L-{k}", f"line {k}") for k in sorted(lines))])
 
     def naming(self, label):
@@ -385,7 +380,7 @@ class Book:
     def data_page(self):
         """The words of data.md, and the tables of each program."""
         lists = [f"- {md.link(f'numbers-{s.stem}.html', s.stem)}: " + ", ".join(md.plain(path.stem) for path in paths)
-                 for s in self.chapters if (paths := sorted((self.data / s.stem).glob("[!.]*.ecsv")))]
+                 for s in self.chapters if (paths := ecsv.tables_in(self.data / s.stem))]
         return "\n".join([ecsv.text_of(HERE / "data.md"), "## All numbers and tables\n", *lists, ""])
 
     def machines_page(self):
@@ -394,7 +389,8 @@ class Book:
 
     def packages_page(self):
         rows = [[md.name(p["package"]), p["version"] or "not installed", p["section"]] for p in inventory.packages(self.root)]
-        return md.table(["package", "version", "needed for"], rows)
+        made = sorted({ecsv.maker_of(self.data / s.stem) for s in self.chapters if (self.data / s.stem / "run.ecsv").exists()})
+        return "\n".join([*(f"- {md.plain(one)}" for one in made), "", md.table(["package", "version", "needed for"], rows)])
 
     def library_page(self):
         """The modules in the order of their list, with their files."""
@@ -473,7 +469,7 @@ class Book:
         shutil.copytree(self.pages / "figures", out / "figures", dirs_exist_ok=True)
         for path in (path for id in self.figures if (path := self.drawn / f"{self.stem(id)}.pdf").exists()):
             shutil.copyfile(path, out / "figures" / path.name)
-        for path in (path for s in self.chapters for path in sorted((self.data / s.stem).glob("[!.]*.ecsv"))):
+        for path in (path for s in self.chapters for path in ecsv.tables_in(self.data / s.stem)):
             (out / "data" / path.parent.name).mkdir(parents=True, exist_ok=True)
             shutil.copyfile(path, out / "data" / path.parent.name / path.name)
         live.copy(self.lives, self.compiled, out)
@@ -604,7 +600,7 @@ class Bind(SphinxTransform):
         if id in self.book.stale:
             say.warning(f"{id} is stale: the computed value differs from the reference value {known} (make accept)", location=found)
         if not self.book.lines.get(id):
-            say.warning(f"no line of the sources records '{id}'", location=found)
+            say.warning(f"no line of the sources names '{id}'", location=found)
         return Number("", text or number.shown_like(""), id=id)
 
     def bound(self, text):

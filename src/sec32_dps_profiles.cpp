@@ -139,8 +139,7 @@ void report_profile(Report& report, Centre centre, const std::string& name) {
     const long n = site_number(i, u.size()), last = site_number(u.size() - 1, u.size());
     const long distance = centre == Centre::bond && n < 1 ? 1 - n : std::abs(n);
     const double near = approximate(centre, n);
-    table.add({n, Estimate{u[i], std::abs(rounded(Quadruple(u[i] - wide[i])))}, near,
-               rounded(Quadruple(log10(abs(wide[i])))),
+    table.add({n, compare(u[i], rounded(wide[i])), near, rounded(Quadruple(log10(abs(wide[i])))),
                near != 0 ? std::log10(std::abs(near)) : std::nan(""), double_log(i),
                double_log(u.size() - 1) + double(distance - last) * std::log(1.5)});
   }

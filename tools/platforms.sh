@@ -1,6 +1,6 @@
 #!/bin/sh
 # The same bytes everywhere (`make test-platforms`): builds the programs for other platforms, runs them with --quick,
-# and compares every table with paper/hashes.ecsv.
+# and compares every table with paper/quick.sha256.
 #   platforms.sh [PLATFORM...]                      all of them without
 #   PROGRAMS='sec31_dps_limit secA_integrators'     only these programs
 # Several things are changed at once, because equal bytes acquit all of them. Each platform needs the Debian packages
@@ -70,9 +70,7 @@ narrow() {
 }
 clang() {
   command -v clang++ > /dev/null || { lacks "clang++ is missing"; return 0; }
-  printf '#include <source_location>\nint main() { return std::source_location::current().line() == 0; }\n' |
-    clang++ -std=c++20 -x c++ -fsyntax-only - 2> /dev/null ||
-    { lacks "$(clang++ --version | head -n 1) has no std::source_location"; return 0; }
+  [ "$(echo __clang_major__ | clang++ -E -P -)" -ge 16 ] || { lacks "$(clang++ --version | head -n 1) is older than 16"; return 0; }
   # shellcheck disable=SC2086
   build "$place/clang" programs -DCMAKE_CXX_COMPILER=clang++ $o2 || return 0
   run "$place/clang/bin" 1 1 env
@@ -83,7 +81,7 @@ trixie() {
   [ "$(id -u)" = 0 ] && command -v debootstrap > /dev/null || { lacks "needs root and debootstrap"; return 0; }
   there="$place/trixie"
   [ -f "$there/made" ] || { rm -rf "$there"; debootstrap --variant=minbase \
-    --include=g++,cmake,make,libgsl-dev,libeigen3-dev,libboost-dev,catch2 trixie "$there" \
+    --include=g++,cmake,make,libgsl-dev,libeigen3-dev,libboost-dev,libmd-dev,catch2 trixie "$there" \
     > "$place/debootstrap.log" 2>&1 && touch "$there/made"; } || { lacks "debootstrap fails"; return 0; }
   mkdir -p "$there/tree"
   git ls-files -z | tar --null -T - -c | tar -x -C "$there/tree"
@@ -97,18 +95,18 @@ trixie() {
 
 # The libraries for ARM64 are unpacked beside the build; the machine's own packages stay as they are.
 arm64_libraries() {
-  [ ! -f "$place/arm64/libgsl.a" ] || return 0
+  [ ! -f "$place/arm64/libmd.a" ] || return 0
   lists="$place/arm64/apt"
   mkdir -p "$lists/lists/partial" "$lists/cache/archives/partial" "$place/arm64/include"
   : > "$lists/status"
-  (cd "$lists" && for verb in update "download libgsl-dev"; do
+  (cd "$lists" && for verb in update "download libgsl-dev libmd-dev"; do
     # shellcheck disable=SC2086
     apt-get -qq -o APT::Architecture=arm64 -o APT::Architectures::=arm64 -o Dir::State::Lists="$lists/lists" \
       -o Dir::Cache="$lists/cache" -o Dir::State::status="$lists/status" -o APT::Sandbox::User= $verb || exit 1
-  done && dpkg -x libgsl-dev_*.deb root) > "$place/arm64-libraries.log" 2>&1 || return 1
+  done && for deb in lib*-dev_*.deb; do dpkg -x "$deb" root || exit 1; done) > "$place/arm64-libraries.log" 2>&1 || return 1
   for there in boost catch2; do ln -sfn "/usr/include/$there" "$place/arm64/include/$there"; done
   ln -sfn ../apt/root/usr/include/gsl "$place/arm64/include/gsl"
-  cp "$lists"/root/usr/lib/aarch64-linux-gnu/libgsl*.a "$place/arm64/"
+  cp "$lists"/root/usr/lib/aarch64-linux-gnu/lib*.a "$lists"/root/usr/include/sha2*.h "$place/arm64/"
 }
 arm64() {
   command -v aarch64-linux-gnu-g++ > /dev/null && command -v qemu-aarch64-static > /dev/null ||
@@ -119,7 +117,8 @@ arm64() {
   build "$here/build" "programs tests" -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64 \
     -DCMAKE_CXX_COMPILER=aarch64-linux-gnu-g++ -DCMAKE_EXE_LINKER_FLAGS=-static \
     -DGSL_INCLUDE_DIR="$here/include" -DGSL_LIBRARY="$here/libgsl.a" -DGSL_CBLAS_LIBRARY="$here/libgslcblas.a" \
-    -DBoost_NO_BOOST_CMAKE=ON -DBoost_INCLUDE_DIR="$here/include" -DCATCH_INCLUDE="$here/include" || return 0
+    -DBoost_NO_BOOST_CMAKE=ON -DBoost_INCLUDE_DIR="$here/include" -DCATCH_INCLUDE="$here/include" \
+    -DMD_INCLUDE="$here" -DMD_LIBRARY="$here/libmd.a" || return 0
   for it in "$here/build/bin/"tests_lattice_* "$here/build/bin/"tests_sec*; do
     qemu-aarch64-static "$it" "[unit]" || bad=1
   done > "$place/arm64-unit.log" 2>&1

@@ -216,9 +216,9 @@ struct Bounds {
   std::string of = "";  ///< which solution, behind the name
 
   void add(const std::string& quantity, const Number& x, const std::string& unit,
-           const std::string& meaning, const Origin& origin = Origin::current()) {
+           const std::string& meaning) {
     table.add({quantity + of, x.lower, x.upper, meaning});
-    if (facts) facts->add(quantity + of, {x.middle(), x.radius()}, unit, origin);
+    if (facts) facts->add(quantity + of, {x.middle(), x.radius()}, unit);
   }
 };
 

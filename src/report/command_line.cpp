@@ -303,8 +303,11 @@ std::string command_text(const std::string& program, int argc, const char* const
   std::string out = program;
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
-    if (argument == "--threads") ++i;
-    if (argument.rfind("--threads", 0) == 0) continue;
+    const std::string option = argument.substr(0, argument.find('='));
+    if (option == "--threads" || option == "--out") {
+      if (option == argument) ++i;
+      continue;
+    }
     out += " " + shell_quoted(argument);
   }
   return out;

@@ -42,7 +42,7 @@ Table description(const std::string& program, const std::deque<Offer>& offers);
 /// The name that is nearest to `word`, if one is near.
 std::optional<std::string> nearest(const std::string& word, const std::vector<std::string>& names);
 
-/// The whole command as a shell would read it, on one line and without its threads, on which no result depends.
+/// The whole command as a shell would read it, on one line and without `--threads` and `--out`, on which no result depends.
 std::string command_text(const std::string& program, int argc, const char* const* argv);
 
 }  // namespace lattice

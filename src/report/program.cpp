@@ -14,36 +14,16 @@
 #include <deque>
 #include <iostream>
 #include <optional>
-#include <set>
 #include <sstream>
 
 #include "report/command_line.hpp"
 #include "report/heartbeat.hpp"
+#include "report/sums.hpp"
 
 namespace lattice {
 
 /**
-## Numbers with their origin
-
-The compiler describes a function with its type, its arguments and its namespace, and a lambda by the
-function around it: `void lattice::beam(Report&)::<lambda(int)>` is `beam`. */
-std::string function_of(const Origin& origin) {
-  std::string text = origin.function;
-  for (const std::string hidden : {"{anonymous}::", "(anonymous namespace)::"})
-    for (auto at = text.find(hidden); at != std::string::npos; at = text.find(hidden))
-      text.erase(at, hidden.size());
-  int depth = 0;
-  std::size_t end = 0;
-  while (end < text.size() && (depth > 0 || text[end] != '(')) {
-    depth += text[end] == '<' ? 1 : text[end] == '>' ? -1 : 0;
-    ++end;
-  }
-  const auto name = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
-  std::size_t begin = end;
-  while (begin > 0 && name(text[begin - 1])) --begin;
-  return text.substr(begin, end - begin);
-}
-
+## Numbers */
 static std::string kind_of(const Estimate& e) {
   return e.is_exact ? "exact" : "estimate";
 }
@@ -82,11 +62,10 @@ void Answers::add_small(const std::string& quantity, const Estimate& e, const st
   table.add({quantity, none ? undefined : e, unit, kind_of(e), meaning, why});
 }
 
-void Quantities::add(const std::string& quantity, const Estimate& e, const std::string& unit,
-                     const Origin& origin) {
+void Quantities::add(const std::string& quantity, const Estimate& e, const std::string& unit) {
   for (const auto& row : table.rows)
     if (std::get<std::string>(row[0]) == quantity) throw std::logic_error(quantity + ": twice");
-  table.add({quantity, e, unit, kind_of(e), function_of(origin)});
+  table.add({quantity, e, unit, kind_of(e)});
 }
 
 /**
@@ -117,12 +96,12 @@ Table Provenance::sign(Table table) const {
   return table;
 }
 
-/// Removes tables that an earlier version of the program wrote into the folder, and this one does not.
+/// What an earlier version of the program wrote into the folder, and this one does not, goes.
 static void remove_older(const std::filesystem::path& folder, const std::string& program,
-                         const std::set<std::string>& written) {
+                         const Sums& written) {
   std::vector<std::filesystem::path> older;
   for (const auto& file : std::filesystem::directory_iterator(folder))
-    if (file.path().extension() == ".ecsv" && !written.count(file.path().stem().string())) try {
+    if (file.path().extension() == ".ecsv" && !written.count(file.path().filename())) try {
         for (const auto& [key, text] : read(file.path()).meta)
           if (key == "program" && text == program) older.push_back(file.path());
       } catch (const std::exception&) {
@@ -131,19 +110,31 @@ static void remove_older(const std::filesystem::path& folder, const std::string&
   for (const auto& path : older) std::filesystem::remove(path);
 }
 
+/// What is not the same on every machine.
+static Meta build() {
+  const char* revision = std::getenv("LATTICE_REVISION");
+  return {{"revision", revision && *revision ? revision : LATTICE_VERSION},
+          {"build", LATTICE_BUILD},
+          {"libraries", LATTICE_LIBRARIES}};
+}
+
 void Output::finish(const Quantities& facts) {
-  add("facts", facts.table);
-  std::set<std::string> written;
-  std::string sums;
-  for (auto& [name, table] : tables_) {
+  if (!facts.table.rows.empty()) add("facts", facts.table);
+  Sums sums;
+  for (const auto& [name, table] : tables_) {
     if (table.columns.empty()) throw std::logic_error(name + ": a table without a row");
-    sums += (sums.empty() ? "" : ", ") + name + " " + rows_sum(to_text(table));
-    if (&table == &tables_.back().second) table.meta.emplace_back("tables", sums);
-    write(folder_ / (name + ".ecsv"), provenance_.sign(table));
-    written.insert(name);
+    const std::string text = to_text(provenance_.sign(table));
+    write_whole(folder_ / (name + ".ecsv"), text);
+    sums[name + ".ecsv"] = sha256(text);
   }
   for (const auto& [key, program] : provenance_.entries)
-    if (key == "program") remove_older(folder_, program, written);
+    if (key == "program") remove_older(folder_, program, sums);
+  Table made{label("what", "what the tables beside this one were made with"),
+             label("value", "the program by its SHA-256, the others in words")};
+  made.add({"program", sha256_of("/proc/self/exe")});
+  for (const auto& [what, value] : build()) made.add({what, value});
+  write(folder_ / "run.ecsv", made);
+  write_sums(folder_, sums);
 }
 
 namespace {
@@ -151,48 +142,19 @@ namespace {
 /**
 A header must be the same for the same result. So it holds the options that decide a result, each
 with its value, the one typed or the default, and leaves out the number of threads and the place
-of the output, on which no digit depends. It holds no clock time, which would make equal runs differ. */
+of the output, on which no digit depends. It holds no clock time, which would make equal runs differ.
+How the program was built is in the header of a single table only; the tables of a full run have `run.ecsv` beside
+them. */
 Provenance provenance(const Program& program, const std::string& command, const Parameters& used) {
-  const char* revision = std::getenv("LATTICE_REVISION");
   Provenance out{{{"program", program.name},
                   {"section", program.section},
                   {"command", command},
-                  {"seed", "none: no random numbers"},
-                  {"revision", revision && *revision ? revision : LATTICE_VERSION},
-                  {"build", LATTICE_BUILD},
-                  {"libraries", LATTICE_LIBRARIES}},
+                  {"seed", "none: no random numbers"}},
                  {}};
   for (const Option& p : used.all())
     if (p.name != "threads" && p.name != "out" && p.name != "output")
       out.parameters.emplace_back(p.name, p.used());
   return out;
-}
-
-/**
-## What a run costs
-
-How long a full run takes is measured and kept in paper/costs.ecsv of the program's volume. Help reads it from there if
-the program is called where it was built. */
-std::string full_run_takes(const std::string& program) try {
-  const std::filesystem::path costs = "paper/costs.ecsv";
-  auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  while (!std::filesystem::exists(folder / costs)) {
-    if (folder == folder.parent_path()) return "";
-    folder = folder.parent_path();
-  }
-  if (!std::filesystem::exists(folder / ("src/" + program + ".cpp"))) folder /= "beyond";
-  const Table known = read(folder / costs);
-  const auto programs = known.texts("program");
-  const auto at = std::find(programs.begin(), programs.end(), program) - programs.begin();
-  const double seconds = known.numbers("seconds").at(std::size_t(at));
-  if (!(seconds > 0)) return "";
-  const double rounded = std::round(seconds);
-  const std::string time = rounded < 1    ? "less than a second"
-                           : rounded == 1 ? "about a second"
-                                          : "about " + short_text(rounded) + " seconds";
-  return " A full run takes " + time + " on two cores.";
-} catch (const std::exception&) {
-  return "";  // without the index nothing is known
 }
 
 /**
@@ -235,6 +197,7 @@ Invocation::Invocation(const Program& of, int argc, char** argv)
   };
   Offer& full = offers.emplace_back();
   full.meaning = of.title;
+  full.note = "Without a command the program computes all tables of the section.";
   full.parameters.add("out", out, "folder for the tables of a full run", not_empty()).standard =
       folder(false) + ", with --quick " + folder(true);
   full.parameters.add("quick", quick, "coarse parameters, for a trial run of seconds");
@@ -256,12 +219,7 @@ void say(const std::string& text) {
 /// Reads the line and does what was asked for.
 void Invocation::run(const std::vector<std::string>& words) {
   const Asked asked = read_line(offers, words);
-  if (asked.what == Asked::What::help) {
-    if (asked.of == &offers.front())
-      asked.of->note = "Without a command the program computes all tables of the section." +
-                       full_run_takes(program.name);
-    return say(help_text(program.name, offers, *asked.of));
-  }
+  if (asked.what == Asked::What::help) return say(help_text(program.name, offers, *asked.of));
   if (asked.what == Asked::What::version)
     return say(program.name + " " LATTICE_VERSION " (" LATTICE_BUILD "; " LATTICE_LIBRARIES ")\n");
   if (asked.what == Asked::What::describe) return say(to_text(description(program.name, offers)));
@@ -291,27 +249,25 @@ void Invocation::print(const Offer& of) {
   std::optional<Heartbeat> alive(program.name + " " + of.name);
   const Table table = of.compute();  // may say more of its parameters
   alive.reset();
-  const Table signed_table = provenance(program, command, of.parameters).sign(table);
+  Provenance all = provenance(program, command, of.parameters);
+  for (const auto& [key, value] : build()) all.set(key, value);
+  const Table signed_table = all.sign(table);
   if (output.empty()) return say(to_text(signed_table));
   write(output, signed_table);
 }
 
 /**
 Where summary and figures look for the tables of a full run, coarse ones with fresh checksums would pass for them. So
-they have a folder of their own, and another one is refused if the header of its facts says that they are not
-coarse. */
+they have a folder of their own, and another one is refused if its tables say that they are not coarse. */
 bool holds_full_run(const std::filesystem::path& folder) try {
-  const Meta meta = read(folder / "facts.ecsv").meta;
-  return std::any_of(meta.begin(), meta.end(), [](const auto& entry) {
-    return entry.first == "parameters" &&
-           (entry.second + ",").find("quick = no,") != std::string::npos;
-  });
+  const Sums sums = sums_in(folder);
+  return !sums.empty() && !is_quick(read(folder / sums.begin()->first));
 } catch (const std::exception&) {
-  return false;  // without facts, or with broken ones, it is not complete
+  return false;  // with broken tables it is not complete
 }
 
 /**
-A full run removes the old `facts.ecsv` before it begins: as long as there is none, the folder is
+A full run removes the old `SHA256SUMS` before it begins: as long as there is none, the folder is
 not complete. */
 void Invocation::reproduce(const Offer& full) {
   if (out.empty()) out = folder(quick);
@@ -320,9 +276,9 @@ void Invocation::reproduce(const Offer& full) {
         "--out: '" + out +
         "' holds the tables of a full run, which --quick would replace by coarse ones" +
         " (allowed: another folder, such as " + folder(true) + ")");
-  need_writable(out, "facts.ecsv", "--out");
+  need_writable(out, "SHA256SUMS", "--out");
   std::error_code ignored;
-  std::filesystem::remove(std::filesystem::path(out) / "facts.ecsv", ignored);
+  std::filesystem::remove(std::filesystem::path(out) / "SHA256SUMS", ignored);
   Output tables(out, provenance(program, command, full.parameters));
   Report report{tables, quick};
   {

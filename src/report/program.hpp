@@ -15,7 +15,6 @@ behind. */
 #include <functional>
 #include <limits>
 #include <memory>
-#include <source_location>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -34,21 +33,6 @@ struct Failure : std::runtime_error {
 };
 
 /**
-A record knows from which function it comes: the compiler fills in the `Origin` where a number is recorded. It keeps no
-line: a program whose comments have changed is the same program, and is not run again. */
-struct Origin {
-  const char* function;
-  /// That of the caller.
-  static constexpr Origin current(
-      const char* function = std::source_location::current().function_name()) {
-    return {function};
-  }
-};
-
-/// The bare name of the function at a place, the enclosing one for a lambda.
-std::string function_of(const Origin& origin);
-
-/**
 What a chapter computes beside its tables are facts, and what a command answers has the same form. Which fact answers what
 the article prints is said in `paper/claims.ecsv` and judged there (verdict.hpp). */
 /// The columns quantity, value, error, unit, kind.
@@ -58,13 +42,12 @@ Columns quantity_columns();
 inline constexpr Estimate undefined{std::numeric_limits<double>::quiet_NaN(),
                                     std::numeric_limits<double>::quiet_NaN()};
 
-/// The facts of a chapter, written last as `facts.ecsv`.
+/// The facts of a chapter, the table `facts` if there are any.
 struct Quantities {
-  Table table{quantity_columns(), label("made_by", "function of the source code that recorded it")};
+  Table table{quantity_columns()};
 
-  /// One row; the name of the function that adds it is noted. Throws std::logic_error for a second one of this name.
-  void add(const std::string& quantity, const Estimate& e, const std::string& unit = "",
-           const Origin& origin = Origin::current());
+  /// One row. Throws std::logic_error for a second one of this name.
+  void add(const std::string& quantity, const Estimate& e, const std::string& unit = "");
 };
 
 /**
@@ -113,7 +96,7 @@ class Output {
   }
   /// Where the tables go; work in progress may wait there under a name that begins with a dot.
   const std::filesystem::path& folder() const { return folder_; }
-  /// Writes all tables, and last `facts`, whose header lists all with the checksums of their rows.
+  /// Writes all tables, then `run.ecsv`, and last `SHA256SUMS` (sums.hpp).
   void finish(const Quantities& facts);
 
  private:

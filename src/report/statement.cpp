@@ -7,6 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "report/sums.hpp"
+
 namespace lattice {
 
 static Estimate joined(const Estimate& a, const Estimate& b, double value, double error) {
@@ -38,27 +40,23 @@ Estimate abs(const Estimate& a) {
 /**
 ## Tables
 
-A program has run if its facts are there, which are written last. */
+A program has run if it has listed its tables, and only these count, with the bytes that it wrote. */
 bool Tables::has_run(const std::string& program) const {
-  return std::filesystem::exists(folder_ / program / "facts.ecsv");
-}
-
-// A table that an earlier version wrote may still be there: the header of the facts lists those of the run
-bool Tables::is_of_the_run(const std::string& program, const std::string& name) const {
-  if (name == "facts") return true;
-  for (const auto& [key, text] : read(folder_ / program / "facts.ecsv").meta)
-    if (key == "tables") return (", " + text).find(", " + name + " ") != std::string::npos;
-  return true;
+  return std::filesystem::exists(folder_ / program / "SHA256SUMS");
 }
 
 const Table& Tables::of(const std::string& program, const std::string& name) {
   const auto known = read_.find({program, name});
   if (known != read_.end()) return known->second;
-  const auto path = folder_ / program / (name + ".ecsv");
   if (!has_run(program)) throw NotRun{program};
-  Table table = std::filesystem::exists(path) ? read(path) : Table{};
-  if (table.rows.empty() || !is_of_the_run(program, name))
-    throw Unresolved{program + " has no table '" + name + "', or one without rows"};
+  const auto path = folder_ / program / (name + ".ecsv");
+  const Sums sums = sums_in(folder_ / program);
+  const auto listed = sums.find(name + ".ecsv");
+  if (listed == sums.end()) throw Unresolved{program + " has no table '" + name + "'"};
+  if (listed->second != sha256_of(path))
+    throw Unresolved{path.string() + " is not the table that its program wrote"};
+  Table table = read(path);
+  if (table.rows.empty()) throw Unresolved{program + "/" + name + " has no rows"};
   return read_[{program, name}] = std::move(table);
 }
 
@@ -71,13 +69,6 @@ void Tables::cut(const std::string& program, const std::string& name, std::size_
 void Tables::restore() {
   for (auto& [name, table] : whole_) read_[name] = std::move(table);
   whole_.clear();
-}
-
-bool Tables::is_quick(const std::string& program) {
-  const Meta meta = read(folder_ / program / "facts.ecsv").meta;
-  return std::any_of(meta.begin(), meta.end(), [](const auto& entry) {
-    return entry.first == "parameters" && entry.second.find("quick = yes") != std::string::npos;
-  });
 }
 
 double Tables::changed(const CellRead& cell, double value) const {
@@ -384,7 +375,7 @@ void Statement::answer(const Quantity& found) {
 // What a statement reads
 Data Statement::table(const std::string& program, const std::string& name) {
   const Table& found = reading_.tables->of(program, name);
-  judged_.is_quick = judged_.is_quick || reading_.tables->is_quick(program);
+  judged_.is_quick = judged_.is_quick || is_quick(found);
   return Data({found, program, name, reading_});
 }
 Data Statement::table(const std::string& name) {

@@ -92,8 +92,6 @@ class Tables {
   /// Throws NotRun if the program has not finished, Unresolved if it has no such table.
   const Table& of(const std::string& program, const std::string& name);
   bool has_run(const std::string& program) const;
-  /// Whether the tables of a program are those of a coarse run.
-  bool is_quick(const std::string& program);
   double changed(const CellRead& cell, double value) const;
 
   std::optional<Change> change{};
@@ -102,8 +100,6 @@ class Tables {
   void restore();
 
  private:
-  bool is_of_the_run(const std::string& program, const std::string& name) const;
-
   std::filesystem::path folder_;
   std::map<std::pair<std::string, std::string>, Table> read_{},
       whole_{};  ///< of those that are cut

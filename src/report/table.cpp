@@ -9,8 +9,6 @@ here; what a table promises is said in table.hpp. */
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
-#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -214,24 +212,6 @@ std::string to_text(const Table& table) {
     out << '\n';
   }
   return out.str();
-}
-
-/**
-The checksum takes the text byte by byte, as zlib does, without a table of remainders: the rows are few. */
-std::string rows_sum(const std::string& text) {
-  std::uint32_t sum = ~0U;
-  char before = '\n';
-  bool header = false;
-  for (const char c : text) {
-    if (before == '\n') header = c == '#';
-    before = c;
-    if (header) continue;
-    sum ^= std::uint8_t(c);
-    for (int k = 0; k < 8; ++k) sum = sum >> 1 ^ (sum & 1U ? 0xedb88320U : 0U);
-  }
-  char digits[9];
-  std::snprintf(digits, sizeof digits, "%08x", unsigned(~sum));
-  return digits;
 }
 
 // A file has its name when it is whole

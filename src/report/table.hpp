@@ -153,10 +153,6 @@ std::string to_text(const Table& table);
 /// std::runtime_error for a row or cell that does not fit.
 Table from_text(std::istream& in);
 
-/// CRC-32 of the lines of a table's text that do not begin with `#`, as eight hexadecimal digits. It leaves out headers,
-/// which tell the command and the build. `python3 -m lineage tables` compares these sums.
-std::string rows_sum(const std::string& text);
-
 /// Writes `text` under a temporary name and renames the file, so that a reader never finds half of it; what is no ordinary
 /// file (a device, a pipe) is written to directly. Throws std::runtime_error on failure and leaves nothing behind.
 void write_whole(const std::filesystem::path& path, const std::string& text);

@@ -6,7 +6,6 @@ after the module that it tests, and here is what they share."""
 import contextlib
 import io
 import os
-import re
 import shutil
 import tempfile
 import unittest
@@ -40,7 +39,7 @@ STATEMENT("a.two") {
   less(1, fact("fact"));
 }
 '''
-FACTS = ["quantity", "value", "error", "unit", "made_by"]
+FACTS = ["quantity", "value", "error", "unit"]
 FACTS_OF_DEMO = ["one", 1.0, 1e-3, "m"], ["other", 1.0, 0.0, ""], ["fact", 2.0, 0.1, ""]
 FIGURES = ["id", "label", "section", "program", "script", "class", "data", "caption", "details"]
 REAL = ("value", "error", "value_error", "margin", "margin_error", "seconds", "lowest", "highest")
@@ -113,16 +112,16 @@ class Scratch(unittest.TestCase):
         self.write("build/report/claims.ecsv", table(columns, rows))
 
     def facts(self, *rows):
-        self.computed("sec1_demo/facts.ecsv", table(FACTS, [[*row, "main"] for row in rows]))
+        self.computed("sec1_demo/facts.ecsv", table(FACTS, rows))
 
     def computed(self, name, text, data="build/data"):
-        """Writes a table as a program does, with the checksums of its run in the header of the facts."""
+        """Writes a table as a program does, with a new list of all that are there."""
         path = self.root / data / name
         ecsv.write_whole(path, text)
-        facts = path.with_name("facts.ecsv")
-        sums = ", ".join(f"{one.stem} {ecsv.rows_sum(ecsv.text_of(one))}" for one in sorted(path.parent.glob("*.ecsv")))
-        header = re.sub(r"# - \{tables: .*\n", "", ecsv.text_of(facts))
-        ecsv.write_whole(facts, header.replace("# schema", f"# - {{tables: '{sums}'}}\n# schema", 1))
+        sums = [f"{ecsv.sha256(ecsv.text_of(one))}  {one.name}\n" for one in sorted(path.parent.glob("*.ecsv")) if one.stem != "run"]
+        made = [{"what": "build", "value": "GNU 12"}, {"what": "libraries", "value": "GSL 2.7.1"}]
+        ecsv.write_whole(path.with_name("run.ecsv"), ecsv.to_text(ecsv.Table([ecsv.Column("what"), ecsv.Column("value")], made)))
+        ecsv.write_whole(path.with_name("SHA256SUMS"), "".join(sums))
 
     def program(self, before=""):
         """A program with a command, that says so in the form of ours."""

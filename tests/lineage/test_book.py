@@ -116,7 +116,7 @@ class Repository(Scratch):
         for old, new, message in [
                 ("num:a.one", "num:a.none", "'a.none' has no reference value and no computed value"), ("[2.0]", "[3.0]", "is stale: the text has 3.0"),
                 ("fig:01", "fig:02", "no figure '02'"), ("Eq. (9)", "Eq. (99)", "no Eq. .99."), ("$x^2$", r"$\nonsense{x}$", "KaTeX.*nonsense"),
-                ("$x^2$", "[there](nowhere.html)", "nowhere"), ("$x^2$", r"it costs \$5 or", "left as text"), ("main()", "other()", "no line of the sources records"),
+                ("$x^2$", "[there](nowhere.html)", "nowhere"), ("$x^2$", r"it costs \$5 or", "left as text"), ('"fact"', '"other"', "no line of the sources names"),
                 ("$x^2$", '<a href="sec1_demo.html#none">x</a>', "leads nowhere"), ("cell:n=1", "cell:n=3", "no row of .* with n = 3"), ("[0.50]", "[0.51]", "is stale: the text has 0.51")]:
             with self.subTest(new):
                 self.assertIn(old, CHAPTER)

@@ -19,7 +19,7 @@ class Here(unittest.TestCase):
         cited = dict(re.findall(r'^([\w-]+): "(.*)"$', said, re.M))
         self.assertEqual([cited[name] for name in ("title", "version", "date-released")],
                          [meta[name] for name in ("name", "version", "datePublished")])
-        self.assertEqual(re.search(r"^## (\S+)", ecsv.text_of(ROOT / "CHANGELOG.md"), re.M)[1], meta["version"])
+        self.assertEqual(re.search(r"^## (\d\S+)", ecsv.text_of(ROOT / "CHANGELOG.md"), re.M)[1], meta["version"])
         self.assertEqual(ecsv.text_of(ROOT / "README.md").splitlines()[0], "# " + meta["name"])
         for name in ("CITATION.cff", "paper/paper.tex", "paper/refs.bib"):
             text = ecsv.text_of(ROOT / name).replace("{H}", "H")

@@ -20,7 +20,7 @@ class Show(Scratch):
                      "from       build/data"]:
             self.assertIn(f"  {line}", out)
         self.assertIn("converged  1\n", self.lineage("show", "sec1_demo.other")[1])
-        (self.root / "build/data/sec1_demo/facts.ecsv").unlink()
+        (self.root / "build/data/sec1_demo/SHA256SUMS").unlink()
         (self.root / "build/report/claims.ecsv").unlink()
         self.assertIn("not computed here yet", self.lineage("show", "sec1_demo.fact")[1])
 

@@ -1,4 +1,4 @@
-"""C++ sources as a reader sees them: prose, code, and the line that made a number; then the sources, figures and pages of
+"""C++ sources as a reader sees them: prose, code, and the line that names a number; then the sources, figures and pages of
 this repository: nothing that they name is missing, and they keep the shape that CONTRIBUTING.md asks for."""
 
 import re
@@ -8,7 +8,6 @@ from lineage import ecsv, sources
 from lineage.claims import read_claims
 from lineage.lock import sources as sources_in
 from lineage.refresh import read_figures
-from lineage.values import Finding
 from lineage.volumes import below, joined, volumes
 
 from common import ROOT, VOLUME, WHOLE, of_volume
@@ -29,14 +28,13 @@ class Sources(unittest.TestCase):
                 "using History = int;\ninline constexpr double fit_from = 20;\ntemplate <class T> struct Shot {};\n")
         self.assertEqual(sources.definitions(text), {"Well": 1, "sup": 5, "History": 8, "fit_from": 9, "Shot": 10})
 
-    def test_a_number_has_the_line_of_the_function_that_made_it(self):
-        source = sources.Source("src/p.cpp", (
-            'void f() {\n  facts.add("trapped_" + name, s.trapped);\n  facts.add("packet_" + name,\n            s.packet);\n'
-            '  facts.add("b", {1, 2});\n}\nvoid c() {\n  facts.add("speed_" + well, x);\n}\n'))
-        for id, made_by, line in [("b", "f", 5), ("packet_soft", "f", 3), ("unlike", "f", 1), ("slower_speed_s", "c", 8),
-                                  ("trapped_soft", "f", 2)]:
-            self.assertEqual(sources.made_at(Finding("p", id, 1, made_by=made_by), [source]), (source, line), id)
-        self.assertIsNone(sources.made_at(Finding("p", "b", 1, made_by="none_such"), [source]))
+    def test_a_number_has_the_line_that_says_most_of_its_name(self):
+        chapter = sources.Source("src/p.cpp", 'void f() {\n  facts.add("trapped_" + name, s.trapped);\n  facts.add("packet_" + name,\n'
+                                              '            s.packet);\n  facts.add("b", {1, 2});\n}\n')
+        header = sources.Source("src/p/p.hpp", 'void c() {\n  facts.add("speed_" + well, x);\n  facts.add("trapped_", x);\n}\n')
+        for name, source, line in [("b", chapter, 5), ("packet_soft", chapter, 3), ("trapped_soft", chapter, 2), ("slower_speed_s", header, 2)]:
+            self.assertEqual(sources.named_at(name, [chapter, header]), (source, line), name)
+        self.assertIsNone(sources.named_at("bulk", [chapter, header]))
 
     def test_every_source_is_in_the_book(self):
         known, rest = sources.sources_of(ROOT, volumes(ROOT), ["sec1_the_chain"])

@@ -11,12 +11,6 @@
 using namespace lattice;
 namespace fs = std::filesystem;
 
-TEST_CASE("every program says what a full run takes", "[cli]") {
-  for (const std::string& program :
-       read(fs::path(VOLUME_DIR) / "paper/costs.ecsv").texts("program"))
-    CHECK(offers().at(program).find("A full run takes ") != std::string::npos);
-}
-
 TEST_CASE("what the prose tells a reader to type is there", "[cli]") {
   // `sec34_impact run --velocity 4`, with or without its folder, over the end of a line too
   const std::regex typed("`(?:build/bin/)?(sec[0-9A-Z]+_\\w+) ([a-z]+)(\\s[^`]*)?`"),

@@ -7,16 +7,15 @@
 COUNT is how often runs are killed, at random moments. Every fault is a function, which says what is asked. A line is printed
 for each, and one that starts with `skipped` where a machine cannot show it."""
 
+import hashlib
 import os
 import random
-import re
 import resource
 import signal
 import subprocess
 import sys
 import tempfile
 import time
-import zlib
 from pathlib import Path
 
 ROOT, BIN = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
@@ -52,18 +51,21 @@ def rows(path):
 
 
 def tables(folder):
-    """The rows of all tables by name, if the folder is complete and agrees with its checksums; else nothing."""
-    if not (folder / "facts.ecsv").exists():
+    """The list of all tables, if the folder is complete and agrees with its checksums; else nothing."""
+    if not (folder / "SHA256SUMS").exists():
         return None
-    out = {path.name: rows(path) for path in folder.glob("*.ecsv")}
-    listed = re.search("# - {tables: '(.*)'}", (folder / "facts.ecsv").read_text())[1]
-    check(set(listed.split(", ")) == {f"{name.removesuffix('.ecsv')} {zlib.crc32(text.encode()):08x}" for name, text in out.items()},
-          f"{folder}: complete, and not what the header of facts.ecsv says")
-    return out
+    paths = sorted(path for path in folder.glob("*.ecsv") if path.name != "run.ecsv")
+    listed, there = (folder / "SHA256SUMS").read_text(), "".join(f"{sha256(path)}  {path.name}\n" for path in paths)
+    check(listed == there, f"{folder}: complete, and not what SHA256SUMS says")
+    return listed
+
+
+def sha256(path):
+    return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
 def debris(folder, *allowed):
-    return [path.name for path in folder.rglob("*") if path.is_file() and not path.match("*.ecsv")
+    return [path.name for path in folder.rglob("*") if path.is_file() and not path.match("*.ecsv") and path.name != "SHA256SUMS"
             and not any(path.match(a) for a in allowed)]
 
 
@@ -92,6 +94,8 @@ def killed_at_random(scratch):
             check(not debris(hurt, "*.part"), f"a killed run leaves {debris(hurt)}")
     check(ended > 0, "no run was killed in time")
     check(run(QUICK + [hurt])[0] == 0 and tables(hurt) == whole and not debris(hurt), "the run after the killed ones is not whole")
+    disturbed(QUICK + [hurt], lambda: not (hurt / "SHA256SUMS").exists(), signal.SIGKILL)
+    check(tables(hurt) is None, "a killed run leaves the list of the one before")
     return f"{ended} of {COUNT} runs killed, seed {SEED}"
 
 
@@ -125,7 +129,7 @@ def full_disk(scratch):
     """Writing fails, as on a full disk: here for a limit of size."""
     for command in [MAP + ["--folder", scratch / "rows"]] if MAPS else [QUICK + [scratch / "out"], BAND + ["--output", scratch / "band.ecsv"]]:
         one_line(run(command, cwd=scratch, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (600, 600))), 1, "cannot write")
-    left = debris(scratch, ".*.rows-*") + [path.name for path in scratch.rglob("facts.ecsv")]
+    left = debris(scratch, ".*.rows-*") + [path.name for path in scratch.rglob("SHA256SUMS")]
     check(not left and not (scratch / "map.ecsv").exists(), f"left on a full disk: {left}")
 
 

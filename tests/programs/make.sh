@@ -51,14 +51,15 @@ STUB
 stub program <<'STUB'
 #!/bin/sh
 echo "${0##*/} $*" >> "$STUB_LOG"
+there=$(realpath "$0")
 cd "$2"
-rm -f facts.ecsv
+rm -f SHA256SUMS
 sleep "${STUB_SLEEP:-0}"
 name=${0##*_}
 printf '# header\nx\n1\n' > "$name.ecsv"
-sum() { gzip -c | tail -c 8 | od -An -N4 -tx4 | tr -d ' '; }
-printf "# - {tables: '%s %s, facts %s'}\ndone\n" "$name" "$(printf 'x\n1\n' | sum)" "$(echo done | sum)" > facts.ecsv.new
-mv facts.ecsv.new facts.ecsv
+printf 'what,value\nprogram,%s\n' "$(sha256sum < "$there" | cut -d' ' -f1)" > run.ecsv
+sha256sum "$name.ecsv" > SHA256SUMS.new
+mv SHA256SUMS.new SHA256SUMS
 exit 0
 STUB
 printf '#!/bin/sh\necho launched >> "$STUB_LOG"\nshift\nexec "$@"\n' | stub srun
@@ -146,8 +147,8 @@ for name in 'a;b has a character' 'a[b has an unpaired bracket'; do
   cp -r . "$scratch/${name%% *}"
   (cd "$scratch/${name%% *}" && refused all-data && said "${name#* }" "the path is not named")
 done
-refused build/data/sec99/facts.ecsv
-said "'build/data/sec99/facts.ecsv'.*make help" "a mistyped name is not answered"
+refused build/data/sec99/SHA256SUMS
+said "'build/data/sec99/SHA256SUMS'.*make help" "a mistyped name is not answered"
 [ "$(wc -l < "$scratch/out")" = 1 ] || fail "a mistyped name is answered in several lines"
 make -n tests DEPS=skip 2>&1 | grep -q ctest || fail "make tests tests nothing: there is a folder of that name"
 
@@ -237,16 +238,20 @@ run x01
 grep -q draw "$scratch/out" && fail "a figure is drawn again without a reason"
 
 # A table that is not what its program wrote is drawn by nobody; one that is gone is computed again.
-sed -i "1i # - {parameters: 'quick = yes'}" build/data/sec3_own/*.ecsv
+own=build/data/sec3_own/own.ecsv
+written() { (cd build/data/sec3_own && sha256sum own.ecsv > SHA256SUMS); }
+sed -i "1i # - {parameters: 'quick = yes'}" $own
+written
 refused x01
-said "build/data/sec3_own/facts.ecsv: from a quick run; remove build/data/sec3_own to" "a quick table is drawn"
-sed -i 1d build/data/sec3_own/*.ecsv
-sed -i s/1/2/ build/data/sec3_own/own.ecsv
+said "$own: from a quick run; remove build/data/sec3_own to" "a quick table is drawn"
+sed -i 1d $own
+written
+sed -i s/1/2/ $own
 for target in x01 build/figures/x01_own.svg; do
   refused "$target"
-  said "build/data/sec3_own/own.ecsv: changed since sec3_own wrote it" "a changed table is drawn"
+  said "$own: not as SHA256SUMS has it; remove it to" "a changed table is drawn"
 done
-rm build/data/sec3_own/own.ecsv
+rm $own
 run x01
 ran "sec3_own " "a missing table is not computed again"
 said 'draw *x01' "a new table is not drawn"

@@ -28,10 +28,12 @@ TEST_CASE("a chapter can say which value was used", "[unit][frame]") {
   CHECK(provenance.sign(table).meta == expected);
 }
 
-TEST_CASE("a command is recorded as a shell would read it, without its threads", "[unit][frame]") {
-  const char* argv[] = {"/somewhere/bin/p", "--threads", "3", "run",     "--s", "-0.5",
-                        "--threads=2",      "two words", "",  "it's \\", "a\nb"};
-  CHECK(command_text("p", 11, argv) == "p run --s -0.5 'two words' '' $'it\\'s \\\\' $'a\\x0ab'");
+TEST_CASE("a command is recorded as a shell would read it, without threads and folder",
+          "[unit][frame]") {
+  const char* argv[] = {
+      "/somewhere/bin/p", "--threads", "3",         "run", "--s",     "-0.5", "--out",
+      "a folder",         "--out=b",   "two words", "",    "it's \\", "a\nb"};
+  CHECK(command_text("p", 13, argv) == "p run --s -0.5 'two words' '' $'it\\'s \\\\' $'a\\x0ab'");
 }
 
 namespace {
@@ -88,30 +90,6 @@ TEST_CASE("GSL reports and never aborts", "[unit][frame]") {
   CHECK_THROWS_AS(lost.advance(t, 1, x), std::runtime_error);
 }
 
-namespace {
-
-struct Elsewhere {
-  template <class T>
-  static std::string here(T, const Origin& origin = Origin::current()) {
-    return function_of(origin);
-  }
-};
-std::vector<double> named_here(int) {
-  CHECK(Elsewhere::here(1) == "named_here");
-  const auto lambda = [](double) { return Elsewhere::here(2.0); };
-  CHECK(lambda(1) == "named_here");
-  const std::function<std::string(int)> kept = [](int k) { return Elsewhere::here(k); };
-  CHECK(kept(1) == "named_here");
-  return {};
-}
-template <class T>
-std::function<void(T)> template_here(T x) {
-  CHECK(Elsewhere::here(x) == "template_here");
-  return {};
-}
-
-}  // namespace
-
 TEST_CASE("what a program writes no longer goes, and nothing else", "[unit][frame]") {
   Scratch scratch;
   Table mine{number("x", "number")}, other = mine;
@@ -124,21 +102,23 @@ TEST_CASE("what a program writes no longer goes, and nothing else", "[unit][fram
   output.add("speeds", mine);
   output.finish({});
   CHECK_FALSE(std::filesystem::exists(scratch.path / "older.ecsv"));
-  for (const char* name : {"other", "notes", "speeds", "facts"})
+  for (const char* name : {"other", "notes", "speeds", "run"})
     CHECK(std::filesystem::exists(scratch.path / (std::string(name) + ".ecsv")));
 }
 
-TEST_CASE("the function that recorded a number is known by its bare name", "[unit][frame]") {
-  named_here(1);
-  template_here(std::string("text"));
-  Output output("nowhere", {});
-  Report report{output, false};
-  report.facts.add("size", {2, 0.1});
-  const auto makers = report.facts.table.texts("made_by");
-  REQUIRE(makers.size() == 1);
-  CHECK(report.facts.table.texts("quantity").front() == "size");
-  CHECK(makers[0].find(':') == std::string::npos);
-  CHECK_THROWS_AS(report.facts.add("size", {3, 0.1}), std::logic_error);
+TEST_CASE("facts are a table if there are any, and no two have a name", "[unit][frame]") {
+  const Scratch scratch;
+  const auto written = [&](const Quantities& facts) {
+    Output output(scratch.path, {{{"program", "sec1_demo"}}, {}});
+    output.add("speeds", Table{number("x", "number")});
+    output.finish(facts);
+    return std::filesystem::exists(scratch.path / "facts.ecsv");
+  };
+  Quantities facts;
+  facts.add("size", {2, 0.1});
+  CHECK_THROWS_AS(facts.add("size", {3, 0.1}), std::logic_error);
+  CHECK(written(facts));
+  CHECK_FALSE(written({}));
 }
 
 TEST_CASE("a row that has headings makes the columns, and no other row comes among them",

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "report/sums.hpp"
 #include "support/check.hpp"
 #include "support/scratch.hpp"
 
@@ -30,13 +31,22 @@ struct Written {
     Table facts{label("quantity", ""), number("value", ""), number("error", ""), label("unit", "")};
     facts.add({"threshold", Estimate(2.5, 0.1), "m"});
     facts.add({"lost", undefined_value(), "m"});
-    facts.meta = {{"tables", "sweep 00000000, empty 00000000, facts 00000000"}};
+    facts.meta = {{"parameters", "quick = yes"}};
     for (const char* program : {"sec1_demo", "sec2_other"}) {
-      std::filesystem::create_directory(scratch.path / program);
-      for (const char* name : {"sweep", "older"})
-        write(scratch.path / program / (std::string(name) + ".ecsv"), sweep);
-      write(scratch.path / program / "empty.ecsv", Table{sweep.columns});
-      write(scratch.path / program / "facts.ecsv", facts);
+      const auto folder = scratch.path / program;
+      std::filesystem::create_directory(folder);
+      Sums sums;
+      for (const auto& [name, table] : {std::pair{"sweep", sweep},
+                                        {"edited", sweep},
+                                        {"empty", {sweep.columns}},
+                                        {"facts", facts}}) {
+        write(folder / (name + std::string(".ecsv")), table);
+        sums[name + std::string(".ecsv")] = sha256_of(folder / (name + std::string(".ecsv")));
+      }
+      write_sums(folder, sums);
+      write(folder / "older.ecsv", sweep);
+      sweep.rows.pop_back();
+      write(folder / "edited.ecsv", sweep);
     }
   }
   static Estimate undefined_value() {
@@ -158,8 +168,9 @@ TEST_CASE("nothing passes by having nothing to compare", "[unit]") {
   check_line(lost([](Spoken& s) { s.table("speeds"); }), "sec1_demo has no table 'speeds'");
   check_line(lost([](Spoken& s) { s.fact("lost"); }), "lost is not a number, or has no error");
   check_line(lost([](Spoken& s) { s.fact("none"); }), "has no row with quantity = none");
-  check_line(lost([](Spoken& s) { s.table("empty"); }), "or one without rows");
+  check_line(lost([](Spoken& s) { s.table("empty"); }), "sec1_demo/empty has no rows");
   check_line(lost([](Spoken& s) { s.table("older"); }), "has no table 'older'");
+  check_line(lost([](Spoken& s) { s.table("edited"); }), "is not the table that its program wrote");
   check_line(lost([](Spoken& s) { (*s.table("sweep").begin())("speed"); }),
              "was read as a given number");
   check_line(lost([](Spoken& s) { s.less(1, 1 / Estimate(1, 1)); }), "a denominator may be zero");
@@ -171,6 +182,11 @@ TEST_CASE("nothing passes by having nothing to compare", "[unit]") {
   check_line(lost([](Spoken& s) { s.less(1, 2), s.answer(s.fact("threshold")); }),
              "both an answer");
   CHECK(judged([](Spoken& s) { s.fact("sec3_none", "x"); }).not_run == "sec3_none");
+}
+
+TEST_CASE("whoever reads a coarse table is told", "[unit]") {
+  CHECK(judged([](Spoken& s) { s.less(1, s.fact("threshold")); }).is_quick);
+  CHECK_FALSE(judged([](Spoken& s) { s.less(1, least(s.table("sweep"), "width")); }).is_quick);
 }
 
 TEST_CASE("a change of a column or a cell is seen by who reads it", "[unit]") {

@@ -107,13 +107,6 @@ TEST_CASE("no text makes the reader of tables fail otherwise", "[property][table
   CHECK(refused > 300);
 }
 
-TEST_CASE("the checksum of a table is the CRC-32 of its rows", "[unit][table]") {
-  CHECK(rows_sum("123456789") == "cbf43926");  // the check value of this code
-  CHECK(rows_sum("# a header\n123456789") == "cbf43926");
-  CHECK(rows_sum("# a header\n12345678\n9") != rows_sum("12345678\n"));
-  CHECK(rows_sum("x\n1 # 2\n") != rows_sum("x\n1 # 3\n"));
-}
-
 TEST_CASE("writing where it cannot leaves nothing", "[unit][table]") {
   const Scratch scratch;
   Table table{label("s", "")};

@@ -5,12 +5,12 @@
     claims    what is claimed and found, the verdicts, and all numbers by their names
     chapters  which chapters answer and explain a claim, their commands and costs
     lock      paper/converged.ecsv: which values are kept, and how far a fresh one may be
-    hashes    paper/hashes.ecsv: the bytes of every table
+    hashes    paper/full.sha256 and quick.sha256: the bytes of every table
     refresh   values and tables in prose: src/, README.md, CONTRIBUTING.md, paper/costs.ecsv
     tex       the same values for the paper
     show      one number, statement or finding
     inventory every command, module and package used
-    sources   chapters as prose and code, and the line that recorded a number
+    sources   chapters as prose and code, and the line that names a number
     markdown  values and words for the book, which book/literate.py makes of all this
 
 `python3 -m lineage --help` lists the verbs. All need the standard library only.

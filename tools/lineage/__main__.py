@@ -30,13 +30,13 @@ def accept(given):
     for folder in (given.data, given.quick):
         need(folder)
     moved = values.check(given.root, given.data)
-    tables = {*bytes_of.told(given.root, given.data, "full"), *bytes_of.told(given.root, given.quick, "quick")}
+    tables = bytes_of.told(given.root, given.data, "full") + bytes_of.told(given.root, given.quick, "quick")
     if not moved and not tables:
         return 0
     if not bytes_of.is_here(given.root, given.data) and not moved:
         return bytes_of.OTHER_PROCESSOR
     call = "make accept" if Path(given.root).name != "beyond" else "make volume=beyond accept"
-    said = [f"{n} {word}{'s' * (n != 1)}" for n, word in ((len(tables), "table"), (moved, "value"))]
+    said = [f"{n} {word}{'s' * (n != 1)}" for n, word in ((tables, "table"), (moved, "value"))]
     print(f"{', '.join(said)} changed; if you meant it: {call}")
     return 1
 
@@ -91,15 +91,15 @@ def reader():
         return sub
 
     verb(show, "show one number: printed, converged, error, verdict, figure, command", "data").add_argument("id")
-    kept = verb(accept, "record values and bytes in paper/converged.ecsv and paper/hashes.ecsv, and print what moved", "data", "quick")
+    kept = verb(accept, "record values and bytes in paper/converged.ecsv, full.sha256 and quick.sha256, and print what moved", "data", "quick")
     kept.add_argument("--check", action="store_true", help="only report what changed; exit code 1 if anything did, 77 if it is bytes on "
                                                            "another kind of processor")
-    verb(tables, "check that tables are as their programs wrote them; a program whose table is missing will run again",
+    verb(tables, "check that tables are those of SHA256SUMS; a program whose table is missing will run again",
          "data").add_argument("files", nargs="*", help="only the tables among these files")
-    same = verb(hashes, "compare the bytes of all tables with paper/hashes.ecsv; exit code 1 if any differ, 77 if the processor is "
+    same = verb(hashes, "compare the bytes of all tables with paper/full.sha256; exit code 1 if any differ, 77 if the processor is "
                         "not that of the record", "data")
     same.add_argument("--run", dest="run_of", choices=("full", "quick"), default="full",
-                      help="which run the folder of --data holds (default: %(default)s)")
+                      help="which run the folder of --data holds; quick: paper/quick.sha256 (default: %(default)s)")
     same.add_argument("--against", help="folder of the tables from another platform, to report the rows that differ")
     stale = verb(refresh, "write the reference values into the prose, and renew the tables of the pages", "costs")
     stale.add_argument("--check", action="store_true", help="only report what is stale; exit code 1 if anything is")

@@ -93,11 +93,11 @@ def read_cell(data, address):
     if kind == "string" or kind == "float64" and f"{column}_error" not in columns:
         raise ecsv.Fault(f"{address}: the column '{column}' has no error beside it")
     error = 0.0 if kind == "int64" else row[f"{column}_error"]
-    return Finding(program, address.partition("/")[2], float(row[column]), error, columns[column].unit, row=row.number, what="cell")
+    return Finding(program, address.partition("/")[2], float(row[column]), error, columns[column].unit, what="cell")
 
 
 def read_cells(data, programs, names):
     """The results at those of these addresses whose programs have run, by (program, "cell", address)."""
-    ran = {program for program in programs if (Path(data) / program / "facts.ecsv").exists()}
+    ran = {program for program in programs if (Path(data) / program / "SHA256SUMS").exists()}
     found = (read_cell(data, name) for name in sorted(names) if name.partition("/")[0] in ran)
     return {one.key: one for one in found}

@@ -102,21 +102,21 @@ def programs_of(root):
 
 
 def runs_of(data, programs):
-    """The programs that have run to their end, each with its table of facts, which is written last."""
-    paths = ((program, Path(data) / program / "facts.ecsv") for program in programs)
-    return [(program, path) for program, path in paths if path.exists()]
+    """The programs that have run to their end, each with the folder of its tables, which has a list of them."""
+    folders = ((program, Path(data) / program) for program in programs)
+    return [(program, folder) for program, folder in folders if (folder / "SHA256SUMS").exists()]
 
 
 def read_facts(data, programs):
     """The facts of the programs that have run, by (program, "fact", id); Fault if any of their tables was changed since."""
     out = {}
-    for program, path in runs_of(data, programs):
+    for path in (path for _, folder in runs_of(data, programs) for path in ecsv.tables_in(folder) if path.name == "facts.ecsv"):
+        program = path.parent.name
         for id, row in ecsv.read_written(path, ("quantity", "value")).by("quantity", "values").items():
             error = float(row.get("error", 0))
             if error < 0:
                 raise row.fault(f"{id}: the error {error:g} is negative")
-            out[program, "fact", id] = Finding(program, id, float(row["value"]), error, row.get("unit", ""),
-                                               made_by=row.get("made_by", ""), row=row.number)
+            out[program, "fact", id] = Finding(program, id, float(row["value"]), error, row.get("unit", ""))
     ecsv.check_all_written(data)
     return out
 

@@ -4,10 +4,10 @@ Of the header's YAML we read what is written: a column on a line of its own, the
 wrong with a file is said in one line that names the file and the row."""
 
 import csv
+import hashlib
 import math
 import os
 import re
-import zlib
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -17,6 +17,7 @@ ENTRY = re.compile(rf"# - \{{(\w[\w ]*): {QUOTED}\}}$")
 # Numbers are written in one way for both readers, src/report/table.cpp and this one.
 REAL = re.compile(r"[+-]?(?:(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?|nan|inf)")
 WHOLE = re.compile(r"-?[0-9]+")
+SUM = re.compile(r"^([0-9a-f]{64})  (\S+)$", re.M)
 
 
 class Fault(Exception):
@@ -142,25 +143,38 @@ def parse(text, path="<text>", needed=()):
     return table
 
 
-# A table that was changed or cut after its program had run answers for nothing. The header of facts.ecsv, which is
-# written last, lists the tables of the run with their checksums; other headers may differ.
+# A table that was changed or cut after its program had run answers for nothing. Last of all a program lists its tables with
+# their SHA-256, as sha256sum does, in SHA256SUMS.
 
 
 def rows_of(text):
-    """The lines of a table that count: those without `#`."""
-    lines = text.split("\n")[:-1] if text.endswith("\n") else text.split("\n")
-    return [line for line in lines if not line.startswith("#")]
+    """The lines of a table without its header: the names of the columns, and the rows."""
+    return [line for line in text.removesuffix("\n").split("\n") if not line.startswith("#")]
 
 
-def rows_sum(text):
-    """Their CRC-32, as src/report/table.cpp computes it."""
-    return f"{zlib.crc32(''.join(line + chr(10) for line in rows_of(text)).encode('utf-8')):08x}"
+def sha256(text):
+    return hashlib.sha256(text.encode("utf-8")).hexdigest()
+
+
+def sums_of(path):
+    """The sums that a list has, by the names of the files; none if there is no list."""
+    return {name: known for known, name in SUM.findall(text_of(path))} if Path(path).exists() else {}
 
 
 def sums_in(folder):
-    """The checksums of a program's tables, by the names of their files."""
-    listed = header_of(text_of(folder / "facts.ecsv"))[1].get("tables", "")
-    return {f"{name}.ecsv": known for name, known in re.findall(r"(\w+) ([0-9a-f]{8})", listed)}
+    """Those of the tables of a run; none if it did not end."""
+    return sums_of(Path(folder) / "SHA256SUMS")
+
+
+def tables_in(folder):
+    """The tables of a run; none if it did not end."""
+    return [Path(folder) / name for name in sums_in(folder)]
+
+
+def maker_of(folder):
+    """The compiler and the libraries of the program whose tables these are."""
+    made = read(Path(folder) / "run.ecsv", ("what", "value")).by("what")
+    return ", ".join(made[what]["value"] for what in ("build", "libraries"))
 
 
 def check_run(path, text, quick):
@@ -174,8 +188,8 @@ def check_written(path, text):
     where a full one does no harm."""
     if path.resolve().parents[2].name != "quick":
         check_run(path, text, quick=False)
-    if sums_in(path.parent).get(path.name) != rows_sum(text):
-        raise Fault(f"{path}: changed since {path.parent.name} wrote it; remove it to recompute it")
+    if sums_in(path.parent).get(path.name) != sha256(text):
+        raise Fault(f"{path}: not as SHA256SUMS has it; remove it to recompute it")
 
 
 def faults_of(paths):
@@ -189,8 +203,9 @@ def faults_of(paths):
 
 def altered(data):
     """The same for all tables of the runs that are complete, and for those that are of no run."""
-    for folder in sorted(facts.parent for facts in Path(data).glob("*/facts.ecsv")):
-        yield from faults_of(sorted({folder / name for name in sums_in(folder)} | set(folder.glob("[!.]*.ecsv"))))
+    for folder in sorted(sums.parent for sums in Path(data).glob("*/SHA256SUMS")):
+        there = {path for path in folder.glob("[!.]*.ecsv") if path.name != "run.ecsv"}
+        yield from faults_of(sorted(there.union(tables_in(folder))))
 
 
 def check_all_written(data):
@@ -200,13 +215,11 @@ def check_all_written(data):
 
 
 def forget_incomplete(data):
-    """Removes the facts of runs that have lost a table, or were made before there were checksums, so that their programs
-    run again, and tells what is lost."""
-    for facts in sorted(Path(data).glob("*/facts.ecsv")):
-        for name in sums_in(facts.parent) or ["facts.ecsv with checksums"]:
-            if not (facts.parent / name).exists():
-                facts.unlink(missing_ok=True)
-                yield facts.parent / name
+    """Removes the list of a run that has lost a table, so that its program runs again, and tells what is lost."""
+    for sums in sorted(Path(data).glob("*/SHA256SUMS")):
+        for path in (path for path in tables_in(sums.parent) if not path.exists()):
+            sums.unlink(missing_ok=True)
+            yield path
 
 
 def read_written(path, needed=()):

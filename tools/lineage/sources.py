@@ -1,5 +1,5 @@
 """C++ sources as a reader sees them: prose in blocks `/** ... */`, which begin a line, and code between them; the names that
-a header defines; the line that recorded a number."""
+a header defines; the line that names a number."""
 
 import re
 from dataclasses import dataclass
@@ -89,33 +89,12 @@ def sources_of(root, folders, order):
     return [chapters[name] for name in known], rest
 
 
-def functions(text, name):
-    """The definitions of a function: (line of its name, its lines)."""
-    lines = text.split("\n")
-    for i, line in enumerate(lines):
-        if re.match(rf"\s*(?!return\b|else\b|//)[\w:<>,&*\[\]\s]*?[\s&*]{re.escape(name)}\(", line):
-            indent = len(line) - len(line.lstrip())
-            closed = [k for k in range(i + 1, len(lines)) if lines[k].startswith(" " * indent + "}")]
-            end = i if line.endswith("}") or not closed else closed[0]
-            if "{" in "".join(lines[i:end + 1]).partition(";")[0]:  # and not a declaration
-                yield i + 1, lines[i:end + 1]
-
-
-def covered(name, line):
-    """How many letters of a number's name the literal texts of a line account for."""
-    words = {word.strip("_") for word in re.findall(r'"((?:[^"\\]|\\.)*)"', line)}
-    if name in words:
-        return 999
-    return sum(len(word) for word in words if len(word) > 1 and re.search(rf"(?<![A-Za-z]){re.escape(word)}(?![A-Za-z])", name))
-
-
-def made_at(found, sources):
-    """The line that recorded a number, as (source, line): the one that says most of its name, within the function that its
-    table names."""
-    for source in sources if found.made_by else ():
-        for first, lines in functions(source.text, found.made_by):
-            return source, first + max(range(len(lines)), key=lambda k: (covered(found.id, lines[k]), -k))
-    return None
+def named_at(name, sources):
+    """The line that names a number or a table, as (source, line): the first one with the longest piece of the name in
+    quotation marks."""
+    said = [(len(word), -i, -k) for i, source in enumerate(sources) for k, line in enumerate(source.text.split("\n"), 1)
+            for word in re.findall(r'"(\w+)"', line) if word == name or len(word) > 3 and word in name]
+    return (sources[-max(said)[1]], -max(said)[2]) if said else None
 
 
 def local_names(text):

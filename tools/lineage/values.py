@@ -29,15 +29,13 @@ def without_zeros(text):
 @dataclass(frozen=True)
 class Finding:
     """One value of one program: a fact, the answer to a statement, or the least margin of its comparisons. A `residue` is
-    made of rounding, so that only its size counts; `made_by` names the function that recorded it, where the table does."""
+    made of rounding, so that only its size counts."""
     program: str
     id: str
     value: float
     error: float = 0.0
     unit: str = ""
     kind: str = "value"
-    made_by: str = ""
-    row: int = 0  # in the table that it was read from
     what: str = "fact"  # or cell, answer, margin
 
     @property

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "lattice/numerics/parallel.hpp"
+#include "report/sums.hpp"
 
 namespace lattice {
 
@@ -42,17 +43,10 @@ void MapPart::parameters(Parameters& p) {
         writable_folder());
 }
 
-/// A number that changes with the program that runs: of its executable where the system shows it.
-static std::string executable_fingerprint() {
-  std::ostringstream bytes;
-  bytes << std::ifstream("/proc/self/exe", std::ios::binary).rdbuf();
-  return rows_sum(bytes.str());
-}
-
 static std::string line(std::size_t i, const Cells& cells) {
   std::string text = std::to_string(i);
   for (const Cell& cell : cells) text.append(1, ',').append(ecsv::cell_text(cell));
-  return text + "," + rows_sum(text) + "\n";
+  return text + "," + sha256(text) + "\n";
 }
 
 // Takes over all whole rows under our key; they come back bit for bit
@@ -60,7 +54,7 @@ Sweep::Sweep(std::filesystem::path folder, std::string name, const Columns& colu
              std::size_t points, const std::string& parameters)
     : folder_(std::move(folder)),
       name_(std::move(name)),
-      key_("# " + parameters + "; executable " + executable_fingerprint()),
+      key_("# " + parameters + "; executable " + sha256_of("/proc/self/exe")),
       columns_(columns.all),
       rows_(points) {
   std::replace(key_.begin(), key_.end(), '\n', ' ');
@@ -70,7 +64,7 @@ Sweep::Sweep(std::filesystem::path folder, std::string name, const Columns& colu
     if (!std::getline(in, text) || text != key_) continue;
     while (std::getline(in, text) && !in.eof()) {
       const std::string row = text.substr(0, text.rfind(','));
-      if (text != row + "," + rows_sum(row)) continue;
+      if (text != row + "," + sha256(row)) continue;
       const auto fields = ecsv::fields(row);
       if (fields.size() != columns_.size() + 1) continue;
       const std::size_t i = std::stoul(fields[0]);
