@@ -17,7 +17,7 @@ def with_digits(x, digits):
 def like(x, digits, typed):
     """The same with an exponent if the typed text has one."""
     mantissa, _, exponent = f"{x:.{digits - 1}e}".partition("e")
-    return f"{mantissa}e{int(exponent)}" if re.search(r"\de", typed) else with_digits(x, digits)
+    return f"{mantissa}e{int(exponent)}" if re.match(r"[-.\d]*e", typed) else with_digits(x, digits)
 
 
 def without_zeros(text):
