@@ -28,7 +28,7 @@ STATEMENT("moving.dispersion") {
 }
 
 STATEMENT("moving.kick_energy") {
-  answer(table("thresholds").at("breather", "bond_stretched")["strong_energy"]);
+  answer(table("strong_kicks").at("breather", "bond_stretched")["kick"]);
 }
 
 STATEMENT("moving.site_below") {
