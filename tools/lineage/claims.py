@@ -163,7 +163,7 @@ def said(text, numbers):
         if m[1] not in numbers:
             raise ecsv.Fault(f"paper/claims.ecsv: there is no number '{m[1]}' (a new number: make accept)")
         found = numbers[m[1]]
-        return found.shown_like("1.000") if found.what == "cell" else found.shown
+        return found.shown if found.what == "fact" else found.shown_like("1.000")
 
     return QUOTED.sub(shown, text)
 
