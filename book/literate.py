@@ -258,7 +258,7 @@ class Book:
         """A statement of the article in short, below its chapter."""
         claim, found = self.claims[id], self.numbers.get(id)
         return [f"{md.link('published.html#' + id, md.name(id))} {md.spelled(claim['quantity'])}", md.spelled(printed(claim)),
-                md.number(md.with_error(found)) if found else comparison(self.verdicts[id].get("closest", "")),
+                md.number(md.with_error(found)) if found else "<br>".join(map(comparison, self.verdicts[id].get("short", "").split("; "))),
                 md.verdict(self.verdicts[id]["verdict"])]
 
     def whole_row(self, id):

@@ -524,10 +524,10 @@ void reproduce(Report& report) {
 <!-- statements -->
 | statement | printed | here | verdict |
 |---|---|---|---|
-| `dps.bond_stable`: bond-centred DpS breather is spectrally stable for mu = 1 and 10 | stable | -4.853e-06 < 0 (margins.margin (centre = bond, mu = 10)) | holds |
-| `dps.site_growth`: growth rate of the site-centred DpS breather is linear in mu | linear | 1.71e-14 < 1e-08 (growth.rate (mu = 0.001) and 24 other values) | holds |
-| `dps.instability_moves`: random perturbation of amplitude 0.01 sets the site-centred DpS breather in motion | moves | 0.9 < 1 (noise_runs.left (noise = narrow, start = site, seed = 1) and 15 other values) | holds |
-| `dps.bond_robust`: bond-centred DpS breather is structurally robust in simulations | robust | 0.9 < 1 (noise_runs.left (noise = narrow, start = site, seed = 1) and 15 other values) | holds |
+| `dps.bond_stable`: bond-centred DpS breather is spectrally stable for mu = 1 and 10 | stable | margins.margin (centre = bond, mu = 1): -4.853e-06 < 0; margins.margin (centre = bond, mu = 10): -4.853e-06 < 0 | holds |
+| `dps.site_growth`: growth rate of the site-centred DpS breather is linear in mu | linear | growth.rate (mu = 0.001) and 24 other values: 1.71e-14 < 1e-08 (the closest of 27) | holds |
+| `dps.instability_moves`: random perturbation of amplitude 0.01 sets the site-centred DpS breather in motion | moves | noise_runs.left (noise = narrow, start = site, seed = 1) and 15 other values: 0.9 < 1 (the closest of 36) | holds |
+| `dps.bond_robust`: bond-centred DpS breather is structurally robust in simulations | robust | noise_runs.left (noise = narrow, start = site, seed = 1) and 15 other values: 0.9 < 1 (the closest of 46) | holds |
 <!-- /statements -->
 
 ## Try it

@@ -298,8 +298,9 @@ const Comparison* Judged::closest() const {
   return at == comparisons.end() ? nullptr : &*at;
 }
 
-std::string Judged::closest_text() const {
-  return closest() && lost.empty() && not_run.empty() ? closest()->text() : text();
+std::string Judged::short_text() const {
+  if (comparisons.size() < 4 || !lost.empty() || !not_run.empty()) return text();
+  return closest()->text() + " (the closest of " + std::to_string(comparisons.size()) + ")";
 }
 
 std::string Judged::text() const {

@@ -242,8 +242,8 @@ struct Judged {
   const Comparison* closest() const;
   /// What was found, in a line: the answer, or the comparisons, of many only the closest one.
   std::string text() const;
-  /// Of several comparisons the one that is closest to failing.
-  std::string closest_text() const;
+  /// The same, of more than three comparisons only the closest one.
+  std::string short_text() const;
 };
 
 /// What the body of a statement may call.

@@ -108,7 +108,7 @@ class Scratch(unittest.TestCase):
                     ["claims", "a.two", nan, nan, "", 0.5, 0.05, "holds", *["fact: 1 < 2 +- 0.1"] * 2, "judged", "sec1_demo"])
 
     def report(self, *rows):
-        columns = ["list", "id", "value", "error", "unit", "margin", "margin_error", "verdict", "found", "closest", "state", "program"]
+        columns = ["list", "id", "value", "error", "unit", "margin", "margin_error", "verdict", "found", "short", "state", "program"]
         self.write("build/report/claims.ecsv", table(columns, rows))
 
     def facts(self, *rows):

@@ -53,7 +53,7 @@ class Refreshing(Scratch):
         self.assertIn(mark, self.read("src/sec1_demo.cpp"))
         self.judged()
         self.lineage("refresh")
-        for line in ("| `a.one`: one | 1.02 | 1.00 m | discrepant |", "| `a.two`: two | yes | 1 < 2 (fact) | holds |"):
+        for line in ("| `a.one`: one | 1.02 | 1.00 m | discrepant |", "| `a.two`: two | yes | fact: 1 < 2 | holds |"):
             self.assertIn(line, self.read("src/sec1_demo.cpp"))
 
     def test_what_is_quoted_must_be_locked(self):

@@ -26,7 +26,7 @@ class Show(Scratch):
 
     def test_the_verdict_is_the_one_that_was_given_or_that_is_recorded(self):
         out = self.lineage("show", "a.two")[1]
-        self.assertIn("verdict    holds\n  found      not run\n  judged     src/statements/sec1_demo.cpp:6 (not run)\n  assuming   of 1.000, Section wells", out)
+        self.assertIn("verdict    holds\n  found      not run\n  judged     src/statements/sec1_demo.cpp:6 (not run)\n  assuming   of 1.00, Section wells", out)
         self.judged("reproduced")
         self.assertIn("verdict    reproduced\n", self.lineage("show", "a.one")[1])
         self.assertIn("found      fact: 1 < 2 +- 0.1\n  judged     src/statements/sec1_demo.cpp:6\n", self.lineage("show", "a.two")[1])
