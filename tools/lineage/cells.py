@@ -12,7 +12,7 @@ from .values import Finding
 
 LINK = re.compile(r"(\[[^\]]*\])?\((num|cell|statement):([^)\n]*)(\)?)")
 KEY = re.compile(r"(\w+)=(-?\d+/\d+|[^/]+)")
-ADDRESS = re.compile(rf"(?:(sec\w+)/)?(\w+)((?:/{KEY.pattern})*)/(\w+)".replace("(\\w+)=(", "(?:\\w+)=(?:"))
+ADDRESS = re.compile(rf"(?:(sec[0-9A-Z]\w*)/)?(\w+)((?:/{KEY.pattern})*)/(\w+)".replace("(\\w+)=(", "(?:\\w+)=(?:"))
 
 
 def home_of(path):
@@ -25,7 +25,7 @@ def follow(address, before, home):
     """The whole address. One without a table goes on from the one `before` it on the line: other keys, or another column."""
     keys, column = KEY.findall(address), address.rpartition("/")[2]
     if not re.match(rf"(?:{KEY.pattern}/)*\w+$", address):
-        return address if re.match(r"sec\w+/", address) or not home else f"{home}/{address}"
+        return address if re.match(r"sec[0-9A-Z]\w*/", address) or not home else f"{home}/{address}"
     if not before:
         raise ecsv.Fault(f"cell:{address} goes on from no cell on its line")
     known = dict(KEY.findall(before)) | dict(keys)
