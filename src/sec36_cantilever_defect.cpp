@@ -102,8 +102,8 @@ Over half of the energy has not reached the defect by then: it is in the wave tr
 $t$ are the three shares, and $r_0$ is the share before site 96 in an array without a defect, only $1-r_0$ arrives. Of
 this the defect reflects, keeps and transmits the fractions (*net* shares)
 $$\frac{r-r_0}{1-r_0},\qquad \frac{d}{1-r_0},\qquad \frac{t}{1-r_0}.$$
-Everything is computed with two steps, and the difference is the error. The three shares must add up to one; the
-difference is the error of the *energy budget*. The steps are 0.1 and 0.05 in units of $\tau_c$. */
+Everything is computed with two steps, 0.1 and 0.05 in units of $\tau_c$, and the difference is the error. The three
+shares must add up to one to $10^{-7}$ (the *energy budget*), or the program stops. */
 struct ScatteringSetup {
   StruckArray blow;
   std::array<double, 2> steps;  // in units of tau_c, the larger one first
@@ -170,27 +170,74 @@ void report_forces(Report& report, const StruckArray& blow) {
 }
 
 /**
-## The reflected fraction
+## Which defects reflect, and which trap (figure x09)
 
 As the article says, a defect of 1.6 radii reflects almost all energy that arrives, and one of 1.1 radii transmits a
-good part. It also says that almost total reflection occurs for sufficiently large defects. We test every defect from
-1.6 to 2.5 radii (figure x09).
+good part. It also says that almost total reflection occurs for sufficiently large defects. We test every defect of the
+map from 1.6 radii on, and larger ones up to 2.5.
 
 | share | article | here |
 |---|---|---|
-| not arrived after 75 ms, of all energy | | [0.566749 ± 4e-11](num:sec36_cantilever_defect.left_behind) |
-| reflected at 1.6 radii, of what arrives | almost total | [0.996536 ± 1e-8](num:sec36_cantilever_defect.net_reflected_16) |
-| the least reflected at 1.6 to 2.5 radii | almost total | [0.996536 ± 1e-8](num:sec36_cantilever_defect.total_reflection_least) |
-| reflected at 1.1 radii | partial | [0.703713 ± 8e-9](num:sec36_cantilever_defect.net_reflected_11) |
-| transmitted at 1.1 radii | significant | [0.294426 ± 6e-9](num:sec36_cantilever_defect.net_transmitted_11) |
-| largest error of the budget at any radius | | [4e-10 ± 4e-10](num:sec36_cantilever_defect.budget_worst) | */
-void report_shares(Report& report, const ScatteringSetup& setup) {
-  const Fractions large = fractions(setup, 1.6), slight = fractions(setup, 1.1);
-  report.facts.add("net_reflected_16", large.net_reflected, "share of what arrives");
-  report.facts.add("net_reflected_11", slight.net_reflected, "share of what arrives");
-  report.facts.add("net_transmitted_11", slight.net_transmitted, "share of what arrives");
-  report.facts.add("left_behind", compare(setup.without[0].reflected, setup.without[1].reflected),
-                   "share of the energy");
+| not arrived after 75 ms, of all energy | | [0.567](cell:defect_map/ratio=1/reflected) |
+| reflected at 1.6 radii, of what arrives | almost total | [0.9965](cell:defect_map/ratio=1.6/net_reflected) |
+| reflected at 2 radii | almost total | [0.9977](cell:defect_map/ratio=2/net_reflected) |
+| reflected at 2.5 radii | almost total | [0.9981](cell:large_defects/ratio=2.5/net_reflected) |
+| reflected at 1.1 radii | partial | [0.704](cell:defect_map/ratio=1.1/net_reflected) |
+| transmitted at 1.1 radii | significant | [0.294](cell:defect_map/ratio=1.1/net_transmitted) |
+
+The radius varies by a factor of four, and with it the mass of the beads by a factor of 64. The shares change smoothly,
+and both heavy and light defects reflect. A large difference between the frequency of the defect, $\mu^{-1/2}$, and that
+of the packet is not the only cause: at 0.8 radii the two agree to about one per cent, and
+[0.945](cell:defect_map/ratio=0.8/net_reflected) of the arriving energy is reflected. We do not know the reason. At 0.8
+radii the defect alone has already the frequency of the packet, so that with amplitude it is above it.
+
+<!-- defect.map -->
+After an impact of 1 m/s a defect of heavier beads reflects the packet: at 1.6 times the radius of the other beads,
+0.9965 of the arriving energy. Slightly smaller beads trap energy: the nine sites around them hold at most 0.0497 of the
+total energy 75 ms after the impact, at a relative radius near 0.94. At 0.925 this energy stays, 0.997 of it for 25 ms
+more; at 1.6 there is little, and 0.727 of it stays. (computed)
+<!-- /defect.map -->
+
+![Reflected, remaining and transmitted energy against the radius of the defect. Drawn by x09_defect_map.py: the net
+shares over `ratio`, from `defect_map`.](fig:x09) */
+void report_map(Report& report, const ScatteringSetup& setup) {
+  const char *radius = "radius of the defect's beads divided by that of the others",
+             *all = "fraction of the energy, see the chapter",
+             *arriving = "fraction of the incident energy, see the chapter";
+  // In eightieths, closer to each other around one
+  std::vector<double> radii, larger;
+  for (int k = 40; k <= 160; ++k)
+    if (report.quick ? k % 10 == 0 : k % 2 == 0 || (k > 68 && k < 92))
+      radii.push_back(double(k) / 80);
+  const auto row = [&](double ratio) {
+    const Fractions f = fractions(setup, ratio);
+    if (std::abs(f.budget.value) > 1e-7) throw Failure("the energy budget is open");
+    const CantileverArray& array = setup.blow.array;
+    return Row{
+        {"ratio", radius, ratio},
+        {"mu", "effective mass of the defect divided by that of the others", array.mu(ratio)},
+        {"linear_frequency", "linear frequency of the defect divided by that of the others",
+         array.linear_frequency(ratio)},
+        {"reflected", all, f.reflected},
+        {"near", all, f.near},
+        {"transmitted", all, f.transmitted},
+        {"near_earlier", all, f.near_earlier},
+        {"net_reflected", arriving, f.net_reflected, "",
+         "difference of two resolutions, against the neighbouring rows: it is zero by "
+         "definition without a defect"},
+        {"net_near", arriving, f.net_near},
+        {"net_transmitted", arriving, f.net_transmitted},
+        {"budget", "sum of the three fractions minus one", f.budget.value}};
+  };
+  report.table("defect_map").fill(radii, row, "map of defects");
+
+  // Larger defects than those of the map
+  for (int k = report.quick ? 25 : 21; k <= 25; ++k) larger.push_back(double(k) / 10);
+  const auto reflected = [&](double ratio) {
+    return Row{{"ratio", radius, ratio},
+               {"net_reflected", arriving, fractions(setup, ratio).net_reflected}};
+  };
+  report.table("large_defects").fill(larger, reflected, "large defects");
 }
 
 /**
@@ -204,17 +251,19 @@ energy. By 100 ms the transmitted packet would reach the end of the article's ar
 
 In which motion does a light defect keep it? Alone, it has the frequency $\mu^{-1/2}$, above the 1 of its neighbours.
 Its contacts only push it back, so with amplitude its frequency rises further, away from theirs. At 0.925 radii it can
-reach the frequency of the packet, [1.10](num:cantilever.frequency), and in the run it oscillates close to it.
+reach the frequency of the packet, [1.10](statement:cantilever.frequency), and in the run it oscillates close to it.
 
-| share of the energy | article | here |
-|---|---|---|
-| before the defect at 75 ms, 1.6 radii | small | [0.00389406 ± 2e-11](num:cantilever.trapped) |
-| the same without a defect | | [0.00147795 ± 2e-11](num:sec36_cantilever_defect.before_75_without) |
-| left at 100 ms of that before the defect at 75 ms, 1.6 radii | loosely trapped | [0.866036 ± 1e-8](num:sec36_cantilever_defect.kept_before_16) |
-| around the defect, left at 100 ms of that at 75 ms, 1.6 radii | | [0.726684 ± 7e-8](num:sec36_cantilever_defect.kept_16) |
-| the same, 0.925 radii | | [0.997443 ± 3e-8](num:sec36_cantilever_defect.kept_0925) |
-| frequency of this defect alone, in units of that of its neighbours | | [1.04396](num:sec36_cantilever_defect.alone_0925) |
-| the same in the run, 65 to 100 ms | | [1.10583 ± 1e-9](num:sec36_cantilever_defect.trapped_0925) | */
+| share of the energy | article | 1.6 radii | no defect | 0.925 radii |
+|---|---|---|---|---|
+| before the defect at 75 ms | small | [0.00389](statement:cantilever.trapped) | [0.00148](cell:trapped/ratio=1/before) | |
+| left of it at 100 ms | loosely trapped | [0.866](cell:trapped/ratio=1.6/before_left) | | |
+| around the defect at 75 ms | | [0.000768](cell:trapped/ratio=1.6/near) | | [0.0470](cell:trapped/ratio=0.925/near) |
+| left of it at 100 ms | | [0.727](cell:trapped/ratio=1.6/near_left) | | [0.997](cell:trapped/ratio=0.925/near_left) |
+
+| frequency of the light defect, 0.925 radii | in units of that of its neighbours |
+|---|---|
+| alone | [1.044](cell:light_defect/alone) |
+| in the run, 65 to 100 ms | [1.106](cell:light_defect/in_run) | */
 struct Stay {
   std::array<double, 2> near{}, before{};  // at 75 and at 100 ms
   std::vector<double> t{}, v{};            // of the defect, from 65 ms on
@@ -245,22 +294,31 @@ void report_stay(Report& report, StruckArray blow, const std::array<double, 2>& 
     Stay& one = i % 2 ? at[i / 2].fine : at[i / 2].coarse;
     one = stay(blow, ratios[i / 2], start[i % 2], steps[i % 2], steps[0]);
   });
-  const auto before = [](const Stay& s) { return s.before[0]; };
-  const auto kept = [](const Stay& s) { return s.near[1] / s.near[0]; };
-  const auto left = [](const Stay& s) { return s.before[1] / s.before[0]; };
-  report.facts.add("before_75_16", at[0].of(before), "share of the energy");
-  report.facts.add("before_75_without", at[1].of(before), "share of the energy");
-  report.facts.add("kept_before_16", at[0].of(left));
-  report.facts.add("kept_16", at[0].of(kept));
-  report.facts.add("kept_0925", at[2].of(kept));
+
+  // What is left before and around each of them
+  Table& trapped = report.table("trapped");
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto of = [&](auto number) { return at[i].of(number); };
+    trapped.add({{"ratio", "radius of the defect's beads divided by that of the others", ratios[i]},
+                 {"before", "on the nine sites that end at the defect, at 75 ms",
+                  of([](const Stay& s) { return s.before[0]; }), "share of the energy"},
+                 {"before_left", "part of it that is left at 100 ms",
+                  of([](const Stay& s) { return s.before[1] / s.before[0]; })},
+                 {"near", "on the nine sites around the defect, at 75 ms",
+                  of([](const Stay& s) { return s.near[0]; }), "share of the energy"},
+                 {"near_left", "part of it that is left at 100 ms",
+                  of([](const Stay& s) { return s.near[1] / s.near[0]; })}});
+  }
 
   // How fast the light one oscillates, and would alone
   const auto frequency = [](const Stay& s) {
     const std::vector<double> turns = upward_crossings(s.t, s.v);
     return 2 * std::numbers::pi * double(turns.size() - 1) / (turns.back() - turns.front());
   };
-  report.facts.add("alone_0925", exact(blow.array.linear_frequency(0.925)), "1 / tau_c");
-  report.facts.add("trapped_0925", at[2].of(frequency), "1 / tau_c");
+  report.table("light_defect")
+      .add({{"alone", "frequency of a defect of 0.925 radii alone",
+             exact(blow.array.linear_frequency(0.925)), "1 / tau_c", "exact"},
+            {"in_run", "its mean frequency from 65 to 100 ms", at[2].of(frequency), "1 / tau_c"}});
 }
 
 /**
@@ -273,13 +331,13 @@ pulses before and after the strongest.
 
 | quantity | article | here |
 |---|---|---|
-| largest velocity, m/s | 0.5 | [0.493588 ± 4e-7](num:cantilever.bead_velocity) |
-| deflection, µm | 11 | [10.9505 ± 7e-5](num:cantilever.deflection) |
-| force, N | 2.8 | [2.86448 ± 4e-5](num:cantilever.force) |
-| internal period, ms | 0.14 | [0.143814 ± 3e-7](num:cantilever.period) |
-| linear period over internal one | 1.1 | [1.10181 ± 3e-6](num:cantilever.frequency) |
-| speed, 80 sites over the time of the largest force, sites/s | 2030 | [2029.93 ± 4e-5](num:cantilever.speed) |
-| duration, force above a thousandth of its maximum, ms | 3.8 | [3.78752 ± 7e-5](num:cantilever.duration) | */
+| largest velocity, m/s | 0.5 | [0.494](statement:cantilever.bead_velocity) |
+| deflection, µm | 11 | [10.95](statement:cantilever.deflection) |
+| force, N | 2.8 | [2.86](statement:cantilever.force) |
+| internal period, ms | 0.14 | [0.144](statement:cantilever.period) |
+| linear period over internal one | 1.1 | [1.10](statement:cantilever.frequency) |
+| speed, 80 sites over the time of the largest force, sites/s | 2030 | [2030](statement:cantilever.speed) |
+| duration, force above a thousandth of its maximum, ms | 3.8 | [3.79](statement:cantilever.duration) | */
 constexpr std::size_t watched_site = 80;
 
 struct Passage {
@@ -311,51 +369,54 @@ packet.
 
 | other readings | here |
 |---|---|
-| speed, if the way begins at the struck beam | [2004.56 ± 4e-5](num:sec36_cantilever_defect.speed_79) |
-| slope of $X(t)$ between sites 10 and 40 | [2073.54 ± 0.01](num:sec36_cantilever_defect.speed_10_to_40) |
-| between 20 and 40 | [2029.69 ± 0.01](num:sec36_cantilever_defect.speed_20_to_40) |
-| between 20 and 100 | [1964.07 ± 0.003](num:sec36_cantilever_defect.speed_20_to_100) |
-| between 75 and 85 | [1937.33 ± 0.002](num:sec36_cantilever_defect.speed_75_to_85) |
-| duration above one half of the force | [1.17055 ± 7e-5](num:sec36_cantilever_defect.duration_half) |
-| above a hundredth | [3.06486 ± 5e-5](num:sec36_cantilever_defect.duration_hundredth) |
-| above a two-thousandth | [3.94122 ± 5e-5](num:sec36_cantilever_defect.duration_two_thousandth) | */
+| speed, if the way begins at the struck beam | [2005](cell:speeds/from=1/speed) |
+| slope of $X(t)$ between sites 10 and 40 | [2074](cell:speeds/from=10/to=40/speed) |
+| between 20 and 40 | [2030](cell:speeds/from=20/to=40/speed) |
+| between 20 and 100 | [1964](cell:speeds/from=20/to=100/speed) |
+| between 75 and 85 | [1937](cell:speeds/from=75/to=85/speed) |
+| duration above one half of the force | [1.17](cell:durations/above=0.5/duration) |
+| above a hundredth | [3.06](cell:durations/above=0.01/duration) |
+| above a two-thousandth | [3.94](cell:durations/above=5e-4/duration) | */
 void report_packet(Report& report, const Passage& at) {
-  auto& facts = report.facts;
   const double tau_c = at.blow.scales.tau_c();
-  facts.add("bead_velocity", at.pulse([](const Pulse& p) { return p.velocity; }), "m/s");
-  facts.add("deflection", at.pulse([](const Pulse& p) { return p.deflection * 1e6; }), "um");
-  facts.add("force", at.pulse([](const Pulse& p) { return p.force; }), "N");
-  facts.add("period", at.pulse([](const Pulse& p) { return p.period * 1e3; }), "ms");
-  facts.add("frequency",
-            at.pulse([&](const Pulse& p) { return 2 * std::numbers::pi * tau_c / p.period; }));
+  report.table("packet").add(
+      {{"velocity", "largest velocity", at.pulse([](const Pulse& p) { return p.velocity; }), "m/s"},
+       {"deflection", "largest deflection",
+        at.pulse([](const Pulse& p) { return p.deflection * 1e6; }), "um"},
+       {"force", "largest contact force", at.pulse([](const Pulse& p) { return p.force; }), "N"},
+       {"period", "internal period", at.pulse([](const Pulse& p) { return p.period * 1e3; }), "ms"},
+       {"frequency", "linear period over internal one",
+        at.pulse([&](const Pulse& p) { return 2 * std::numbers::pi * tau_c / p.period; })}});
 
   // The speed as a mean over the whole path, and on several stretches
-  facts.add("speed_mean", at.speed_over(watched_site), "sites/s");
-  facts.add("speed_79", at.speed_over(watched_site - 1), "sites/s");
-  for (const auto& [from, to] : {std::array{10, 40}, {20, 40}, {20, 100}, {75, 85}}) {
-    const auto slope = [&](const WatchedRun& run) {
+  Table& speeds = report.table("speeds");
+  const auto add = [&](const char* how, int from, int to, const Estimate& speed) {
+    speeds.add({{"how", "arrival of the largest force, or slope of X(t)", how},
+                {"from", "first site of the way", from, "site"},
+                {"to", "its last site", to, "site"},
+                {"speed", "speed of the packet", speed, "sites/s"}});
+  };
+  for (int from : {0, 1}) add("arrival", from, 80, at.speed_over(watched_site - std::size_t(from)));
+  for (const auto& [from, to] : {std::pair{10, 40}, {20, 40}, {20, 100}, {75, 85}})
+    add("slope", from, to, at.runs.of([&, from = from, to = to](const WatchedRun& run) {
       return run.path.line(from, to)->slope / tau_c;
-    };
-    facts.add("speed_" + std::to_string(from) + "_to_" + std::to_string(to), at.runs.of(slope),
-              "sites/s");
-  }
+    }));
 
   // The duration with several thresholds
-  for (const auto& [name, share] : {std::pair{"duration_thousandth", 1e-3},
-                                    {"duration_half", 0.5},
-                                    {"duration_hundredth", 0.01},
-                                    {"duration_two_thousandth", 5e-4}}) {
-    const auto above = [&](const WatchedRun& run) { return duration_above(run, at.blow, share); };
-    facts.add(name, at.runs.of(above), "ms");
-  }
-  facts.add("energy_drift", at.runs.of([](const WatchedRun& run) { return run.run.energy_drift; }));
+  Table& durations = report.table("durations");
+  for (double share : {0.5, 0.01, 1e-3, 5e-4})
+    durations.add(
+        {{"above", "threshold, as a part of the largest force", share},
+         {"duration", "from its first to its last passage",
+          at.runs.of([&](const WatchedRun& run) { return duration_above(run, at.blow, share); }),
+          "ms"}});
 }
 
 /**
 According to the article the packet leaves behind a fairly extended wave train. Just before the packet meets the defect
 we take the sites up to ten behind its largest one, as in section 3.4. They hold
-[0.562](num:sec36_cantilever_defect.wavetrain_share) of the energy, and by their participation number
-$(\sum e_n)^2/\sum e_n^2$ [32.1](num:cantilever.wavetrain) of them share it. */
+[0.562](cell:wave_train/share) of the energy, and by their participation number $(\sum e_n)^2/\sum e_n^2$
+[32.1](statement:cantilever.wavetrain) of them share it. */
 void report_wave_train(Report& report, const ScatteringSetup& setup) {
   const auto train = [&](std::size_t k) {
     std::vector<double> e = setup.start[k].density;
@@ -363,10 +424,11 @@ void report_wave_train(Report& report, const ScatteringSetup& setup) {
     return e;
   };
   const std::vector<double> coarse = train(0), fine = train(1);
-  report.facts.add("wavetrain_sites", compare(participation(coarse), participation(fine)), "site");
-  report.facts.add("wavetrain_share",
-                   quotient(compare(total(coarse), total(fine)), exact(struck_energy(setup.blow))),
-                   "share of the energy");
+  report.table("wave_train")
+      .add({{"sites", "participation number", compare(participation(coarse), participation(fine)),
+             "site"},
+            {"share", "of the energy",
+             quotient(compare(total(coarse), total(fine)), exact(struck_energy(setup.blow)))}});
 }
 
 /**
@@ -375,8 +437,8 @@ void report_wave_train(Report& report, const ScatteringSetup& setup) {
 The article infers from $\lambda \approx 0.29$ that the DpS equation, Eq. (12), is valid in the homogeneous part of the
 array. We strike the DpS chain, Eq. (25), with $\epsilon = \lambda^{5/2}/2$ and measure its packet as that of the array:
 the largest deflection $2\epsilon\,|A_{80}|$, and the speed between sites 20 and 60. It deflects the beam by a fraction
-of [0.150](num:cantilever.dps_valid) more than the array does, and is faster by
-[0.112](num:sec36_cantilever_defect.dps_speed_apart). Both are of the order $\epsilon^{1/2}$ of the terms that the
+of [0.150](statement:cantilever.dps_valid) more than the array does, and is faster by
+[0.112](cell:dps_excess/speed). Both are of the order $\epsilon^{1/2}$ of the terms that the
 equation leaves out (`sec31_dps_limit`). So the DpS equation is valid to this accuracy. */
 void report_dps(Report& report, const Passage& array) {
   const double eps = array.blow.struck_velocity() / 2, tau = 320;
@@ -400,95 +462,11 @@ void report_dps(Report& report, const Passage& array) {
   };
   const auto largest = [](const WatchedRun& run) { return largest_modulus(run.at.t, run.at.y); };
   const auto slope = [](const WatchedRun& run) { return run.path.line(20, 60)->slope; };
-  report.facts.add("dps_deflection_apart", apart(deflection, array.runs.of(largest)));
-  report.facts.add("dps_speed_apart", apart(speed, array.runs.of(slope)));
-}
-
-/**
-## Which defects reflect, and which trap (figure x09)
-
-The radius varies by a factor of four, and with it the mass of the beads by a factor of 64. The shares change smoothly,
-and both heavy and light defects reflect. A large difference between the frequency of the defect, $\mu^{-1/2}$, and that
-of the packet is not the only cause: at 0.8 radii the two agree to about one per cent, and more than nine tenths are
-reflected. We do not know the reason. At 0.8 radii the defect alone has already the frequency of the packet, so that
-with amplitude it is above it.
-
-<!-- defect.map -->
-After an impact of 1 m/s a defect of heavier beads reflects the packet: at 1.6 times the radius of the other beads,
-0.996536 of the arriving energy. Slightly smaller beads trap energy: the nine sites around them hold at most 0.0497025
-of the total energy 75 ms after the impact, at a relative radius of 0.94. At 0.925 this energy stays, 0.997443 of it for
-25 ms more; at 1.6 there is little, and 0.726684 of it stays. (computed)
-<!-- /defect.map -->
-
-![Reflected, remaining and transmitted energy against the radius of the defect. Drawn by x09_defect_map.py: the net
-shares over `ratio`, from `defect_map`.](fig:x09) */
-Table map_of_defects(const ScatteringSetup& setup, bool quick) {
-  const std::string all = "fraction of the energy, see the chapter",
-                    arriving = "fraction of the incident energy, see the chapter";
-  std::vector<double> radii;
-  for (int k = 40; k <= 160; ++k)  // in eightieths, closer to each other around one
-    if (quick ? k % 10 == 0 : k % 2 == 0 || (k > 68 && k < 92)) radii.push_back(double(k) / 80);
-  Table map{
-      {number("ratio", "radius of the defect's beads divided by that of the others"),
-       number("mu", "effective mass of the defect divided by that of the others"),
-       number("linear_frequency", "linear frequency of the defect divided by that of the others"),
-       estimate("reflected", all), estimate("near", all), estimate("transmitted", all),
-       estimate("near_earlier", all),
-       estimate("net_reflected", arriving, "",
-                "difference of two resolutions, against the neighbouring rows: it is zero by "
-                "definition without a defect"),
-       estimate("net_near", arriving), estimate("net_transmitted", arriving),
-       number("budget", "sum of the three fractions minus one")}};
-  // A row for each radius: the defect's constants, its shares, and the budget
-  const auto row = [&](double ratio) {
-    const Fractions f = fractions(setup, ratio);
-    const CantileverArray& array = setup.blow.array;
-    return Cells{ratio,
-                 array.mu(ratio),
-                 array.linear_frequency(ratio),
-                 f.reflected,
-                 f.near,
-                 f.transmitted,
-                 f.near_earlier,
-                 f.net_reflected,
-                 f.net_near,
-                 f.net_transmitted,
-                 f.budget.value};
-  };
-  map.fill(radii, row, "map of defects");
-  return map;
-}
-
-void report_map(Report& report, const ScatteringSetup& setup) {
-  Table& map = report.output.add("defect_map", map_of_defects(setup, report.quick));
-  const auto ratio = map.numbers("ratio"), near = map.numbers("near");
-  const auto most = std::size_t(std::max_element(near.begin(), near.end()) - near.begin());
-  double open = 0;
-  for (double x : map.numbers("budget")) open = std::max(open, std::abs(x));
-  report.facts.add("budget_worst", {open, open});
-  report.facts.add("most_trapped", {near[most], map.numbers("near_error")[most]},
-                   "share of the energy");
-  report.facts.add("most_trapped_at", {ratio[most], report.quick ? 0.125 : 0.0125});
-
-  // Larger defects than those of the map
-  Table& large =
-      report.table("large_defects",
-                   {number("ratio", "radius of the defect's beads divided by that of the others"),
-                    estimate("net_reflected", "fraction of the incident energy")});
-  std::vector<double> radii;
-  for (int k = report.quick ? 25 : 21; k <= 25; ++k) radii.push_back(double(k) / 10);
-  const auto row = [&](double radius) {
-    return Cells{radius, fractions(setup, radius).net_reflected};
-  };
-  large.fill(radii, row, "large defects");
-  Estimate least = exact(INFINITY);
-  for (const Table* part : {&map, &large}) {
-    const auto radius = part->numbers("ratio"), share = part->numbers("net_reflected"),
-               error = part->numbers("net_reflected_error");
-    for (std::size_t i = 0; i < radius.size(); ++i)
-      if (radius[i] >= 1.6) least = smaller(least, {share[i], error[i]});
-  }
-  report.facts.add("total_reflection_least", least);
+  report.table("dps_excess")
+      .add({{"deflection", "of the beam at n = 80, over that in the array, less one",
+             apart(deflection, array.runs.of(largest))},
+            {"speed", "of the packet between sites 20 and 60, likewise",
+             apart(speed, array.runs.of(slope))}});
 }
 
 /**
@@ -503,27 +481,32 @@ changes (`sec5_experiment`).
 
 | quantity | article | here |
 |---|---|---|
-| diameter of beads | 1 cm | a factor of [2.10084](num:sec36_cantilever_defect.range_diameter) |
-| load, the strongest push at $n = 80$ | 1 N | a factor of [2.86448 ± 4e-5](num:outlook.ranges) |
-| width of a beam | 1 cm | a factor of [2](num:sec36_cantilever_defect.range_width) |
-| period of weak breathers, ms | 0.15 | [0.158456](num:outlook.small_period) |
-| sites in 10 ms | 20 | [19.2641 ± 0.0001](num:outlook.travel_10ms) |
-| oscillations in 10 ms | 70 | [69.5343 ± 0.0002](num:outlook.periods_10ms) | */
+| diameter of beads | 1 cm | a factor of [2.1](cell:experiment/diameter) |
+| load, the strongest push at $n = 80$ | 1 N | a factor of [2.86](statement:outlook.ranges) |
+| width of a beam | 1 cm | a factor of [2](cell:experiment/width) |
+| period of weak breathers, ms | 0.15 | [0.158](statement:outlook.small_period) |
+| sites in 10 ms | 20 | [19.3](statement:outlook.travel_10ms) |
+| oscillations in 10 ms | 70 | [69.5](statement:outlook.periods_10ms) | */
 void report_experiment(Report& report, const Passage& at) {
   const auto apart = [](const Estimate& a, double printed) {
     return a.value < printed ? quotient(exact(printed), a) : quotient(a, exact(printed));
   };
-  auto& facts = report.facts;
   const Scales& scales = at.blow.scales;
-  facts.add("range_diameter", apart(exact(2 * at.blow.array.radius), 1e-2));
-  facts.add("range_width", apart(exact(at.blow.array.width), 1e-2));
-  facts.add("range_load", apart(at.pulse([](const Pulse& p) { return p.force; }), 1));
-  facts.add("small_period", exact(2 * std::numbers::pi * scales.tau_c() * 1e3), "ms");
-  facts.add("travel_10ms", at.runs.of([&](const WatchedRun& run) {
+  const auto travelled = [&](const WatchedRun& run) {
     return run.path.travelled(80, scales.time(10));
-  }),
-            "sites");
-  facts.add("periods_10ms", at.pulse([](const Pulse& p) { return 10 / (p.period * 1e3); }));
+  };
+  report.table("experiment")
+      .add({{"diameter", "of the beads, over 1 cm", apart(exact(2 * at.blow.array.radius), 1e-2),
+             "", "exact"},
+            {"width", "of the beams, 1 cm over it", apart(exact(at.blow.array.width), 1e-2), "",
+             "exact"},
+            {"load", "the strongest push at n = 80, over 1 N",
+             apart(at.pulse([](const Pulse& p) { return p.force; }), 1)},
+            {"small_period", "of a beam alone", exact(2 * std::numbers::pi * scales.tau_c() * 1e3),
+             "ms", "exact"},
+            {"travelled", "in 10 ms from n = 80 on", at.runs.of(travelled), "sites"},
+            {"periods", "in 10 ms",
+             at.pulse([](const Pulse& p) { return 10 / (p.period * 1e3); })}});
 }
 
 /**
@@ -557,7 +540,6 @@ void reproduce(Report& report) {
   report_forces(report, blow);
   const ScatteringSetup setup{blow, report.quick};
   report_stay(report, blow, setup.steps);
-  report_shares(report, setup);
   report_wave_train(report, setup);
   report_map(report, setup);
 }
@@ -591,13 +573,13 @@ void reproduce(Report& report) {
 
 **To change it.** Two changed beams instead of one are two masses and three contacts in `cantilever_chain`
 (cantilever.cpp, with which its tests fail); the three windows are the sums in `shares`, which the legend of figure x09
-names, the time is `defect_passed`. A new quantity is a `report.facts.add`, a new column one more entry of a table; the
-scripts in `figures/` read columns by name.
+names, the time is `defect_passed`. A new quantity is one more entry of a row; the scripts in `figures/` read
+columns by name.
 
 1. *Easy.* How much does a slightly heavier defect transmit? `build/bin/sec36_cantilever_defect run --ratio 1.1` gives
    `net_transmitted` = 0.29443. Hint: its mass differs by an eighth, its own frequency only by six per cent.
 2. *Harder.* Which radius traps most? `build/bin/sec36_cantilever_defect run --ratio 0.925` gives `net_near` = 0.10858;
-   on the map [0.94](num:sec36_cantilever_defect.most_trapped_at) keeps most; try 0.935. Hint: a defect of 0.925 radii
+   on the map 0.9375 keeps most; try 0.935. Hint: a defect of 0.925 radii
    alone has the frequency 1.044, between that of its neighbours and the packet's 1.1.
 
 ## With your own parameters

@@ -8,39 +8,39 @@ using namespace lattice;
 /**
 ## The packet */
 STATEMENT("cantilever.bead_velocity") {
-  answer(fact("bead_velocity"));
+  answer(table("packet")["velocity"]);
 }
 
 STATEMENT("cantilever.deflection") {
-  answer(fact("deflection"));
+  answer(table("packet")["deflection"]);
 }
 
 STATEMENT("cantilever.force") {
-  answer(fact("force"));
+  answer(table("packet")["force"]);
 }
 
 STATEMENT("cantilever.period") {
-  answer(fact("period"));
+  answer(table("packet")["period"]);
 }
 
 STATEMENT("cantilever.frequency") {
-  answer(fact("frequency"));
+  answer(table("packet")["frequency"]);
 }
 
 STATEMENT("cantilever.speed") {
-  answer(fact("speed_mean"));
+  answer(table("speeds").at("how", "arrival", "from", 0)["speed"]);
 }
 
 STATEMENT("cantilever.duration") {
-  answer(fact("duration_thousandth"));
+  answer(table("durations").at("above", 1e-3)["duration"]);
 }
 
 STATEMENT("cantilever.wavetrain") {
-  answer(fact("wavetrain_sites"));
+  answer(table("wave_train")["sites"]);
 }
 
 STATEMENT("cantilever.dps_valid") {
-  answer(fact("dps_deflection_apart"));
+  answer(table("dps_excess")["deflection"]);
 }
 
 /**
@@ -60,7 +60,7 @@ STATEMENT("cantilever.total_reflection") {
 }
 
 STATEMENT("cantilever.trapped") {
-  answer(fact("before_75_16"));
+  answer(table("trapped").at("ratio", 1.6)["before"]);
 }
 
 STATEMENT("defect.map") {
@@ -68,27 +68,29 @@ STATEMENT("defect.map") {
   less(0.99, map.at("ratio", 1.6)["net_reflected"]);
 
   // Of all defects slightly smaller beads keep the most energy near them, and keep it long
-  const Estimate most = largest(map.where("ratio", 0.5, 0.975), "near");
+  const Estimate most = map.at("ratio", 0.9375)["near"];
   less(0.04, most);
-  for (const auto& larger : map.where("ratio", 0.9875, 2)) less(larger["near"], most);
-  less(0.99, fact("kept_0925"));
-  less(fact("kept_16"), fact("kept_0925"));
+  for (const Data& others : {map.where("ratio", 0.5, 0.925), map.where("ratio", 0.95, 2)})
+    for (const auto& other : others) less(other["near"], most);
+  const Data trapped = table("trapped");
+  less(0.99, trapped.at("ratio", 0.925)["near_left"]);
+  less(trapped.at("ratio", 1.6)["near_left"], trapped.at("ratio", 0.925)["near_left"]);
 }
 
 /**
 ## What an experiment would see */
 STATEMENT("outlook.ranges") {
-  answer(fact("range_load"));
+  answer(table("experiment")["load"]);
 }
 
 STATEMENT("outlook.small_period") {
-  answer(fact("small_period"));
+  answer(table("experiment")["small_period"]);
 }
 
 STATEMENT("outlook.travel_10ms") {
-  answer(fact("travel_10ms"));
+  answer(table("experiment")["travelled"]);
 }
 
 STATEMENT("outlook.periods_10ms") {
-  answer(fact("periods_10ms"));
+  answer(table("experiment")["periods"]);
 }
