@@ -400,10 +400,10 @@ void report_chain(Report& report, Table& constants) {
 The theorem of the preceding chapter gives one wave of $d = K*d_+^{3/2}$, $K(\sigma) = -\sin|\sigma|$ for $|\sigma| \le
 2\pi$, but neither says that it is even nor that there is a second one. For each of the two signs of the central
 velocity it is proved here (wave_enclosure.hpp) that there is an even solution $d$ in a ball of the radius
-[1.78e-12](cell:constants/solution=plus/radius) (plus) or [1.94e-12](cell:constants/solution=minus/radius) (minus) around
-the guess, in the largest modulus over all times, and that it is the only even one in a ball of the radius
-[1.53e-5](cell:constants/solution=plus/unique_radius). The guess is cubic on cells, its tail is zero, and the true tail is
-bounded by the inequality of the theorem: one shift later the largest compression is at most four times its power
+[1.78e-12](cell:constants/solution=plus/radius) (plus) or [1.94e-12](cell:constants/solution=minus/radius) (minus)
+around the guess, in the largest modulus over all times, and that it is the only even one in a ball of the radius
+[1.53e-5](cell:constants/solution=plus/unique_radius). The guess is cubic on cells, its tail is zero, and the true tail
+is bounded by the inequality of the theorem: one shift later the largest compression is at most four times its power
 $3/2$.
 
 Energy and peak are uncertain by the order of the small radius. The action $\int d_+^{5/2}dt$ is a critical value, so
@@ -515,8 +515,8 @@ void reproduce(Report& report) {
 /**
 ## Try it
 
-*To change it*: `omega_b` is the frequency of the chain's breathers, a fraction between 1 and 2; where the proof fails it
-says why.
+*To change it*: `omega_b` is the frequency of the chain's breathers, a fraction between 1 and 2; where the proof fails
+it says why.
 
 1. *Easy.* Does Newton's method find the wave that is enclosed?
    `build/bin/sec5_kernel_equation wave --sign minus` gives `peak` = 0.457321972291.

@@ -348,11 +348,11 @@ Estimate lossless(const Search& search, bool quick) {
 }
 
 void report_dimers(Report& report) {
-  const auto row = [&](double printed) {
-    const Search search{"mass ratio " + short_text(printed),
-                        [](double mass) { return Alternating{.mass = mass}; }, 0.9 * printed,
-                        1.1 * printed};
-    return Row{{"about", "middle of the range of mass ratios that is searched", printed},
+  const auto row = [&](double about) {
+    const Search search{"mass ratio " + short_text(about),
+                        [](double mass) { return Alternating{.mass = mass}; }, 0.9 * about,
+                        1.1 * about};
+    return Row{{"about", "middle of the range of mass ratios that is searched", about},
                {"mass_ratio", "mass ratio without loss", lossless(search, report.quick), "",
                 "from two runs and the loss that is left"}};
   };
