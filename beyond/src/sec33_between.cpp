@@ -4,7 +4,7 @@
 Where do the two breathers exchange their stability, and what happens there? Section 3.3 of James, Kevrekidis and Cuevas
 (Physica D 251, 2013) finds exchanges as the anharmonicity $s$ is changed at $\omega_b = 1.1$, and leaves the
 bifurcations to future work. At $\omega_b = 1.1$ we find the exchanges of the two breathers at values of $s$ that differ
-by [3.22e-7](num:sec33_between.width_between_in_s). Between the two values both breathers are stable, and a third,
+by [3.2e-7](cell:between_in_s/centre=0.5/offset). Between the two values both breathers are stable, and a third,
 asymmetric one, centred neither on a site nor on a bond, exists and is unstable. In the linear well, $s = 0$, there are
 six exchanges up to $\omega_b = 2$. At two of them both breathers are unstable in between; at one of these we find the
 third breather, which is stable.
@@ -157,17 +157,19 @@ first at 1.01794 and last at 1.49164. (computed)
 Up to the first exchange the bond-centred breather is the stable one, as in the DpS equation;
 then they alternate. At 1.1 it is the bond-centred one again.
 
-| exchange | $\omega_b$ |
-|---|---|
-| 1 | [1.01794 ± 2e-10](num:sec33_between.window_1) |
-| 2 | [1.07504 ± 1e-10](num:sec33_between.window_2) |
-| 3 | [1.16086 ± 1e-10](num:sec33_between.window_3) |
-| 4 | [1.26186 ± 4e-10](num:sec33_between.window_4) |
-| 5 | [1.32615 ± 5e-10](num:sec33_between.window_5) |
-| 6 | [1.49164 ± 5e-10](num:sec33_between.window_6) |
+Each of the six is a pair, one exchange of either breather; those of the first pair are too close to be told apart.
 
-Each of the six is a pair, one exchange of either breather (table `windows`); those of the first pair are too close to
-be told apart. Around a bond the search interval is a little wider, because the two do not coincide. */
+| exchange | $\omega_b$, site-centred | bond- minus site-centred | in between both are |
+|---|---|---|---|
+| 1 | [1.01794](cell:windows/exchange=1/omega_site) | unresolved | |
+| 2 | [1.07504](cell:windows/exchange=2/omega_site) | [-6.5e-9 ± 2e-10](cell:width) | stable |
+| 3 | [1.16086](cell:windows/exchange=3/omega_site) | [4.57e-7](cell:width) | stable |
+| 4 | [1.26186](cell:windows/exchange=4/omega_site) | [5.23e-5](cell:width) | unstable |
+| 5 | [1.32615](cell:windows/exchange=5/omega_site) | [-2.05e-4](cell:width) | unstable |
+| 6 | [1.49164](cell:windows/exchange=6/omega_site) | [-5.11e-4](cell:width) | stable |
+
+The six are sought where $\kappa$ of the site-centred breather changes sign along the row $s = 0$ of the chart below.
+Around a bond the search interval is a little wider, because the two do not coincide. */
 std::vector<ExchangePair> exchange_pairs(const Chart& grid, bool quick) {
   // Where kappa changes its sign in the middle row
   std::vector<std::pair<const Node*, const Node*>> pairs;
@@ -198,7 +200,8 @@ std::vector<ExchangePair> report_windows(Report& report, const Chart& grid) {
   // A width below its error is not reported
   Table& table = report.table(
       "windows",
-      {estimate("omega_site",
+      {count("exchange", "counted from the lowest frequency on"),
+       estimate("omega_site",
                 "frequency at the exchange of stability of the site-centred breather, s = 0"),
        estimate("omega_bond",
                 "frequency at the exchange of stability of the bond-centred breather, s = 0"),
@@ -209,9 +212,8 @@ std::vector<ExchangePair> report_windows(Report& report, const Chart& grid) {
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const auto& [site, bond] = edges[k].found;
     const Estimate none{std::nan(""), std::nan("")};
-    table.add({site.place, bond.place, edges[k].resolved() ? edges[k].width() : none, 0.0,
+    table.add({k + 1, site.place, bond.place, edges[k].resolved() ? edges[k].width() : none, 0.0,
                edges[k].between()});
-    report.facts.add("window_" + std::to_string(k + 1), site.place);
   }
   return edges;
 }
@@ -225,18 +227,22 @@ other exchanges no third breather was looked for.
 
 <!-- exchange.between -->
 In two exchanges that we followed, the site- and bond-centred breathers do not exchange stability at the same parameter:
-in between, a third, asymmetric breather exists. At $\omega_b = 1.1$ it exists over an interval of 3.22e-7 in $s$ and is
-unstable, between two stable breathers, with $\kappa =$ 1.262e-14. In the linear well near $\omega_b =$ 1.32615 it is
-stable, between two unstable ones, with $\kappa =$ -1.73286e-11. (computed)
+in between, a third, asymmetric breather exists. At $\omega_b = 1.1$ it exists over an interval of 3.2e-7 in $s$ and is
+unstable, between two stable breathers, with $\kappa =$ 1.26e-14. In the linear well near $\omega_b =$ 1.32615 it is
+stable, between two unstable ones, with $\kappa =$ -1.733e-11. (computed)
 <!-- /exchange.between -->
 
 The argument from two harmonics can be tested. Half way, at $a = 0$, all three curvatures are $16\pi^2|b|$ in size. So
 $\kappa$, proportional to minus the curvature, is as large there for the third breather as for the site-centred one,
 whose $\kappa$ has grown from zero over half the interval. Half of the interval times the slope
-[7.55e-8](num:sec33_floquet.exchange_slope) is within four per cent of the $\kappa$ that we find,
-[1.26e-14](num:sec33_between.kappa_between_in_s). In the other family two harmonics are not enough: they would make
-$\kappa$ symmetric about the middle, and there it is larger towards the bond, by 30 per cent a tenth of a site from it.
-We do not know what determines the sign of $b$.
+[7.55e-8](num:sec33_floquet.exchange_slope) is within four per cent of the $\kappa$ that we find half way. In the other
+family two harmonics are not enough: they would make $\kappa$ symmetric about the middle, $Q = \frac14$, and there it is
+larger towards the bond. We do not know what determines the sign of $b$.
+
+| $\kappa$ of the third breather | $Q = 0.15$ | $0.25$ | $0.35$ |
+|---|---|---|---|
+| $\omega_b = 1.1$ | [7.91e-15 ± 7e-17](cell:between_in_s/centre=0.15/kappa) | [1.26e-14](cell:centre=0.25/kappa) | [7.99e-15 ± 8e-17](cell:centre=0.35/kappa) |
+| $s = 0$ | [-9.99e-12](cell:between_in_omega/centre=0.15/kappa) | [-1.733e-11](cell:centre=0.25/kappa) | [-1.302e-11](cell:centre=0.35/kappa) |
 
 ![Centre, energy and stability of the intermediate breathers.](fig:x14) */
 /// Two exchanges close together on a cut: the ends of a family of intermediate breathers.
@@ -297,12 +303,6 @@ void report_between(Report& report, const std::vector<ExchangePair>& edges) {
       table.add({one.centre, one.place, offset, share[i], one.kappa, one.largest_modulus});
     }
     table.add({0.5, bond, edge.width(), 1.0, zero, largest(1)});
-
-    // Its width, and half way its stability
-    const ThirdBreather& middle = family[family.size() / 2];
-    report.facts.add(std::string("width_") + name, edge.width());
-    report.facts.add(std::string("kappa_") + name, middle.kappa);
-    report.facts.add(std::string("largest_modulus_") + name, middle.largest_modulus);
   }
 }
 

@@ -9,17 +9,17 @@ linearised DpS equation, for breathers of the chain at $\omega_b = 1.1$ in linea
 
 | breather | quantity | around a site | around a bond |
 |---|---|---|---|
-| DpS, $\mu = 1$ | largest displacement | [0.05041478528092(235 to 301)](num:sec5_enclosures.u0_site) | [0.046232303401288(09 to 63)](num:sec5_enclosures.u0_bond) |
-| | norm | [0.00536042022797(0922 to 1055)](num:sec5_enclosures.norm_site) | [0.005360413092700(729 to 843)](num:sec5_enclosures.norm_bond) |
-| | second eigenvalue $m_2$ minus $\frac23$ | [4.8529766(071 to 191)e-6](num:sec5_enclosures.margin_site) | [-4.85326567(77 to 19)e-6](num:sec5_enclosures.margin_bond) |
-| chain, $\omega_b = 1.1$ | amplitude | [0.0107479(07 to 98)](num:sec5_enclosures.amplitude_site) | [0.0097842(646 to 707)](num:sec5_enclosures.amplitude_bond) |
-| | energy | [0.00015359(71 to 99)](num:sec5_enclosures.energy_site) | [0.00015359(785 to 916)](num:sec5_enclosures.energy_bond) |
+| DpS, $\mu = 1$ | largest displacement | [0.05041478528092(235 to 301)](cell:dps_breathers/centre=site/u0) | [0.046232303401288(09 to 63)](cell:centre=bond/u0) |
+| | norm | [0.00536042022797(0922 to 1055)](cell:dps_breathers/centre=site/norm) | [0.005360413092700(729 to 843)](cell:centre=bond/norm) |
+| | second eigenvalue $m_2$ minus $\frac23$ | [4.8529766(071 to 191)e-6](cell:dps_breathers/centre=site/margin) | [-4.85326567(77 to 19)e-6](cell:centre=bond/margin) |
+| chain, $\omega_b = 1.1$ | amplitude | [0.0107479(07 to 98)](cell:chain_breathers/centre=site/amplitude) | [0.0097842(646 to 707)](cell:centre=bond/amplitude) |
+| | energy | [0.00015359(71 to 99)](cell:chain_breathers/centre=site/energy) | [0.00015359(785 to 916)](cell:centre=bond/energy) |
 
 | travelling wave, $T = 2\pi$ | sign plus | sign minus |
 |---|---|---|
-| peak | [0.44624885825(58 to 95)](num:sec5_enclosures.wave_peak_plus) | [0.4573219722(890 to 930)](num:sec5_enclosures.wave_peak_minus) |
-| energy | [0.1808335135(734 to 864)](num:sec5_enclosures.wave_energy_plus) | [0.1808335136(522 to 644)](num:sec5_enclosures.wave_energy_minus) |
-| action | [0.48606403649(35 to 63)](num:sec5_enclosures.wave_action_plus) | [0.4860640365(179 to 207)](num:sec5_enclosures.wave_action_minus) |
+| peak | [0.44624885825(58 to 95)](cell:waves/sign=plus/peak) | [0.4573219722(890 to 930)](cell:sign=minus/peak) |
+| energy | [0.1808335135(734 to 864)](cell:waves/sign=plus/energy) | [0.1808335136(522 to 644)](cell:sign=minus/energy) |
+| action | [0.48606403649(35 to 63)](cell:waves/sign=plus/action) | [0.4860640365(179 to 207)](cell:sign=minus/action) |
 
 One proof, that of the DpS breathers, is written out with its code. The others repeat it. */
 
@@ -122,8 +122,8 @@ std::pair<Contraction, Contraction> dps_lemma(const DpsGuess& guess) {
 ![Both DpS breathers, the search for others, and where the inequality holds.](fig:x25)
 
 Panel c draws $\eta/\rho+q(\rho)$. It is below one between two radii: within the smaller, some $10^{-16}$, the solution
-lies; within the larger, [0.00781](num:sec5_enclosures.unique_radius_site), there is no other. The latter is about a
-twelfth of $r_0$. */
+lies; within the larger, [0.00781](cell:dps_breathers/centre=site/unique_radius), there is no other. The latter is less
+than a tenth of $r_0$. */
 void report_lemma(Report& report) {
   Table& table = report.table("lemma", {number("radius", "radius of the ball, in strains"),
                                         number("site", "eta / radius + q, site-centred"),
@@ -208,23 +208,30 @@ DpsBreather enclose_dps(Centre centre) {
 /**
 So for each of the two centres there is a DpS breather on the infinite lattice whose strains alternate in sign, decrease
 outwards and fall double-exponentially (panel a). Existence was known (James and Starosvetsky 2014); bounds we have not
-found elsewhere. Each bound goes to a table and, as its middle and half of its width rounded up, to the facts. */
-struct Bounds {
-  Table table{{label("quantity", "name of the enclosed quantity"), number("lower", "lower bound"),
-               number("upper", "upper bound"), label("meaning", "meaning of the quantity")}};
-  Quantities* facts = nullptr;
-  std::string of = "";  ///< which solution, behind the name
-
-  void add(const std::string& quantity, const Number& x, const std::string& unit,
-           const std::string& meaning) {
-    table.add({quantity + of, x.lower, x.upper, meaning});
-    if (facts) facts->add(quantity + of, {x.middle(), x.radius()}, unit);
-  }
+found elsewhere. In tables a bound is the middle of the interval, with half of its width, rounded up, as the error. */
+struct Bound {
+  const char* quantity;
+  Number x;
+  const char* meaning;
 };
+using Bounds = std::vector<Bound>;
 
-void report_strains(Report& report, const DpsBreather& b, const std::string& who) {
+constexpr const char* half_width = "half of the width of the interval, rounded up";
+
+Estimate enclosed(const Number& x) {
+  return {x.middle(), x.radius()};
+}
+
+/// These columns behind those of `row`.
+Row with(const Bounds& bounds, Row row = {}) {
+  for (const auto& [quantity, x, meaning] : bounds)
+    row.cells.push_back({quantity, meaning, enclosed(x), "", half_width});
+  return row;
+}
+
+void report_strains(Report& report, const DpsBreather& b, const std::string& centre) {
   Table& table = report.table(
-      "strains" + who,
+      "strains_" + centre,
       {count("n", "contact, counted from the centre outwards"),
        number("lower", "lower bound of |u_(n+1) - u_n|, mu = 1"), number("upper", "upper bound"),
        number("relative", "width of the interval divided by the lower bound")});
@@ -241,9 +248,9 @@ outwards until a requirement fails, or until all their profiles lie in the ball 
 search_profiles in dps_enclosure.hpp). No interval stays undecided. So among the nonzero profiles of this
 symmetry whose strains alternate, tend to zero and do not increase outwards the breather is the only one, up to its
 sign. */
-void report_search(Report& report, const DpsBreather& b, const std::string& who) {
+void report_search(Report& report, const DpsBreather& b, const std::string& centre) {
   Table& table =
-      report.table("search" + who,
+      report.table("search_" + centre,
                    {number("from", "lower end of the interval of r_0"), number("to", "upper end"),
                     count("contact", "contact at which the interval is decided"),
                     count("inside",
@@ -264,7 +271,7 @@ with $(\nabla x)_n = x_{n+1}-x_n$, by $\lambda^2 = -(1-m)(1-\frac32m)$. $M$ is c
 elimination of $M-\frac23$ has positive pivots, and intervals give each pivot a certain sign:
 $$\text{site: } m_2 > \tfrac23 > m_3,\qquad \text{bond: } \tfrac23 > m_2.$$
 Around a site the linearised equation has exactly one real pair, of modulus
-[0.00156](num:sec5_enclosures.exponent_site); around a bond it has none.
+[0.00156](cell:dps_breathers/centre=site/exponent); around a bond it has none.
 
 The bond-centred breather is even stable in the full equation: what starts close to it in $\ell^2$ stays close to its
 multiples $e^{i\theta}u$ for all times. The argument is the one for which Weinstein (1986) and Grillakis, Shatah and
@@ -278,62 +285,61 @@ On $u^\perp$ the first form is at least $(1-\frac32m_2)|x|^2$ and the second $(1
 So $H$ has a strict maximum at the orbit of $u$ among states of its norm, with a quadratic bound, and a
 solution that starts close cannot leave. If its norm is slightly different, we compare it with $\mu^2u$ of
 the same norm. */
-void add_breather(Bounds& bounds, const DpsBreather& b) {
+Bounds bounds_of(const DpsBreather& b) {
   const Number edge = Number(2) / Number(3);
   const Number m2 = contact_eigenvalue(b, 2), m3 = contact_eigenvalue(b, 3);
   const bool decided =
       b.centre == Centre::site ? m2 > edge && m2 < Number(1) && m3 < edge : m2 < edge;
   if (!decided) throw Failure("stability of the DpS breather: the eigenvalues do not decide");
-  bounds.add("u0", b.largest(), "at mu = 1", "largest |u_n| of the breather");
-  bounds.add("norm", b.norm(), "at mu = 1", "sum of u_n^2 over all sites");
-  bounds.add("second_eigenvalue", m2, "",
-             "second largest eigenvalue of the linearised contacts, which decides the stability");
-  bounds.add("margin", m2 - edge, "", "the same minus 2/3");
-  bounds.add("exponent", root(abs(square_of_exponent(m2))), "mu",
-             "modulus of the exponent of the second eigenvalue, a growth rate if its square is "
-             "positive");
+  return {{"u0", b.largest(), "largest |u_n|, mu = 1"},
+          {"norm", b.norm(), "sum of u_n^2 over all sites"},
+          {"second_eigenvalue", m2,
+           "second largest eigenvalue of the linearised contacts, which decides the stability"},
+          {"margin", m2 - edge, "the same minus 2/3"},
+          {"exponent", root(abs(square_of_exponent(m2))),
+           "modulus of the exponent of the second eigenvalue, a growth rate if its square is "
+           "positive"}};
 }
 
 /**
 ## The barrier
 
-The norms of both breathers agree to six digits. In intervals their difference keeps eight digits, and it has a sign:
+The norms of both breathers agree to five digits. In intervals their difference keeps eight digits, and it has a sign:
 the energy of the site-centred breather minus that of the bond-centred one is
-[2.85e-9](num:sec5_enclosures.barrier_equal_mu) at $\mu = 1$. At equal norm, the physically relevant comparison, it is
-[-7.14e-10](num:sec5_enclosures.barrier_equal_norm). There the bond-centred breather, the stable one, is the higher of
+[2.85e-9](cell:dps_barrier/equal_mu) at $\mu = 1$. At equal norm, the physically relevant comparison, it is
+[-7.14e-10](cell:dps_barrier/equal_norm). There the bond-centred breather, the stable one, is the higher of
 the two and a local *maximum* of $H$.
 
 <!-- dps.enclosed -->
 On the infinite lattice the DpS equation has a site-centred and a bond-centred breather. The equation linearised about
-the site-centred one has exactly one real pair of exponents, $\pm$0.00155771 $\mu$; about the bond-centred one it has no
+the site-centred one has exactly one real pair of exponents, $\pm$0.001558 $\mu$; about the bond-centred one it has no
 real pair, and the bond-centred breather is orbitally stable. The energy of the site-centred breather minus that of the
-bond-centred one is 2.85411e-9 at $\mu = 1$ and -7.13526e-10 at equal norm. (enclosed)
+bond-centred one is 2.854e-9 at $\mu = 1$ and -7.135e-10 at equal norm. (enclosed)
 <!-- /dps.enclosed --> */
-void add_barrier(Bounds& bounds, const DpsBreather& site, const DpsBreather& bond) {
-  const DpsBarrier barrier = dps_barrier(site, bond);
+Bounds bounds_of(const DpsBarrier& barrier) {
   if (!(barrier.equal_mu > Number(0) && barrier.equal_norm < Number(0)))
     throw Failure("barrier of the DpS equation: its signs are not decided");
-  bounds.add("barrier_equal_mu", barrier.equal_mu, "energy at mu = 1",
-             "H_site - H_bond of the two breathers at mu = 1");
-  bounds.add("barrier_equal_norm", barrier.equal_norm,
-             "energy at the norm of the bond-centred breather at mu = 1",
-             "H_site - H_bond at the norm of the bond-centred breather");
+  return {{"equal_mu", barrier.equal_mu, "H_site - H_bond of the two breathers at mu = 1"},
+          {"equal_norm", barrier.equal_norm,
+           "H_site - H_bond at the norm of the bond-centred breather"}};
 }
 
-constexpr std::pair<Centre, const char*> centres[] = {{Centre::site, "_site"},
-                                                      {Centre::bond, "_bond"}};
+constexpr std::pair<Centre, const char*> centres[] = {{Centre::site, "site"},
+                                                      {Centre::bond, "bond"}};
 
-void report_dps(Report& report, Bounds& bounds) {
+void report_dps(Report& report) {
+  Table& breathers = report.table("dps_breathers");
   const DpsBreather both[] = {enclose_dps(Centre::site), enclose_dps(Centre::bond)};
   for (std::size_t i = 0; i < 2; ++i) {
-    const std::string who = bounds.of = centres[i].second;
-    report_strains(report, both[i], who);
-    report_search(report, both[i], who);
-    add_breather(bounds, both[i]);
-    report.facts.add("unique_radius" + who, exact(both[i].unique.radius), "strain");
+    const DpsBreather& b = both[i];
+    const char* centre = centres[i].second;
+    report_strains(report, b, centre);
+    report_search(report, b, centre);
+    breathers.add(with(bounds_of(b), {{"centre", "where the breather is centred", centre},
+                                      {"unique_radius", "strains of no other one are so near",
+                                       exact(b.unique.radius), "", "exact"}}));
   }
-  bounds.of = "";
-  add_barrier(bounds, both[0], both[1]);
+  report.table("dps_barrier").add(with(bounds_of(dps_barrier(both[0], both[1]))));
 }
 
 /**
@@ -358,32 +364,33 @@ Columns constants() {
           number("residual", "residual of the approximation, in the supremum norm"),
           number("eta", "distance by which the map moves the approximation"),
           number("q", "contraction factor in the large ball"),
-          number("unique_radius", "radius of the large ball, in which the solution is unique"),
-          number("radius", "radius of the small ball, which contains the solution")};
+          estimate("unique_radius", "radius of the large ball, in which the solution is unique", "",
+                   "exact"),
+          estimate("radius", "radius of the small ball, which contains the solution", "", "exact")};
 }
 
 void add_constants(Table& table, const std::string& solution, const Enclosure& e) {
   table.add({solution, e.inverse.beta, e.inverse.delta, e.inverse.epsilon, e.residual, e.unique.eta,
-             e.unique.q, e.unique.radius, e.exists.radius});
+             e.unique.q, exact(e.unique.radius), exact(e.exists.radius)});
 }
 
-void add_breather(Bounds& bounds, const ChainBreather& b) {
-  bounds.add("amplitude", b.amplitude, "largest |y_n(0)|",
-             "largest displacement of a bead at t = 0, when all are at rest");
-  bounds.add("energy", b.energy, "", "energy of the whole chain, Eq. (6)");
+Bounds bounds_of(const ChainBreather& b) {
+  return {{"amplitude", b.amplitude, "largest |y_n| at t = 0, when all beads are at rest"},
+          {"energy", b.energy, "energy of the whole chain, Eq. (6)"}};
 }
 
-void report_chain(Report& report, Bounds& bounds, Table& table) {
+void report_chain(Report& report, Table& constants) {
   ChainBreather found[2];
   Fineness fine;
   if (report.quick) fine.samples /= 2, fine.harmonics /= 2;
   parallel_for(2, [&](std::size_t i) {
     found[i] = enclose_chain(centres[i].first, omega_b.first, omega_b.second, fine);
   });
+  Table& breathers = report.table("chain_breathers");
   for (std::size_t i = 0; i < 2; ++i) {
-    bounds.of = centres[i].second;
-    add_breather(bounds, found[i]);
-    add_constants(table, centres[i].second + 1, found[i]);
+    const char* centre = centres[i].second;
+    breathers.add(with(bounds_of(found[i]), {{"centre", "where it is centred", centre}}));
+    add_constants(constants, centre, found[i]);
   }
 }
 
@@ -392,11 +399,12 @@ void report_chain(Report& report, Bounds& bounds, Table& table) {
 
 The theorem of the preceding chapter gives one wave of $d = K*d_+^{3/2}$, $K(\sigma) = -\sin|\sigma|$ for $|\sigma| \le
 2\pi$, but neither says that it is even nor that there is a second one. For each of the two signs of the central
-velocity it is proved here (wave_enclosure.hpp) that there is an even solution $d$, within
-[1.78e-12](num:sec5_enclosures.wave_radius_plus) (plus) or [1.94e-12](num:sec5_enclosures.wave_radius_minus) (minus) of
-the guess at all times, and that it is the only even one within [1.53e-5](num:sec5_enclosures.wave_unique_radius_plus).
-The guess is cubic on cells, its tail is zero, and the true tail is bounded by the inequality of the theorem: one shift
-later the largest compression is at most four times its power $3/2$.
+velocity it is proved here (wave_enclosure.hpp) that there is an even solution $d$ in a ball of the radius
+[1.78e-12](cell:constants/solution=plus/radius) (plus) or [1.94e-12](cell:constants/solution=minus/radius) (minus)
+around the guess, in the largest modulus over all times, and that it is the only even one in a ball of the radius
+[1.53e-5](cell:constants/solution=plus/unique_radius). The guess is cubic on cells, its tail is zero, and the true tail
+is bounded by the inequality of the theorem: one shift later the largest compression is at most four times its power
+$3/2$.
 
 Energy and peak are uncertain by the order of the small radius. The action $\int d_+^{5/2}dt$ is a critical value, so
 its error is of second order in the radius and is dominated by the residual. The actions of the two signs agree to ten
@@ -408,31 +416,34 @@ sign of the central velocity. The energy of the one with the sign plus, minus th
 (-9.1 to -6.5)e-11; the corresponding difference of their actions is -2.(72 to 16)e-11. The signs of both differences
 are proved, so the breather with the sign minus is not the maximizer of the existence theorem. (enclosed)
 <!-- /travelling.two_waves --> */
-constexpr std::pair<int, const char*> signs[] = {{1, "_plus"}, {-1, "_minus"}};
+constexpr std::pair<int, const char*> signs[] = {{1, "plus"}, {-1, "minus"}};
 
-void report_waves(Report& report, Bounds& bounds, Table& table) {
+Bounds bounds_of(const EnclosedWave& w) {
+  return {{"energy", w.energy, "energy of the whole chain that carries the wave"},
+          {"peak", w.peak, "largest compression of a contact"},
+          {"action", w.action,
+           "integral over all times of d_+^(5/2), with d the compression of a contact"}};
+}
+
+void report_waves(Report& report, Table& constants) {
   EnclosedWave found[2];
   WaveFineness fine;
   if (report.quick) fine.per_turn /= 4;
   parallel_for(2, [&](std::size_t i) { found[i] = enclose_wave(signs[i].first, fine); });
+  Table& waves = report.table("waves");
   for (std::size_t i = 0; i < 2; ++i) {
-    const EnclosedWave& w = found[i];
-    const std::string who = bounds.of = signs[i].second;
-    bounds.add("wave_energy", w.energy, "", "energy of the whole chain that carries the wave");
-    bounds.add("wave_peak", w.peak, "largest compression", "largest compression of a contact");
-    bounds.add("wave_action", w.action, "",
-               "integral over all times of d_+^(5/2), with d the compression of a contact");
-    add_constants(table, signs[i].second + 1, w);
-    report.facts.add("wave_radius" + who, exact(w.exists.radius), "compression");
-    report.facts.add("wave_unique_radius" + who, exact(w.unique.radius), "compression");
+    const char* sign = signs[i].second;
+    waves.add(with(bounds_of(found[i]), {{"sign", "of the central velocity", sign}}));
+    add_constants(constants, sign, found[i]);
   }
   const Number action = found[0].action - found[1].action,
                energy = found[0].energy - found[1].energy, zero;
   if (!report.quick && !(action < zero && energy < zero))
     throw Failure("waves of the kernel equation: their order is not decided");
-  bounds.of = "";
-  bounds.add("wave_action_difference", action, "plus minus minus", "action, plus minus minus");
-  bounds.add("wave_energy_difference", energy, "plus minus minus", "energy, plus minus minus");
+  const char* how = "half of the width of the interval, rounded up: known to 20 per cent";
+  report.table("plus_minus_minus")
+      .add({{"energy", "energy of plus less that of minus", enclosed(energy), "", how},
+            {"action", "action of plus less that of minus", enclosed(action), "", how}});
 }
 
 /**
@@ -440,6 +451,14 @@ void report_waves(Report& report, Bounds& bounds, Table& table) {
 
 `sec5_enclosures dps --centre bond` prints the bounds for the DpS equation, and `sec5_enclosures breather --centre site`
 those for the chain, at the frequency of the article's example. The barriers belong to both centres. */
+Table both_ends(const Bounds& bounds) {
+  Table table{{label("quantity", "name of the enclosed quantity"), number("lower", "lower bound"),
+               number("upper", "upper bound"), label("meaning", "meaning of the quantity")}};
+  for (const auto& [quantity, x, meaning] : bounds)
+    table.add({quantity, x.lower, x.upper, meaning});
+  return table;
+}
+
 struct OneCentre {
   static constexpr const char* certified = "A quantity that cannot be certified is not printed.";
   Centre centre = Centre::site;
@@ -456,10 +475,9 @@ struct EnclosedDps : OneCentre {
 
   Table table() const {
     const DpsBreather site = enclose_dps(Centre::site), bond = enclose_dps(Centre::bond);
-    Bounds bounds;
-    add_breather(bounds, centre == Centre::site ? site : bond);
-    add_barrier(bounds, site, bond);
-    return bounds.table;
+    Bounds all = bounds_of(centre == Centre::site ? site : bond);
+    for (const Bound& b : bounds_of(dps_barrier(site, bond))) all.push_back(b);
+    return both_ends(all);
   }
 };
 
@@ -470,9 +488,7 @@ struct EnclosedBreather : OneCentre {
       certified};
 
   Table table() const {
-    Bounds bounds;
-    add_breather(bounds, enclose_chain(centre, omega_b.first, omega_b.second));
-    return bounds.table;
+    return both_ends(bounds_of(enclose_chain(centre, omega_b.first, omega_b.second)));
   }
 };
 
@@ -489,20 +505,18 @@ another language, with other intervals and eighty digits, repeats for the DpS eq
 profiles; its intervals lie in ours. Chain and waves are only compared with what Newton's method finds. Errors that the
 tests introduce into the proof, one at a time, make it fail. */
 void reproduce(Report& report) {
-  Bounds bounds;
-  bounds.facts = &report.facts;
-  report_dps(report, bounds);
+  report_dps(report);
   report_lemma(report);
   Table& table = report.table("constants", constants());
-  report_chain(report, bounds, table);
-  report_waves(report, bounds, table);
-  report.output.add("bounds", bounds.table);
+  report_chain(report, table);
+  report_waves(report, table);
 }
 
 /**
 ## Try it
 
-*To change it*: give `enclose_chain` another frequency between 1 and 2 as a fraction; where the proof fails it says why.
+*To change it*: `omega_b` is the frequency of the chain's breathers, a fraction between 1 and 2; where the proof fails
+it says why.
 
 1. *Easy.* Does Newton's method find the wave that is enclosed?
    `build/bin/sec5_kernel_equation wave --sign minus` gives `peak` = 0.457321972291.

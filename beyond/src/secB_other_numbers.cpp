@@ -25,7 +25,6 @@ With another impact velocity $v_0$ all displacements grow like $v_0^{4/5}$ and a
 #include "lattice/gsl/reference.hpp"
 #include "lattice/impact/impact.hpp"
 #include "lattice/integrators/event_corrected.hpp"
-#include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
 
 using namespace lattice;
@@ -142,7 +141,7 @@ SolitaryWave solitary_wave(std::size_t points, std::size_t half_width) {
 ## The pulse of an impact
 
 Within some ten beads an impact turns into a solitary wave, which takes nearly all of the energy with it. The run gives
-its height, [0.682](num:secB_other_numbers.pulse_amplitude) of the impact's velocity (bead 80; the change since bead 40
+its height, [0.682](cell:pulse/amplitude) of the impact's velocity (bead 80; the change since bead 40
 is part of the error). All else follows from the wave, which is computed without a run: one of the amplitude $V$ has the
 speed $c = (V/V_1)^{1/5}$ if $V_1$ is the largest velocity in the wave of speed one. In the long-wave theory of
 Nesterenko $c = (4/5)^{2/5}V^{1/5}$, and the velocity is proportional to $\cos^4(\sqrt{2/5}\,\xi)$, five sites wide. Sen
@@ -168,37 +167,41 @@ double sampled_width(double step, double speed) {
   return speed * time_above(run.t, run.v[0], 0.01 * crest);
 }
 
-// The exact wave on two grids, and what an impact makes of it
 void report_pulse(Report& report) {
-  const SolitaryWave coarse = solitary_wave(16, 6), fine = solitary_wave(32, 6);
-  const auto add = [&](const char* name, const auto& of, const char* unit = "") {
-    Estimate e = compare(of(coarse), of(fine));
-    e.error += 4 * std::numeric_limits<double>::epsilon() * std::abs(e.value);  // rounding of sums
-    report.facts.add(name, e, unit);
+  // The exact wave on two grids, with the rounding of the sums
+  const TwoRuns<SolitaryWave> wave{solitary_wave(16, 6), solitary_wave(32, 6)};
+  const auto of = [&](const auto& number) {
+    Estimate e = wave.of(number);
+    e.error += 4 * std::numeric_limits<double>::epsilon() * std::abs(e.value);
+    return e;
   };
-  add(
-      "pulse_slower",
-      [](const SolitaryWave& w) {
-        return 100 * (1 - 1 / (std::pow(0.8, 0.4) * std::pow(w.velocity[0], 0.2)));
-      },
-      "%");
-  add(
-      "pulse_narrower",
-      [](const SolitaryWave& w) {
-        return 100 * (1 - w.width(0.5) / (2 * std::sqrt(2.5) * std::acos(std::pow(0.5, 0.25))));
-      },
-      "%");
-  add("pulse_kinetic", [](const SolitaryWave& w) { return w.kinetic / (w.kinetic + w.potential); });
-  add("sen_c1", [](const SolitaryWave& w) { return 4 * w.velocity[0] / w.shift; });
+  const auto slower = [](const SolitaryWave& w) {
+    return 100 * (1 - 1 / (std::pow(0.8, 0.4) * std::pow(w.velocity[0], 0.2)));
+  };
+  const auto narrower = [](const SolitaryWave& w) {
+    return 100 * (1 - w.width(0.5) / (2 * std::sqrt(2.5) * std::acos(std::pow(0.5, 0.25))));
+  };
+  const auto kinetic = [](const SolitaryWave& w) { return w.kinetic / (w.kinetic + w.potential); };
+  const auto c1 = [](const SolitaryWave& w) { return 4 * w.velocity[0] / w.shift; };
+  report.table("solitary_wave")
+      .add({{"slower", "how much slower it is than the long-wave theory says", of(slower), "%"},
+            {"narrower", "how much its half width is below that theory's", of(narrower), "%"},
+            {"kinetic", "kinetic fraction of its energy", of(kinetic)},
+            {"c1", "coefficient C_1 of Sen and Manciu", of(c1)}});
+
+  // What an impact makes of it
   const Estimate amplitude = pulse_amplitude();
-  const double V = amplitude.value, crest = fine.velocity[0];
-  const double energy = 2 * (fine.kinetic + fine.potential) / (crest * crest);
-  report.facts.add("pulse_amplitude", amplitude, "impact velocity");
-  report.facts.add("pulse_energy", {energy * V * V, 2 * energy * V * amplitude.error},
-                   "energy of the impact");
+  const double V = amplitude.value, crest = wave.fine.velocity[0];
+  const double energy = 2 * (wave.fine.kinetic + wave.fine.potential) / (crest * crest);
   const double speed = std::pow(V / crest, 0.2);
-  report.facts.add("sampled_width", compare(sampled_width(0.04, speed), sampled_width(0.02, speed)),
-                   "sites");
+  report.table("pulse").add(
+      {{"amplitude", "largest velocity of a bead", amplitude, "impact velocity",
+        "from two time steps and two beads"},
+       {"energy", "energy of a wave of this amplitude",
+        Estimate{energy * V * V, 2 * energy * V * amplitude.error}, "energy of the impact",
+        "from the amplitude"},
+       {"sampled_width", "width at a hundredth of the peak, sampled every 2 microseconds",
+        compare(sampled_width(0.04, speed), sampled_width(0.02, speed)), "sites"}});
 }
 
 /**
@@ -207,13 +210,15 @@ void report_pulse(Report& report) {
 Behind the pulse one bead after the other loses its contacts and flies back. Hinch and Saint-Jean described this
 fragmentation in 1999; the digits that we compare with are those of a run of 100 steel balls with steps of ten
 picoseconds, put online with a program of Sokolow's. */
-void report_fragments(Report& report) {
+void report_rebounds(Report& report) {
   constexpr double struck_with = 0.099188;  // m/s
   const auto velocities = [](double step) { return watch_beads(60, 30, step, 30, {}).end.v; };
   const auto coarse = velocities(0.04), fine = velocities(0.02);
+  Table& rebounds = report.table("rebounds");
   for (std::size_t n : {1u, 2u, 4u, 8u, 16u})
-    report.facts.add("fragment_" + std::to_string(n),
-                     compare(struck_with * coarse[n - 1], struck_with * fine[n - 1]), "m/s");
+    rebounds.add({{"ball", "counted from the end that is hit", n},
+                  {"velocity", "velocity with which it flies back",
+                   compare(struck_with * coarse[n - 1], struck_with * fine[n - 1]), "m/s"}});
 }
 
 /**
@@ -333,33 +338,47 @@ Estimate lossless(const Search& search, const Fineness& at) {
   return {found + search.shift, left * at.width * found};
 }
 
-void report_alternating(Report& report) {
-  std::vector<Search> searches;
-  for (double ratio : {0.34, 0.155, 0.09, 0.0615})
-    searches.push_back({"dimer_" + std::to_string(searches.size() + 1),
-                        [](double mass) { return Alternating{.mass = mass}; }, 0.9 * ratio,
-                        1.1 * ratio});
+/// With runs between two pairs of sites.
+Estimate lossless(const Search& search, bool quick) {
+  if (quick)
+    return compare(lossless(search, {41, 71, 1e-9, 0.005}),
+                   lossless(search, {41, 71, 1e-9, 0.003}));
+  return compare(lossless(search, {41, 71, 1e-9, 0.003}),
+                 lossless(search, {71, 121, 1e-11, 0.0015}));
+}
 
-  // Kekić's steel beads; exponents a and b of the energy are larger by one than those of the force
+void report_dimers(Report& report) {
+  const auto row = [&](double about) {
+    const Search search{"mass ratio " + short_text(about),
+                        [](double mass) { return Alternating{.mass = mass}; }, 0.9 * about,
+                        1.1 * about};
+    return Row{{"about", "middle of the range of mass ratios that is searched", about},
+               {"mass_ratio", "mass ratio without loss", lossless(search, report.quick), "",
+                "from two runs and the loss that is left"}};
+  };
+  report.table("dimers").fill(std::vector{0.34, 0.155, 0.09, 0.0615}, row, "dimers");
+}
+
+// Kekić's steel beads; exponents of the energy are larger by one than those of the force
+void report_exponents(Report& report) {
   const double strength = 0.4 * std::sqrt(0.002) / (1.5 * (1 - 0.3 * 0.3) / 2.26e11);
   const double bead = 2.05e-3, impact = 1e-7 / std::sqrt(bead / (1e9 * 2.5));  // kg, m/s
-  const auto exponents = [&](const std::string& name, double a, double low, double high) {
-    const double length = std::pow(bead * impact * impact / (a * strength), 1 / a);
-    const auto chain_of = [=](double second) {
-      return Alternating{1, a - 1, second, (second + 1) / a * std::pow(length, second + 1 - a)};
-    };
-    searches.push_back({name, chain_of, low - 1, high - 1, 1});
+  struct Range {
+    double a, low, high;
   };
-  exponents("exponent_hertz", 2.5, 2.55, 2.7);
-  exponents("exponent_four", 4, 4.5, 5.5);
-
-  std::array<Fineness, 2> runs{Fineness{41, 71, 1e-9, 0.003}, {71, 121, 1e-11, 0.0015}};
-  if (report.quick) runs = {Fineness{41, 71, 1e-9, 0.005}, {41, 71, 1e-9, 0.003}};
-  std::vector<Estimate> found(2 * searches.size());
-  parallel_for("chains without loss", found.size(),
-               [&](std::size_t i) { found[i] = lossless(searches[i / 2], runs[i % 2]); });
-  for (std::size_t k = 0; k < searches.size(); ++k)
-    report.facts.add(searches[k].name, compare(found[2 * k], found[2 * k + 1]));
+  const auto row = [&](const Range& of) {
+    const double length = std::pow(bead * impact * impact / (of.a * strength), 1 / of.a);
+    const auto chain_of = [&](double second) {
+      const double scale = (second + 1) / of.a * std::pow(length, second + 1 - of.a);
+      return Alternating{1, of.a - 1, second, scale};
+    };
+    const Search search{"exponent", chain_of, of.low - 1, of.high - 1, 1};
+    return Row{{"others", "exponent of the energy of the other contacts", of.a},
+               {"exponent", "exponent of every second contact without loss",
+                lossless(search, report.quick), "", "from two runs and the loss that is left"}};
+  };
+  report.table("exponents")
+      .fill(std::vector<Range>{{2.5, 2.55, 2.7}, {4, 4.5, 5.5}}, row, "exponents");
 }
 
 /**
@@ -391,8 +410,9 @@ and sampling.
 <!-- /statements --> */
 void reproduce(Report& report) {
   report_pulse(report);
-  report_fragments(report);
-  report_alternating(report);
+  report_rebounds(report);
+  report_dimers(report);
+  report_exponents(report);
 }
 
 int main(int argc, char** argv) {

@@ -25,8 +25,8 @@ def barrier(level):
     site, bond = (breather(chain, centre, level) for centre in (True, False))
     energy = [chain.energies(y[:, None], 0 * y[:, None]).sum() for y in (site, bond)]
     return [("pn.omega11", energy[0] - energy[1], 1e-17, "energy site-centred minus bond-centred; omega 1.1; s = 0"),
-            ("sec5_enclosures.amplitude_site", np.abs(site).max(), 4e-17, "largest |y_n| at rest; site-centred"),
-            ("sec5_enclosures.amplitude_bond", np.abs(bond).max(), 4e-17, "the same; bond-centred")]
+            ("sec5_enclosures/chain_breathers/centre=site/amplitude", np.abs(site).max(), 4e-17, "largest |y_n| at rest; site-centred"),
+            ("sec5_enclosures/chain_breathers/centre=bond/amplitude", np.abs(bond).max(), 4e-17, "the same; bond-centred")]
 
 
 def kappa(chain, site, y):

@@ -1,18 +1,16 @@
 /**
 # Statements of section 3.3: Breathers between a site and a bond */
 
-#include <string>
-
 #include "report/statement.hpp"
 
 using namespace lattice;
 
 STATEMENT("exchange.six") {
   // Six exchanges one after the other, of which the first is near 1 and the last below 1.5
-  const auto window = [&](int k) { return fact("window_" + std::to_string(k)); };
-  less(window(1), 1.02);
-  for (int k = 1; k < 6; ++k) less(window(k), window(k + 1));
-  less(window(6), 1.5);
+  const Data exchanges = table("windows");
+  less(exchanges.at("exchange", 1)["omega_site"], 1.02);
+  increases(exchanges, "exchange", "omega_site");
+  less(exchanges.at("exchange", 6)["omega_site"], 1.5);
 
   // Meanwhile all other multipliers stay on the circle
   for (const auto& breather :
@@ -22,14 +20,16 @@ STATEMENT("exchange.six") {
 
 STATEMENT("exchange.between") {
   // In s: the third breather exists where the others are both stable, and is unstable
-  less(1e-7, fact("width_between_in_s"));
-  less(0, fact("kappa_between_in_s"));
-  less(1, fact("largest_modulus_between_in_s"));
+  const Data in_s = table("between_in_s");
+  less(1e-7, in_s.at("centre", 0.5)["offset"]);
+  for (const auto& third : in_s.where("centre", 0.05, 0.45)) less(0, third["kappa"]);
+  less(1, in_s.at("centre", 0.25)["largest_modulus"]);
 
   // In omega_b: where both are unstable, and it is stable
-  less(fact("width_between_in_omega"), 0);
-  less(fact("kappa_between_in_omega"), 0);
-  less(fact("largest_modulus_between_in_omega"), 1.000000001);
+  const Data in_omega = table("between_in_omega");
+  less(in_omega.at("centre", 0.5)["offset"], 0);
+  for (const auto& third : in_omega.where("centre", 0.05, 0.45)) less(third["kappa"], 0);
+  less(in_omega.at("centre", 0.25)["largest_modulus"], 1.000000001);
   for (const auto& breather :
        table("sec33_floquet", "spectra").where("omega", 1.1).where("s", -1, 1))
     less(breather["off_circle"], 0.5);

@@ -1,7 +1,7 @@
 /**
 # Statements of section 3.4: Which packets turn round, and what lies behind them */
 
-#include <string>
+#include <utility>
 
 #include "report/statement.hpp"
 
@@ -9,19 +9,27 @@ using namespace lattice;
 
 STATEMENT("turning.waves") {
   // With an absorber at the end the packet does not go twice as far, and returns
-  less(fact("furthest_end"), 2 * fact("furthest_waves"));
-  less(0.5, fact("returned_end"));
+  const Data absorbers = table("absorbers");
+  const auto end = absorbers.at("absorbed", "at_the_end");
+  less(end["furthest"], 2 * absorbers.at("absorbed", "nothing")["furthest"]);
+  less(1, end["returned"]);
 
-  // Without the waves behind it each of four packets goes at least twice as far as with them
-  for (const std::string packet : {"10_19", "08_22", "10_17", "06_25"})
-    less(2 * fact("apex_" + packet + "_all"), fact("apex_" + packet + "_6"));
+  // Without the waves behind it each of four packets goes at least twice as far as with them, and is not back
+  const Data range = table("range_of_waves");
+  for (const auto& [s, velocity] : {std::pair{1.0, 1.9}, {0.8, 2.2}, {1.0, 1.7}, {0.6, 2.5}}) {
+    const Data packet = range.where("s", s).where("velocity", velocity);
+    const auto without = packet.at("behind", 6);
+    less(2 * packet.at("behind", 0)["furthest"], without["furthest"]);
+    for (const char* fate : {"fate", "fate_coarse"}) less(without[fate], 0.5);
+  }
 }
 
 STATEMENT("turning.contour") {
-  less(fact("law_largest_deviation"), 0.03);
-  less(-1.4, fact("power_large_impacts"));
+  less(table("law")["deviation"], 0.03);
+  less(-1.4, table("law")["power"]);
 
   // A softer well, a later turn
-  less(fact("chi_010_site_40"), fact("chi_010_site_20"));
-  less(fact("chi_010_site_80"), fact("chi_010_site_40"));
+  const Data weakest = table("contours").where("velocity", 0.1);
+  less(weakest.at("site", 40)["chi"], weakest.at("site", 20)["chi"]);
+  less(weakest.at("site", 80)["chi"], weakest.at("site", 40)["chi"]);
 }

@@ -1,29 +1,29 @@
 /**
 # Statements of section 5: Breathers between bounds */
 
-#include <string>
-
 #include "report/statement.hpp"
 
 using namespace lattice;
 
 STATEMENT("dps.enclosed") {
   // One real pair of exponents about a site, none about a bond
-  less(0, fact("margin_site"));
-  less(fact("margin_bond"), 0);
+  const Data breathers = table("dps_breathers");
+  less(0, breathers.at("centre", "site")["margin"]);
+  less(breathers.at("centre", "bond")["margin"], 0);
 
   // The sign of the barrier depends on what is equal
-  less(0, fact("barrier_equal_mu"));
-  less(fact("barrier_equal_norm"), 0);
+  less(0, table("dps_barrier")["equal_mu"]);
+  less(table("dps_barrier")["equal_norm"], 0);
 }
 
 STATEMENT("travelling.existence") {
-  for (const std::string sign : {"plus", "minus"}) less(fact("wave_radius_" + sign), 1e-10);
+  for (const char* sign : {"plus", "minus"})
+    less(table("constants").at("solution", sign)["radius"], 1e-10);
 }
 
 STATEMENT("travelling.two_waves") {
-  // The values with the sign plus less those with the sign minus
-  less(fact("wave_energy_difference"), 0);
-  less(fact("wave_action_difference"), 0);
-  less(fact("wave_peak_plus"), fact("wave_peak_minus"));
+  less(table("plus_minus_minus")["energy"], 0);
+  less(table("plus_minus_minus")["action"], 0);
+  const Data waves = table("waves");
+  less(waves.at("sign", "plus")["peak"], waves.at("sign", "minus")["peak"]);
 }

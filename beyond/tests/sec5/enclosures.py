@@ -21,7 +21,7 @@ except ImportError:
 
 mp.dps = iv.dps = 80
 N = 11  # contacts of the half chain in the window
-UNIQUE = mpf(2) ** -7  # sec5_enclosures.unique_radius_site and _bond
+UNIQUE = mpf(2) ** -7  # unique_radius of sec5_enclosures/dps_breathers
 
 
 def low(x):
@@ -204,8 +204,8 @@ def main():
         assert counts_at_edge(couplings(centre, r), tail) == (above, above), f"{centre}: eigenvalues above 2/3"
         assert alone_within(centre, r, UNIQUE), f"{centre}: another solution within {UNIQUE}?"
     site, bond = found["site"]["norm"], found["bond"]["norm"]
-    barriers = {"barrier_equal_mu": 2 * (site - bond) / 5,
-                "barrier_equal_norm": 2 * bond * (iv.sqrt(iv.sqrt(bond / site)) - 1) / 5}
+    barriers = {"equal_mu": 2 * (site - bond) / 5,
+                "equal_norm": 2 * bond * (iv.sqrt(iv.sqrt(bond / site)) - 1) / 5}
     faults = []
     for centre in found:
         theirs = printed(sys.argv[1], centre)
