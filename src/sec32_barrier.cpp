@@ -32,14 +32,12 @@ along a family of periodic orbits. */
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "commands/one_barrier.hpp"
 #include "lattice/numerics/parallel.hpp"
+#include "lattice/orbits/breather_pairs.hpp"
 #include "report/program.hpp"
-#include "sec3/branches.hpp"
 
 using namespace lattice;
 
@@ -312,7 +310,7 @@ by orders of magnitude, and of the opposite sign. At $\omega_b = 1.001$ the comp
 ## The ratio at $\omega_b = 1.3$
 
 At $1.3$ the barriers of the soft and the hard well exceed that of the linear well by roughly as much as printed. But
-the fifth zero of the linear barrier is at [1.2997](cell:sign_changes/s=0/kind=1/zero=5/omega), where the ratio diverges.
+the linear barrier has its fifth zero at [1.2997](cell:sign_changes/s=0/kind=1/zero=5/omega), where the ratio diverges.
 A sixtieth below and above 1.3, the soft barrier is only some ten and twenty times larger.
 
 | barrier over that of the linear well | article | soft well | hard well |
@@ -382,9 +380,10 @@ void reproduce(Report& report) {
 
 ## Try it
 
-**To change it.** For other soft and hard wells edit the array `wells`, the values in the script of figure 7 and those at
-the top of the statements; the middle one stays linear. The keys of the cells in the prose follow them. For a comparison at equal energy both lines of `missing` have energies, `area_omega` is
-`moved.energy_omega`, and `equal_area` is `(bond.area - moved.area) / shifted.period() - missing`.
+**To change it.** For other soft and hard wells edit the array `wells`, the values in the script of figure 7 and at the
+top of the statements; the middle one stays linear, and the addresses of numbers in the prose follow. For a comparison
+at equal energy both lines of `missing` have energies, `area_omega` is `moved.energy_omega`, and `equal_area`
+is `(bond.area - moved.area) / shifted.period() - missing`.
 
 1. *Easy.* Next to a zero: `build/bin/sec32_barrier barrier --omega 1.01462` gives `equal_area` = -1.86531e-17, some two
    hundred times the modulus of `equal_frequency`. Which of the two decides where the breather rests? Hint: a breather
