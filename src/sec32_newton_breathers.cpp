@@ -236,9 +236,9 @@ limit, and the breathers of the chain at $\omega_b = 1.01$ and $1.1$, each with 
 `site_profiles` against `n`.](fig:03)
 
 There are two errors. The quasi-continuum profile differs from the DpS breather even in the limit, and the DpS equation
-differs from the chain. At 1.01 the second reduces the first; at 1.1 the sum is twice the first around a site
-and more than one and a half times the first around a bond. So the approximation is accurate to a twentieth where the
-article calls it excellent, and worse at 1.1, as the article says.
+differs from the chain. At 1.01 the second reduces the first; at 1.1 the sum is twice the first around a site and more
+than one and a half times the first around a bond. So the approximation is accurate to a twentieth where the article
+calls it excellent, and worse at 1.1, as the article says.
 
 | largest difference over the amplitude | around a site | around a bond |
 |---|---|---|
@@ -332,8 +332,8 @@ relative to its own size (`scaled_rule`). Where both exist their difference is t
 `n`.](fig:05)
 
 The law demands a straight line of $\ln(-\ln|y_n|)$. At the last site where it can be computed the exponent is
-[1.500](cell:tail/n=20/exponent), with its change from the site before as its error. An exponential tail
-would have the exponent one. */
+[1.500](cell:tail/n=20/exponent), with its change from the site before as its error. An exponential tail would have the
+exponent one. */
 /// |y_n(0)| of a breather on so many sites, at index n + 51; zero beyond the end of the chain.
 template <class T>
 std::vector<T> sizes_of_tail(std::size_t sites) {
