@@ -288,7 +288,7 @@ how the path is smoothed. The last column has the same number by the methods of 
 | turning point, $v_0 = 1.9$, $s = 1$, site | [20.055 ± 0.008](num:sec1_the_chain.turning_site) | [20.065 ± 0.006](num:sec34_boomeron.apex_site_190) |
 | its time | [465.2 ± 0.4](num:sec1_the_chain.turning_time) | [467 ± 1](num:sec34_boomeron.apex_time_190) |
 | amplitude of the breather, $\omega_b = 1.1$ | [0.0107478 ± 5e-7](num:sec1_the_chain.amplitude) | 0.01075 (exercise 2) |
-| its energy | [0.00015359 ± 1e-8](num:sec1_the_chain.energy) | [0.000153599 ± 4e-20](num:sec32_barrier.energy_110_site) |
+| its energy | [0.00015359 ± 1e-8](num:sec1_the_chain.energy) | [0.0001536](cell:sec32_barrier/key_pairs/s=0/omega=1.1/energy_site) |
 | distance of the fifth multiplier from $+1$ | [0.229543 ± 3e-6](num:sec1_the_chain.fifth_distance) | [0.229543 ± 2e-12](num:sec33_floquet.fifth_distance) |
 | the largest distance of the four nearest to it | [0.003 ± 0.002](num:sec1_the_chain.fourth_distance) | [0.000214282 ± 1e-9](num:sec33_floquet.fourth_distance) |
 
@@ -364,7 +364,7 @@ Four questions of the article cannot be answered in this way. Each has its own c
 
 | question | why not here | what we do | where |
 |---|---|---|---|
-| the barrier: by how much do the energies of the two kinds of breather differ? | [1.62422e-11 ± 8e-20](num:sec32_barrier.equal_frequency_linear_110), while the energies themselves are [0.000153599 ± 8e-20](num:sec32_barrier.energy_110_bond), of which this chapter knows four digits | contact events are located, orbits computed in extended precision | `sec32_barrier`, event_driven.hpp |
+| the barrier: by how much do the energies of the two kinds of breather differ? | [1.62e-11](cell:sec32_barrier/key_pairs/s=0/omega=1.1/equal_frequency), while the energies themselves are [0.0001536](cell:sec32_barrier/key_pairs/s=0/omega=1.1/energy_bond), of which this chapter knows four digits | contact events are located, orbits computed in extended precision | `sec32_barrier`, event_driven.hpp |
 | are the multipliers next to $+1$ on the circle? | an error $\eta$ of the monodromy moves them by $\sqrt\eta$: two that are exactly $+1$ appear at a distance of [0.003 ± 0.002](num:sec1_the_chain.fourth_distance) | symmetries remove the exact pair; $\kappa = (\lambda+\lambda^{-1}-2)/4$ instead of $\lambda$ | `sec33_floquet` |
 | the smallest kick that sets a breather in motion | it adds $c^2/2 \approx 10^{-11}$ to the energy; within each period Verlet's method changes it by more | impulses of contacts are exact, drift is compared with kick | `sec33_mobility`, `secA_integrators` |
 | where is a packet long after it has turned? | the motion is chaotic: late fates depend on the last digit of the start | two runs that agree, or a count over many runs | `sec34_boomeron`, `sec34_boomeron_map` |

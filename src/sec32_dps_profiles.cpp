@@ -95,12 +95,6 @@ double rounded(const T& x) {
   return static_cast<double>(x);
 }
 
-template <class Of>
-Estimate in_two_precisions(Centre centre, Of of) {
-  return compare(rounded(of(stationary<double>(centre, 1, sites_of(centre)))),
-                 rounded(of(stationary<Quadruple>(centre, 1, sites_of(centre)))));
-}
-
 /**
 ## Both breathers and their approximation (figure x03)
 
@@ -109,10 +103,9 @@ the largest displacement (`continuum_difference` of continuum.hpp): six per cent
 two sites from the largest displacement, where the approximation is too wide. At the size of the article's figure the
 difference is easily overlooked, and the approximation is a good first guess for Newton's method.
 
-| quantity | article | here |
-|---|---|---|
-| difference, site | excellent | [0.0574512 ± 1e-16](num:sec32_dps_profiles.qc_difference_site) |
-| difference, bond | excellent | [0.0614325 ± 7e-17](num:sec32_dps_profiles.qc_difference_bond) |
+| | article | around a site | around a bond |
+|---|---|---|---|
+| difference over the amplitude | excellent | [0.0575](cell:breathers/centre=site/difference) | [0.0614](cell:centre=bond/difference) |
 
 The article calls the decay super-exponential. Far from the centre $u_n$ is small against $u_{n-1}$, so
 $-\mu u_n \approx -w_{n-1}$ and $|u_n| \approx |u_{n-1}|^{3/2}/\mu$. At $\mu = 1$ the ratio $\ln|u_{n+1}|/\ln|u_n|$
@@ -143,9 +136,6 @@ void report_profile(Report& report, Centre centre, const std::string& name) {
                near != 0 ? std::log10(std::abs(near)) : std::nan(""), double_log(i),
                double_log(u.size() - 1) + double(distance - last) * std::log(1.5)});
   }
-  report.facts.add("qc_difference_" + name,
-                   in_two_precisions(centre, [](const auto& s) { return continuum_difference(s); }),
-                   "share of the amplitude");
 }
 
 /**
@@ -159,9 +149,11 @@ support is the integral of $dF/|F'|$ from zero to there. The printed $g$ is that
 
 With $F = z^3$ this is Euler's beta integral,
 $$\int_0^{3/10}\frac{3\,dz}{\sqrt{z(\frac65-4z)}} = \frac32\,B(\tfrac12,\tfrac12) = \frac{3\pi}2.$$ */
-template <class T>
-T half_width() {
-  return T(1.5) * std::beta(T(0.5), T(0.5));
+void report_support(Report& report) {
+  const auto half_width = []<class T>(T half) { return double(T(1.5) * std::beta(half, half)); };
+  report.table("support").add(Row{{"half_width", "of the quasi-continuum profile",
+                                   compare(half_width(0.5), half_width(0.5L)), "",
+                                   "difference of double and extended precision"}});
 }
 
 /**
@@ -171,17 +163,20 @@ In the limit of small amplitude the energy of the chain's breather is $2\epsilon
 at equal frequency the energies of the two breathers differ by the same fraction as the two norms, about one in a
 million. So it is plausible that a slight push sets a small breather in motion. (A moving breather keeps its action, not
 its frequency; sec32_barrier.cpp computes the energy that a step from site to site then costs.) Why the norms are so
-nearly equal, and why the one around a bond is the smaller, we do not know. The norm around the bond differs by the
-fraction [-1.33e-6](num:sec32_dps_profiles.norm_gap_relative) of them. */
+nearly equal, and why the one around a bond is the smaller, we do not know. The norm around a site is
+[0.005360](cell:breathers/centre=site/norm); that around a bond differs from it by the fraction
+[-1.331e-6](cell:norms/gap). */
 void report_norms(Report& report) {
   // The gap is six digits smaller than the norms, so extended precision is compared with quadruple
   const auto gap = []<class T>(T one) {
     return rounded(T(stationary<T>(Centre::bond, one, 32).norm() -
                      stationary<T>(Centre::site, one, 31).norm()));
   };
-  const Estimate difference = compare(gap(1.0L), gap(Quadruple(1)));
   const double site = rounded(stationary<Quadruple>(Centre::site, 1, 31).norm());
-  report.facts.add("norm_gap_relative", {difference.value / site, difference.error / site});
+  const Estimate difference = compare(gap(1.0L), gap(Quadruple(1)));
+  report.table("norms").add(Row{{"gap", "norm around the bond minus that around the site, over it",
+                                 Estimate{difference.value / site, difference.error / site}, "",
+                                 "difference of extended and quadruple precision"}});
 }
 
 /**
@@ -190,7 +185,9 @@ void report_norms(Report& report) {
 If $u$ solves the equation at $\mu = 1$, $\mu^2u$ solves it at $\mu$: the amplitude grows like $\mu^2$ at unchanged
 width. To test the computation by this law, we continue the branch from $\mu = 1$ to 64 and to 1/64 in steps of an
 eighth of an octave, and each time start Newton's method from the *unscaled* strains of the neighbour, the four around
-its centre. At either end and at every site $\ln|u_n/u_n(1)|$ over $\ln\mu$ must be two ([2.00](num:dps.scaling)). */
+its centre. At either end and at every site that carries the breather $\ln|u_n/u_n(1)|$ over $\ln\mu$ must be two. The
+exponent that is farthest from it is [2](cell:breathers/centre=site/exponent) around a site and
+[2](cell:breathers/centre=bond/exponent) around a bond, to rounding. */
 template <class T>
 double exponent_farthest_from_two(Centre centre, int steps) {
   using std::exp2, std::log, std::abs;
@@ -211,18 +208,24 @@ double exponent_farthest_from_two(Centre centre, int steps) {
   return farthest;
 }
 
-// A quick run goes two octaves each way instead of six.
-void report_scaling(Report& report) {
-  Estimate farthest{2, 0};
+void report_breathers(Report& report) {
+  const int steps = report.quick ? 16 : 48;  // a quick run goes two octaves each way
+  Table& table = report.table("breathers");
   for (const Centre centre : both_centres) {
-    const int steps = report.quick ? 16 : 48;
-    const Estimate exponent = compare(exponent_farthest_from_two<double>(centre, steps),
-                                      exponent_farthest_from_two<long double>(centre, steps));
-    if (std::abs(exponent.value - 2) + exponent.error >=
-        std::abs(farthest.value - 2) + farthest.error)
-      farthest = exponent;
+    const auto narrow = stationary<double>(centre, 1, sites_of(centre));
+    const auto wide = stationary<Quadruple>(centre, 1, sites_of(centre));
+    const char* precisions = "difference of double and quadruple precision";
+    table.add(
+        {{"centre", "site or bond", centre == Centre::site ? "site" : "bond"},
+         {"difference", "from the quasi-continuum profile, over the amplitude",
+          compare(continuum_difference(narrow), rounded(continuum_difference(wide))), "",
+          precisions},
+         {"norm", "sum of u_n^2", compare(narrow.norm(), rounded(wide.norm())), "", precisions},
+         {"exponent", "of the amplitude in mu, at the site where it is farthest from two",
+          compare(exponent_farthest_from_two<double>(centre, steps),
+                  exponent_farthest_from_two<long double>(centre, steps)),
+          "", "difference of double and extended precision"}});
   }
-  report.facts.add("scaling", farthest);
 }
 
 /**
@@ -266,10 +269,10 @@ void reproduce(Report& report) {
   report.output.note("tolerance", "relative corrections of the strains below a hundred roundings");
   for (const Centre centre : both_centres) check(centre);
   report_norms(report);
-  report.facts.add("qc_support", compare(half_width<double>(), double(half_width<long double>())));
+  report_support(report);
   report_profile(report, Centre::site, "site");
   report_profile(report, Centre::bond, "bond");
-  report_scaling(report);
+  report_breathers(report);
 }
 
 /**
@@ -289,10 +292,10 @@ void reproduce(Report& report) {
 `sec32_dps_profiles profile` prints one profile beside its approximation, for any $\mu$ and any exponent of the contacts
 (commands/one_profile.hpp).
 
-**To change it.** For another exponent $\alpha$ of the contacts `root` is to the power $2(\alpha-1)$ in `newton`,
-$\alpha$ stands for 1.5 in its derivative, the force `w` of `assert_solution` has the power $\alpha$, `approximate` is
-`quasi_continuum(centre, n, alpha)` (model/quasi_continuum.hpp), and $\alpha$ is the last argument of `stationary` and
-`stationary_from`.
+**To change it.** For another exponent $\alpha$ of the contacts `root` is $|d|^{\alpha-1}$ in `newton`, $\alpha$ stands
+for 1.5 in its derivative and in `tail_line`, the force `w` of `assert_solution` has the power $\alpha$, `approximate`
+is `quasi_continuum(centre, n, alpha)` (model/quasi_continuum.hpp), and $\alpha$ is the last argument of `stationary`
+and `stationary_from`.
 
 1. *Easy.* How good is $y_n = 2\epsilon u_n\cos\omega_bt$ for a small breather of the chain?
    `build/bin/sec32_newton_breathers breather --omega 1.001` gives `amplitude` = 9.63900e-7. Hint: Eq. (20) gives

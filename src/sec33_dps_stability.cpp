@@ -185,7 +185,7 @@ so nearly a sine.
 |---|---|---|---|
 | margin $m_2/\mu-\frac23$ | positive; negative | [4.85298e-6 ± 6e-17](num:sec33_dps_stability.margin_site) | [-4.85327e-6 ± 9e-18](num:sec33_dps_stability.margin_bond) |
 | $\lvert\lambda\rvert/\mu$ | real; imaginary | [0.00155771 ± 9e-15](num:sec33_dps_stability.exponent_site) | [0.00155778 ± 1e-15](num:sec33_dps_stability.exponent_bond) |
-| norm, relative to the other's | | | [-1.33110e-6 ± 1e-19](num:sec32_dps_profiles.norm_gap_relative) | */
+| norm, relative to the other's | | | [-1.331e-6](cell:sec32_dps_profiles/norms/gap) | */
 void report_margins(Report& report) {
   Table& table = report.table(
       "margins", {label("centre", "site or bond"), number("mu", "frequency"),

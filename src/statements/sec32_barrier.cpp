@@ -47,7 +47,7 @@ Estimate mean_ratio(const Data& pairs, const Data& frequencies) {
 
 STATEMENT("pn.omega11") {
   answer(table("key_pairs").at("s", linear, "omega", 1.1)["equal_frequency"]);
-  accuracy(fact("hidden_energy"));
+  accuracy(table("accuracy")["energy"]);
 }
 
 STATEMENT("pn.small") {
@@ -59,7 +59,7 @@ STATEMENT("pn.omega15") {
 }
 
 STATEMENT("pn.harmonic_ratio") {
-  answer(fact("harmonic_ratio_soft"));
+  answer(table("key_pairs").at("s", soft, "omega", 1.3)["over_linear"]);
 }
 
 STATEMENT("pn.grows") {
@@ -84,7 +84,7 @@ STATEMENT("pn.grows") {
 }
 
 STATEMENT("pn.remains_small") {
-  answer(fact("largest_relative"));
+  answer(largest(table("barriers").where("omega", 1.005, 2), "relative"), "relative");
 }
 
 STATEMENT("pn.ratio_smallest") {

@@ -3,7 +3,6 @@
 #include "lattice/orbits/continuation.hpp"
 
 #include "lattice/orbits/breather_pairs.hpp"
-#include "sec3/branches.hpp"
 #include "support/check.hpp"
 #include "support/return_error.hpp"
 
