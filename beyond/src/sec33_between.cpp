@@ -233,7 +233,7 @@ stable, between two unstable ones, with $\kappa =$ -1.73286e-11. (computed)
 The argument from two harmonics can be tested. Half way, at $a = 0$, all three curvatures are $16\pi^2|b|$ in size. So
 $\kappa$, proportional to minus the curvature, is as large there for the third breather as for the site-centred one,
 whose $\kappa$ has grown from zero over half the interval. Half of the interval times the slope
-[7.55e-8](num:sec33_floquet.exchange_slope) is within four per cent of the $\kappa$ that we find,
+[7.55e-8](cell:sec33_floquet/exchange/slope) is within four per cent of the $\kappa$ that we find,
 [1.26e-14](num:sec33_between.kappa_between_in_s). In the other family two harmonics are not enough: they would make
 $\kappa$ symmetric about the middle, and there it is larger towards the bond, by 30 per cent a tenth of a site from it.
 We do not know what determines the sign of $b$.
