@@ -386,8 +386,8 @@ void report_runs(Report& report, const std::vector<Group>& groups) {
 
 /**
 In the main reading every site-centred breather moves. Its control departs later for every seed, in the median after
-[863 ± 5](cell:departures/noise=complex/start=control/passage) instead of [2.3e2](cell:start=site/passage) units of time. So
-the component along the growing direction moves the breather, as the article says. But under the same noise five of
+[863 ± 5](cell:departures/noise=complex/start=control/passage) instead of [227](cell:start=site/passage) units of time.
+So the component along the growing direction moves the breather, as the article says. But under the same noise five of
 sixteen *stable* breathers move as well. The narrow reading separates the two: all sixteen leave a site and none leaves
 a bond. So does real noise, although it is slow, and some breathers only fall into the minimum beside their site. Noise
 proportional to $u_n$ drives all breathers from a site and most from a bond. (The errors are those of the runs and do
