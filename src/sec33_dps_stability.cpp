@@ -476,8 +476,8 @@ Estimate depinning_push(const PinnedBreather& bond, int halvings) {
 /**
 The threshold is [0.00654](cell:depinning/push), which is [1.02](cell:depinning/over_pendulum) times that of the
 pendulum. It predicts the fate of [16](cell:depinning/predicted) of the [16](cell:depinning/breathers) bond-centred
-breathers under the main noise. Norm and energy must be conserved well enough: a run stops if either drifts by more than $3\cdot10^{-8}$, a
-twentieth of what the push at the threshold adds to them. */
+breathers under the main noise. Norm and energy must be conserved well enough: a run stops if either drifts by more than
+$3\cdot10^{-8}$, a twentieth of what the push at the threshold adds to them. */
 void report_pendulum(Report& report, const std::vector<Group>& groups, const PinnedBreather& bond) {
   const Estimate push = depinning_push(bond, report.quick ? 3 : 9);
   // Pushes at a bond against the threshold, at both ends of its error

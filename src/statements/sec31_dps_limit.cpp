@@ -28,7 +28,7 @@ STATEMENT("dps.error_order") {
 }
 
 STATEMENT("dps.travelling_close") {
-  answer(mean_order(table("travelling_waves")), "");
+  answer(mean_order(table("travelling_waves").where("wavelength", 2, 4)), "");
 }
 
 STATEMENT("dps.wells_drop_out") {
