@@ -167,7 +167,6 @@ The article names no initial condition and no horizon (final time), so these are
 `impact` on the first bead, $A_1 = -i$, and a `pair` of neighbours in the middle that are pushed together and released,
 $A_{16} = 1$ and $A_{17} = -1$. The horizons are $\tau = 1$, 4 and 10. On 32 sites nothing reaches the far end within
 these times. */
-constexpr const char* starts[] = {"impact", "pair"};
 const std::vector<double> horizons{1, 4, 10};
 
 std::vector<Complex> start_of(std::size_t which) {
@@ -212,40 +211,40 @@ largest departure of any of the six.
 
 The mean is [1.498 ± 0.006](statement:dps.error_order), where the article has 3/2. The table `dps_error` has the
 constants, too, the error over $\epsilon^{3/2}$: between 1.5 and 7 after an impact, up to 19 for a pair. */
-Estimate local_order(const std::vector<Point>& points, std::size_t i, std::size_t k) {
-  const Point &large = points[i], &small = points[i + 1];
-  return order_between(large.eps, large.error[k], small.eps, small.error[k]);
-}
-
 void report_errors(Report& report, const Points& points) {
+  const char *start = "initial condition, 0: impact, 1: pair",
+             *tau = "slow time up to which the largest error is taken";
+
   // Panel (a): errors, and the lines of slope 3/2 through the points of smallest eps
-  const auto start = count("start", "initial condition, 0: impact, 1: pair");
-  const auto tau = number("tau", "slow time up to which the largest error is taken");
-  Table& errors = report.table(
-      "dps_error", {start, tau, number("eps", "amplitude scale epsilon of the motion"),
-                    estimate("error", "largest difference between chain and approximation"),
-                    number("constant", "error divided by eps^(3/2)"),
-                    number("line", "power law of exponent 3/2 through the point of smallest eps")});
+  Table& errors = report.table("dps_error");
+  const auto power = [](double eps) { return eps * std::sqrt(eps); };
   for (std::size_t k = 0; k < 3; ++k)
     for (std::size_t which = 0; which < 2; ++which)
       for (const Point& p : points[which]) {
         const Point& smallest = points[which].back();
-        const double ratio = p.eps / smallest.eps,
-                     line = smallest.error[k].value * (ratio * std::sqrt(ratio));
-        const double constant = p.error[k].value / (p.eps * std::sqrt(p.eps));
-        errors.add({which, horizons[k], p.eps, p.error[k], constant, line});
+        errors.add({{"start", start, which},
+                    {"tau", tau, horizons[k]},
+                    {"eps", "amplitude scale epsilon of the motion", p.eps},
+                    {"error", "largest difference between chain and approximation", p.error[k]},
+                    {"constant", "error divided by eps^(3/2)", p.error[k].value / power(p.eps)},
+                    {"line", "power law of exponent 3/2 through the point of smallest eps",
+                     smallest.error[k].value * power(p.eps / smallest.eps)}});
       }
-  // Panel (b): local orders, which approach 3/2 slowly
-  Table& orders = report.table(
-      "dps_order",
-      {start, tau, number("eps", "geometric mean of two neighbouring values of eps"),
-       estimate("order", "local order of the error in eps", "", "from the errors of both points")});
+
+  // Panel (b): local orders
+  Table& orders = report.table("dps_order");
   for (std::size_t which = 0; which < 2; ++which)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::vector<Point>& p = points[which];
-      for (std::size_t i = 0; i + 1 < p.size(); ++i)
-        orders.add({which, horizons[k], std::sqrt(p[i].eps * p[i + 1].eps), local_order(p, i, k)});
-    }
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t i = 0; i + 1 < points[which].size(); ++i) {
+        const Point &large = points[which][i], &small = points[which][i + 1];
+        orders.add({{"start", start, which},
+                    {"tau", tau, horizons[k]},
+                    {"eps", "geometric mean of two neighbouring values of eps",
+                     std::sqrt(large.eps * small.eps)},
+                    {"order", "local order of the error in eps",
+                     order_between(large.eps, large.error[k], small.eps, small.error[k]), "",
+                     "from the errors of both points"}});
+      }
 }
 
 /**

@@ -341,8 +341,8 @@ an error unless both tolerances give the same count; here they always do. */
 void run_trials(std::vector<Group>& groups, bool quick) {
   std::vector<std::pair<const Group*, NoiseTrial*>> all;
   for (Group& group : groups) {
-    for (std::size_t seed = 1; seed <= (quick ? group.seeds / 4 : group.seeds); ++seed)
-      group.trials.push_back({seed});
+    const std::size_t seeds = quick ? std::max<std::size_t>(1, group.seeds / 4) : group.seeds;
+    for (std::size_t seed = 1; seed <= seeds; ++seed) group.trials.push_back({seed});
     for (NoiseTrial& trial : group.trials) all.emplace_back(&group, &trial);
   }
   parallel_for("perturbed breathers", all.size(), [&](std::size_t i) {
