@@ -186,7 +186,7 @@ minimum. All largest moduli are below 1.001, as the article's conclusion says.
 
 The zero of $\kappa$ in $s$ is found by regula falsi in double precision, with two last steps in extended precision (a
 64-bit mantissa; exchange.hpp). Its error is that of $\kappa$ over the slope of $\kappa$, which is small: two digits of
-$s_0$ need $\kappa$ to $10^{-9}$.
+$s_0$ need $\kappa$ to $4\cdot10^{-10}$.
 
 <!-- exchange.equal -->
 At $\omega_b = 1.1$ the site- and bond-centred breathers exchange stability at almost the same anharmonicity, and not at
