@@ -289,8 +289,8 @@ how the path is smoothed. The last column has the same number by the methods of 
 | its time | [465.2 ± 0.4](num:sec1_the_chain.turning_time) | [467 ± 1](num:sec34_boomeron.apex_time_190) |
 | amplitude of the breather, $\omega_b = 1.1$ | [0.0107478 ± 5e-7](num:sec1_the_chain.amplitude) | 0.01075 (exercise 2) |
 | its energy | [0.00015359 ± 1e-8](num:sec1_the_chain.energy) | [0.0001536](cell:sec32_barrier/key_pairs/s=0/omega=1.1/energy_site) |
-| distance of the fifth multiplier from $+1$ | [0.229543 ± 3e-6](num:sec1_the_chain.fifth_distance) | [0.229543 ± 2e-12](num:sec33_floquet.fifth_distance) |
-| the largest distance of the four nearest to it | [0.003 ± 0.002](num:sec1_the_chain.fourth_distance) | [0.000214282 ± 1e-9](num:sec33_floquet.fourth_distance) |
+| distance of the fifth multiplier from $+1$ | [0.229543 ± 3e-6](num:sec1_the_chain.fifth_distance) | [0.229543](cell:sec33_floquet/spectra/centre=site/omega=1.1/s=0/fifth) |
+| the largest distance of the four nearest to it | [0.003 ± 0.002](num:sec1_the_chain.fourth_distance) | [0.000214](cell:sec33_floquet/spectra/centre=site/omega=1.1/s=0/fourth) |
 
 So speed, amplitude and energy are correct to at least four digits, the fifth multiplier to six, and the turning point
 to three in space and two in time. No digit of the four multipliers next to $+1$ is known. */

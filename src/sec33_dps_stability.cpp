@@ -183,22 +183,22 @@ so nearly a sine.
 
 | at $\mu = 1$ | article | around a site | around a bond |
 |---|---|---|---|
-| margin $m_2/\mu-\frac23$ | positive; negative | [4.85298e-6 ± 6e-17](num:sec33_dps_stability.margin_site) | [-4.85327e-6 ± 9e-18](num:sec33_dps_stability.margin_bond) |
-| $\lvert\lambda\rvert/\mu$ | real; imaginary | [0.00155771 ± 9e-15](num:sec33_dps_stability.exponent_site) | [0.00155778 ± 1e-15](num:sec33_dps_stability.exponent_bond) |
-| norm, relative to the other's | | | [-1.331e-6](cell:sec32_dps_profiles/norms/gap) | */
+| margin $m_2/\mu-\frac23$ | positive; negative | [4.8530e-6](cell:margins/centre=site/mu=1/margin) | [-4.8533e-6](cell:centre=bond/margin) |
+| $\lvert\lambda\rvert/\mu$ | real; imaginary | [0.00155771](cell:margins/centre=site/mu=1/exponent) | [0.00155778](cell:centre=bond/exponent) |
+| norm, relative to the other's | | | [-1.33110e-6 ± 1e-19](num:sec32_dps_profiles.norm_gap_relative) | */
 void report_margins(Report& report) {
   Table& table = report.table(
       "margins", {label("centre", "site or bond"), number("mu", "frequency"),
-                  estimate("margin", "m_2/mu - 2/3, positive if unstable", "", two_precisions)});
+                  estimate("margin", "m_2/mu - 2/3, positive if unstable", "", two_precisions),
+                  estimate("exponent", "|lambda|/mu of this pair", "", two_precisions)});
   for (const auto& [centre, name] : centres) {
     const auto m = contact_eigenvalues(stationary<long double>(centre, 1, sites_of(centre)));
     const Margin found = margin_of<Quadruple>(centre, 1, sites_of(centre));
     if (std::abs(instability_margin(1.0L, m[1]) - found.margin.value) > 1e-17L)
       throw Failure("two methods disagree on the second eigenvalue of the contact matrix");
-    report.facts.add(std::string("margin_") + name, found.margin, "mu");
-    report.facts.add(std::string("exponent_") + name, found.exponent, "mu");
-    table.add({name, 1.0, found.margin});
-    table.add({name, 10.0, margin_of<Quadruple>(centre, 10, sites_of(centre)).margin});
+    table.add({name, 1.0, found.margin, found.exponent});
+    const Margin ten = margin_of<Quadruple>(centre, 10, sites_of(centre));
+    table.add({name, 10.0, ten.margin, ten.exponent});
   }
 }
 
@@ -250,15 +250,18 @@ double measured_rate(const PinnedBreather& site, double size, const Accuracy& ac
 }
 
 /**
-At $\mu = 10$ the motion has $\lambda =$ [0.0156](num:sec33_dps_stability.rate_in_time), ten times the value of
-the table, as the law requires. */
+At $\mu = 10$ the motion has $\lambda =$ [0.01558](cell:growth_in_time/rate), ten times the value of the table, as the
+law requires. */
 void report_rate(Report& report, const PinnedBreather& site) {
   // At two tolerances and at ten times the displacement
   const double size = 1e-6 * std::abs(site.u[site_index(0, site.u.size())]);
   const Accuracy loose{1e-11, 1}, tight{1e-13, 2};
   Estimate rate = compare(measured_rate(site, size, loose), measured_rate(site, size, tight));
   rate.error += std::abs(rate.value - measured_rate(site, 10 * size, tight));
-  report.facts.add("rate_in_time", rate, rate_unit);
+  report
+      .table("growth_in_time", {estimate("rate", "growth rate of a small perturbation, mu = 10",
+                                         rate_unit, "from two tolerances and two sizes")})
+      .add({rate});
 }
 
 /**
@@ -277,8 +280,6 @@ struct Group {
   std::size_t seeds;
   double time, counted_by;
   NoiseTrials trials{};
-
-  std::string name() const { return std::string("_") + reading + "_" + start; }
 };
 
 std::vector<Group> groups_under_noise(const PinnedBreather& site, const PinnedBreather& bond) {
@@ -340,8 +341,8 @@ an error unless both tolerances give the same count; here they always do. */
 void run_trials(std::vector<Group>& groups, bool quick) {
   std::vector<std::pair<const Group*, NoiseTrial*>> all;
   for (Group& group : groups) {
-    for (std::size_t seed = 1; seed <= (quick ? group.seeds / 4 : group.seeds); ++seed)
-      group.trials.push_back({seed});
+    const std::size_t seeds = quick ? std::max<std::size_t>(1, group.seeds / 4) : group.seeds;
+    for (std::size_t seed = 1; seed <= seeds; ++seed) group.trials.push_back({seed});
     for (NoiseTrial& trial : group.trials) all.emplace_back(&group, &trial);
   }
   parallel_for("perturbed breathers", all.size(), [&](std::size_t i) {
@@ -352,10 +353,11 @@ void run_trials(std::vector<Group>& groups, bool quick) {
   });
 }
 
-const NoiseTrials& trials_of(const std::vector<Group>& groups, const char* name) {
+/// Those of the main reading.
+const NoiseTrials& trials_of(const std::vector<Group>& groups, const std::string& start) {
   for (const Group& group : groups)
-    if (group.name() == name) return group.trials;
-  throw Failure(std::string("no trials of ") + name);
+    if (std::string(group.reading) == "complex" && group.start == start) return group.trials;
+  throw Failure("no trials of " + start);
 }
 
 void report_runs(Report& report, const std::vector<Group>& groups) {
@@ -383,52 +385,54 @@ void report_runs(Report& report, const std::vector<Group>& groups) {
 }
 
 /**
-In the main reading every site-centred breather moves. Its control departs later for every seed; the ratio of the median
-times is [3.80](num:sec33_dps_stability.controls_delay). So the component along the growing direction moves the
-breather, as the article says. But under the same noise five of sixteen *stable* breathers move as well. The narrow
-reading separates the two: all sixteen leave a site and none leaves a bond. So does real noise, although it is slow, and
-some breathers only fall into the minimum beside their site. Noise proportional to $u_n$ drives all breathers from a
-site and most from a bond. (The errors are those of the runs and do not include the sampling error of six or sixteen
-seeds.)
+In the main reading every site-centred breather moves. Its control departs later for every seed, in the median after
+[863 ± 5](cell:departures/noise=complex/start=control/passage) instead of [227](cell:start=site/passage) units of time.
+So the component along the growing direction moves the breather, as the article says. But under the same noise five of
+sixteen *stable* breathers move as well. The narrow reading separates the two: all sixteen leave a site and none leaves
+a bond. So does real noise, although it is slow, and some breathers only fall into the minimum beside their site. Noise
+proportional to $u_n$ drives all breathers from a site and most from a bond. (The errors are those of the runs and do
+not include the sampling error of six or sixteen seeds.)
 
-| noise, its largest part | runs of each | from a site moved | from a bond left | counted by $t$ |
-|---|---|---|---|---|
-| complex, 0.01 (main) | [16](num:sec33_dps_stability.seeds_complex_site) | [16](num:sec33_dps_stability.moved_complex_site) | [5](num:sec33_dps_stability.left_complex_bond) | 500 |
-| its controls | [16](num:sec33_dps_stability.seeds_complex_site) | [0](num:sec33_dps_stability.moved_complex_control) | | 500 |
-| complex, 0.005 (narrow) | [16](num:sec33_dps_stability.seeds_narrow_site) | [14](num:sec33_dps_stability.moved_narrow_site), left [16](num:sec33_dps_stability.left_narrow_site) | [0](num:sec33_dps_stability.left_narrow_bond) | 500 |
-| real, 0.01 | [6](num:sec33_dps_stability.seeds_real_site) | [3](num:sec33_dps_stability.moved_real_site), left [6](num:sec33_dps_stability.left_real_site) | [0](num:sec33_dps_stability.left_real_bond) | 750 |
-| $0.01\,u_n$ | [6](num:sec33_dps_stability.seeds_relative_bond) | [6](num:sec33_dps_stability.moved_relative_site) | [5](num:sec33_dps_stability.left_relative_bond) | 750 |
+Does the breather survive? Around a bond its participation number, $(\sum|v_n|^2)^2/\sum|v_n|^4$, hardly grows under any
+of these noises.
 
-Does the breather survive? Around a bond its participation number, $(\sum|v_n|^2)^2/\sum|v_n|^4$, grows by no more than
-the factor [1.01](num:sec33_dps_stability.bond_robust_spread), under any of these noises. */
-void report_counts(Report& report, const std::vector<Group>& groups) {
-  // The structure, under noise of any kind
-  Estimate spread{};
-  for (const Group& group : groups)
-    if (group.breather.centre == Centre::bond)
-      spread = larger(spread, largest_spread(group.trials));
-  report.facts.add("bond_robust_spread", spread);
+| noise, its largest part | runs of each | left a site | moved on | left a bond | largest growth there | counted by $t$ |
+|---|---|---|---|---|---|---|
+| complex, 0.01 (main) | [16](cell:departures/noise=complex/start=site/seeds) | [16](cell:left) | [16](cell:moved) | [5](cell:departures/noise=complex/start=bond/left) | [1.005](cell:spread) | 500 |
+| its controls | [16](cell:departures/noise=complex/start=control/seeds) | [11](cell:left) | [0](cell:moved) | | | 500 |
+| complex, 0.005 (narrow) | [16](cell:departures/noise=narrow/start=site/seeds) | [16](cell:left) | [14](cell:moved) | [0](cell:departures/noise=narrow/start=bond/left) | [1.003](cell:spread) | 500 |
+| real, 0.01 | [6](cell:departures/noise=real/start=site/seeds) | [6](cell:left) | [3](cell:moved) | [0](cell:departures/noise=real/start=bond/left) | [1.002](cell:spread) | 750 |
+| $0.01\,u_n$ | [6](cell:departures/noise=relative/start=site/seeds) | [6](cell:left) | [6](cell:moved) | [5](cell:departures/noise=relative/start=bond/left) | [1.011](cell:spread) | 750 | */
+void report_departures(Report& report, const std::vector<Group>& groups) {
+  const char* exact_if = "exact where both tolerances agree";
+  Table& table = report.table("departures");
+  for (const Group& group : groups) {
+    const NoiseTrials& trials = group.trials;
+    table.add({{"noise", "complex (main), narrow, real or relative", group.reading},
+               {"start", "site, bond, or control", group.start},
+               {"seeds", "number of runs", trials.size()},
+               {"by", "time by which a departure counts", group.counted_by, "unit of time"},
+               {"left", "breathers whose |X| exceeds 1/2 by then",
+                passing(trials, 0.5, group.counted_by), "", exact_if},
+               {"moved", "breathers whose |X| exceeds 1 by then",
+                passing(trials, 1, group.counted_by), "", exact_if},
+               {"passage", "median time at which |X| exceeds 1, or end of the runs",
+                median_passage(trials)},
+               {"spread", "by which factor the participation number grows at most",
+                largest_spread(trials)}});
+  }
 
-  // The controls
-  const auto &free = trials_of(groups, "_complex_site"),
-             &controls = trials_of(groups, "_complex_control");
-  report.facts.add("controls_delay", delay_of(controls, free));
+  // Seed by seed
+  const NoiseTrials &free = trials_of(groups, "site"), &controls = trials_of(groups, "control");
   Table& pairs = report.table("controls");
   for (std::size_t k = 0; k < free.size(); ++k) {
     const auto is_later = [&](DpsRun NoiseTrial::*run) {
       return int((controls[k].*run).passage() > (free[k].*run).passage());
     };
-    pairs.add({{"seed", "of the noise", free[k].seed},
-               {"later", "1 if the control moves later than the breather under the whole noise",
-                compare(is_later(&NoiseTrial::coarse), is_later(&NoiseTrial::fine)), "",
-                "exact where both tolerances agree"}});
-  }
-
-  // All counts
-  for (const Group& group : groups) {
-    report.facts.add("seeds" + group.name(), exact(double(group.trials.size())));
-    report.facts.add("left" + group.name(), passing(group.trials, 0.5, group.counted_by));
-    report.facts.add("moved" + group.name(), passing(group.trials, 1, group.counted_by));
+    pairs.add(
+        {{"seed", "of the noise", free[k].seed},
+         {"later", "1 if the control moves later than the breather under the whole noise",
+          compare(is_later(&NoiseTrial::coarse), is_later(&NoiseTrial::fine)), "", exact_if}});
   }
 }
 
@@ -470,26 +474,29 @@ Estimate depinning_push(const PinnedBreather& bond, int halvings) {
 }
 
 /**
-The threshold is [0.00654](num:sec33_dps_stability.freeing_push), which is
-[1.02](num:sec33_dps_stability.freeing_push_over_pendulum) times that of the pendulum. It predicts the fate of
-[16](num:sec33_dps_stability.told_by_push) of the [16](num:sec33_dps_stability.seeds_complex_bond) bond-centred
-breathers. Norm and energy must be conserved well enough: a run stops if either drifts by more than $3\cdot10^{-8}$, a
-twentieth of what the push at the threshold adds to them. */
+The threshold is [0.00654](cell:depinning/push), which is [1.02](cell:depinning/over_pendulum) times that of the
+pendulum. It predicts the fate of [16](cell:depinning/predicted) of the [16](cell:depinning/breathers) bond-centred
+breathers under the main noise. Norm and energy must be conserved well enough: a run stops if either drifts by more than
+$3\cdot10^{-8}$, a twentieth of what the push at the threshold adds to them. */
 void report_pendulum(Report& report, const std::vector<Group>& groups, const PinnedBreather& bond) {
   const Estimate push = depinning_push(bond, report.quick ? 3 : 9);
-  report.facts.add("freeing_push", push);
-  report.facts.add("freeing_push_over_pendulum",
-                   {push.value / bond.freeing_push(), push.error / bond.freeing_push()});
-
   // Pushes at a bond against the threshold, at both ends of its error
   int told[2] = {};
-  for (const NoiseTrial& trial : trials_of(groups, "_complex_bond"))
+  const NoiseTrials& trials = trials_of(groups, "bond");
+  for (const NoiseTrial& trial : trials)
     for (const int end : {0, 1}) {
       const double threshold = end ? push.value + push.error : push.value - push.error;
       const bool pushed = std::abs(trial.kick.imag()) > threshold;
       told[end] += pushed == ((end ? trial.fine : trial.coarse).reaches(1) > 0);
     }
-  report.facts.add("told_by_push", compare(told[0], told[1]));
+  const char* how = "from two tolerances and the last bracket";
+  report.table("depinning")
+      .add({{"push", "least push that sets the bond-centred breather in motion", push, "", how},
+            {"over_pendulum", "the same over that of the pendulum",
+             Estimate{push.value / bond.freeing_push(), push.error / bond.freeing_push()}, "", how},
+            {"predicted", "bond-centred breathers under the main noise whose fate it predicts",
+             compare(told[0], told[1]), "", "exact where both ends of the error agree"},
+            {"breathers", "how many there are", trials.size()}});
 }
 
 /**
@@ -512,7 +519,7 @@ void reproduce(Report& report) {
   std::vector<Group> groups = groups_under_noise(site, bond);
   run_trials(groups, report.quick);
   report_runs(report, groups);
-  report_counts(report, groups);
+  report_departures(report, groups);
   report_pendulum(report, groups, bond);
   for (const Group& group : groups)
     if (std::string(group.reading) == "complex") report_map(report, group);

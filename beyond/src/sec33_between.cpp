@@ -235,7 +235,7 @@ stable, between two unstable ones, with $\kappa =$ -1.733e-11. (computed)
 The argument from two harmonics can be tested. Half way, at $a = 0$, all three curvatures are $16\pi^2|b|$ in size. So
 $\kappa$, proportional to minus the curvature, is as large there for the third breather as for the site-centred one,
 whose $\kappa$ has grown from zero over half the interval. Half of the interval times the slope
-[7.55e-8](num:sec33_floquet.exchange_slope) is within four per cent of the $\kappa$ that we find half way. In the other
+[7.55e-8](cell:sec33_floquet/exchange/slope) is within four per cent of the $\kappa$ that we find half way. In the other
 family two harmonics are not enough: they would make $\kappa$ symmetric about the middle, $Q = \frac14$, and there it is
 larger towards the bond. We do not know what determines the sign of $b$.
 

@@ -56,13 +56,6 @@ auto at_both(Of of) {
   return compare(of(&NoiseTrial::coarse), of(&NoiseTrial::fine));
 }
 
-double median_passage(const NoiseTrials& trials, DpsRun NoiseTrial::*run) {
-  std::vector<double> t;
-  for (const NoiseTrial& trial : trials) t.push_back((trial.*run).passage());
-  std::sort(t.begin(), t.end());
-  return t[t.size() / 2];
-}
-
 }  // namespace
 
 // Counts
@@ -83,9 +76,13 @@ Estimate largest_spread(const NoiseTrials& trials) {
   });
 }
 
-Estimate delay_of(const NoiseTrials& controls, const NoiseTrials& trials) {
-  return at_both(
-      [&](auto run) { return median_passage(controls, run) / median_passage(trials, run); });
+Estimate median_passage(const NoiseTrials& trials) {
+  return at_both([&](auto run) {
+    std::vector<double> t;
+    for (const NoiseTrial& trial : trials) t.push_back((trial.*run).passage());
+    std::sort(t.begin(), t.end());
+    return t[t.size() / 2];
+  });
 }
 
 }  // namespace lattice

@@ -74,7 +74,7 @@ Estimate passing(const NoiseTrials& trials, double distance, double by = HUGE_VA
 /// By which factor the number of sites on which these breathers live grows at most.
 Estimate largest_spread(const NoiseTrials& trials);
 
-/// How much later controls, which lack the translational mode, pass the next site: the ratio of the median times.
-Estimate delay_of(const NoiseTrials& controls, const NoiseTrials& trials);
+/// The median of the times at which these breathers pass the next site.
+Estimate median_passage(const NoiseTrials& trials);
 
 }  // namespace lattice

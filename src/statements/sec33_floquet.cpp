@@ -21,11 +21,11 @@ STATEMENT("floquet.spectrum") {
 }
 
 STATEMENT("floquet.s0_bond") {
-  answer(fact("exchange_bond"));
+  answer(table("exchange")["bond"]);
 }
 
 STATEMENT("floquet.s0_site") {
-  answer(fact("exchange_site"));
+  answer(table("exchange")["site"]);
 }
 
 STATEMENT("floquet.harmonic") {
@@ -42,7 +42,7 @@ STATEMENT("floquet.instability_size") {
 }
 
 STATEMENT("pinning.gradient") {
-  answer(fact("cosine_bond"));
+  answer(table("harmonic").at("centre", "bond")["cosine"]);
 }
 
 STATEMENT("outlook.sign_of_s") {
@@ -59,11 +59,11 @@ STATEMENT("outlook.sign_of_s") {
 }
 
 STATEMENT("floquet.weaker") {
-  answer(fact("rate_exponent"));
+  answer(table("slow_limit")["exponent"]);
 }
 
 STATEMENT("exchange.equal") {
-  const Estimate site = fact("exchange_site"), bond = fact("exchange_bond");
+  const Estimate site = table("exchange")["site"], bond = table("exchange")["bond"];
   less(site, bond);
   within(site, 0.15, 0.155);
   less(bond - site, 1e-6);

@@ -48,7 +48,7 @@ def pinning(level):
         grid = (0.0, 0.15, 0.155)
         chains = [Chain(s=s, **PRECISE[level]) for s in grid]
         found = [kappa(chain, site, breather(chain, site, level)) for chain in chains]
-        rows.append((f"sec33_floquet.kappa_{kind}", found[0], rounding,
+        rows.append((f"sec33_floquet/harmonic/centre={kind}/kappa", found[0], rounding,
                      "(lambda + 1/lambda - 2)/4 of the translation mode; omega 1.1; s = 0"))
         zero = np.polyval(np.polyfit(np.array(found) * 1e8, grid, 2), 0.0)
         rows.append((f"floquet.s0_{kind}", zero, rounding * 0.005 / abs(found[2] - found[1]),
