@@ -185,7 +185,7 @@ so nearly a sine.
 |---|---|---|---|
 | margin $m_2/\mu-\frac23$ | positive; negative | [4.8530e-6](cell:margins/centre=site/mu=1/margin) | [-4.8533e-6](cell:centre=bond/margin) |
 | $\lvert\lambda\rvert/\mu$ | real; imaginary | [0.00155771](cell:margins/centre=site/mu=1/exponent) | [0.00155778](cell:centre=bond/exponent) |
-| norm, relative to the other's | | | [-1.33110e-6 ± 1e-19](num:sec32_dps_profiles.norm_gap_relative) | */
+| norm, relative to the other's | | | [-1.331e-6](cell:sec32_dps_profiles/norms/gap) | */
 void report_margins(Report& report) {
   Table& table = report.table(
       "margins", {label("centre", "site or bond"), number("mu", "frequency"),
