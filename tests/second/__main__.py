@@ -1,6 +1,7 @@
 """python3 -m second [--write] [GROUP ...]: compute all or some groups of numbers; write them as the tables of their volumes."""
 import argparse
 import csv
+import re
 import time
 from pathlib import Path
 
@@ -28,10 +29,10 @@ for group in options.groups or GROUPS:
         rows.append((name, repr(float(value)), error, UNITS.get(name, ""), method))
         print(*rows[-1])
     print(f"{group}: {time.process_time() - start:.1f} s", flush=True)
-# A claim, or a fact of a program of the article, is of the first volume
+# A claim, or a number of a program of the article, is of the first volume
 SECOND = {path.stem for path in Path("beyond/src").glob("sec*.cpp")}
 for volume in (Path("."), Path("beyond")) if options.write else ():
-    mine = [row for row in rows if (row[0].split(".")[0] in SECOND) == (volume.name == "beyond")]
+    mine = [row for row in rows if (re.split("[./]", row[0])[0] in SECOND) == (volume.name == "beyond")]
     types = "".join(f"# - {{name: '{name}', unit: '', datatype: {text}}}\n" for name, text in COLUMNS.items())
     with open(volume / "paper/second.ecsv", "w", encoding="ascii") as file:
         file.write("# %ECSV 1.0\n# ---\n# delimiter: ','\n# datatype:\n" + types + "# schema: astropy-2.0\n")

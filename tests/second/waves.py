@@ -40,9 +40,9 @@ def breathers(level):
         y, v = chain.run(*expand(seed(x)), PERIOD / 2)
         return np.vstack([y[1:] + y[:0:-1], v[1:] - v[:0:-1], y[:1], v[:1]])
     chain, rows = Chain(**PRECISE[level]), []
-    for name, sign, kind in (("plus", -1, "lowest"), ("minus", 1, "highest")):
+    for sign, kind in ((-1, "lowest"), (1, "highest")):
         y, v = expand(newton(rest, guess(sign, (7, 8)[level]), 1e-12)[0][:, None])
-        rows.append((f"sec5_kernel_equation.energy_{name}", chain.energies(y, v).sum(), 5e-15,
+        rows.append((f"sec5_kernel_equation/waves/k=1/sign={-sign}/energy", chain.energies(y, v).sum(), 5e-15,
                      f"energy; d even about its {kind} point; T = 2 pi"))
     return rows
 
