@@ -15,8 +15,9 @@ COLUMNS = {"quantity": "string, description: 'name of the number'",
            "error": "float64, description: 'difference of the two accuracies plus rounding'",
            "unit": "string, description: 'empty in the scaled units of the article'",
            "method": "string, description: 'definition'"}
-UNITS = {"sec5_experiment.recipe_7000": "um", "sec34_boomeron.apex_site_190": "site",
-         "sec5_experiment.sites_undamped": "sites", "sec5_experiment.sites_10ms": "sites"}
+UNITS = {"sec5_experiment/folds/frequency=7000/fold": "um", "sec34_boomeron.apex_site_190": "site",
+         "sec5_experiment/journeys/velocity=1/lifetime=0/sites": "site",
+         "sec5_experiment/journeys/velocity=1/lifetime=10/sites": "site"}
 
 parser = argparse.ArgumentParser(prog="second", description=__doc__)
 parser.add_argument("groups", nargs="*", metavar="GROUP", help="of " + ", ".join(GROUPS))
