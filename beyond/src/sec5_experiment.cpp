@@ -349,9 +349,8 @@ void report_instability(Report& report) {
 /**
 ## A piston at one end
 
-All beams have one frequency, 6.31 kHz, so that linear waves carry no energy. A
-piston with a higher frequency therefore moves the first few beads only. But contacts harden: breathers have a higher
-frequency than the beams. We drive 120 beads at 7000 Hz, with $T_E = 10$ ms, and count what passes bead 20
+All beams have one frequency, 6.31 kHz, so that linear waves carry no energy. A piston with a higher frequency therefore
+moves the first few beads only. But contacts harden: breathers have a higher frequency than the beams. We drive 120 beads at 7000 Hz, with $T_E = 10$ ms, and count what passes bead 20
 (`drive_chain`, driven_array.hpp). A packet passes when the largest energy density of this bead in a period of the
 piston rises fourfold and above 0.03 $u_0^2$; it must fall to half before the next one counts. */
 constexpr std::size_t detector = 20;
@@ -542,10 +541,10 @@ that is switched on at once sends a first packet from 6.09 ± 0.01 µm on and ke
 error the fold of the non-emitting motion, 6.97 µm. (computed)
 <!-- /driving.onset -->
 
-In between the array emits or not, depending on its history: this is the hysteresis. The
-asymptotic value of the fold is [6.2 ± 0.9](cell:folds/frequency=7000/asymptotic) µm; the fold lies above it by the
-departure of figure x27 c. A sudden drive shakes the first bead more than the non-emitting motion does, so that packets may leave
-below the threshold of lasting emission before the end falls silent.
+In between the array emits or not, depending on its history: this is the hysteresis. The asymptotic value of the fold is
+[6.2 ± 0.9](cell:folds/frequency=7000/asymptotic) µm; the fold lies above it by the departure of figure x27 c. A sudden
+drive shakes the first bead more than the non-emitting motion does, so that packets may leave below the threshold of
+lasting emission before the end falls silent.
 
 ## One map (figure x28)
 
@@ -693,11 +692,12 @@ exponent by the root of their size. Four waves below $\frac\pi2$ show no growth 
 struct ChainPoint {
   ModulatedWave wave;
   double eps;
-};
+  Estimate growth{};
 
-Estimate growth_at(const ChainPoint& p) {
-  return compare(chain_rates(p.wave, p.eps, 12).growth, chain_rates(p.wave, p.eps, 24).growth);
-}
+  void measure() {
+    growth = compare(chain_rates(wave, eps, 12).growth, chain_rates(wave, eps, 24).growth);
+  }
+};
 
 std::vector<ChainPoint> chain_points(const std::vector<ModulatedWave>& waves,
                                      const std::vector<double>& sizes) {
@@ -717,39 +717,37 @@ void report_below_quarter(Report& report) {
                              "against the largest: only its size counts, known to 200 per cent")});
   table.fill(
       chain_points({{32, 7, 0}, {16, 3, 0}, {8, 1, 0}, {12, 2, 0}}, {1e-2, 1e-3, 1e-4, 1e-6}),
-      [](const ChainPoint& p) {
-        return Cells{p.wave.sites, p.wave.waves, p.eps, growth_at(p)};
+      [](ChainPoint& p) {
+        p.measure();
+        return Cells{p.wave.sites, p.wave.waves, p.eps, p.growth};
       });
 }
 
-/// Growth rates of one wave at smaller and smaller amplitudes.
-struct Approach {
-  std::vector<double> eps;
-  std::vector<Estimate> growth;
-  double dps;  ///< that of the DpS equation
-
-  /// The power of eps with which the rate tends to that limit, between the amplitudes k - 1 and k.
-  Estimate order(std::size_t k) const {
-    if (dps == 0) return order_between(eps[k - 1], growth[k - 1], eps[k], growth[k]);
-    const auto apart = [&](std::size_t i) { return std::abs(growth[i].value / dps - 1); };
-    return std::log10(apart(k - 1) / apart(k)) / std::log10(eps[k - 1] / eps[k]);
-  }
-};
+/// The power of eps with which the rate tends to that of the DpS equation, between two amplitudes of a wave.
+Estimate order(const ChainPoint& large, const ChainPoint& small) {
+  const double dps = largest_growth(large.wave);
+  if (dps == 0) return order_between(large.eps, large.growth, small.eps, small.growth);
+  const auto apart = [&](const ChainPoint& p) { return std::abs(p.growth.value / dps - 1); };
+  return std::log10(apart(large) / apart(small)) / std::log10(large.eps / small.eps);
+}
 
 void report_chain(Report& report) {
-  const std::vector<ModulatedWave> waves{{8, 4, 1}, {12, 4, 2}, {16, 5, 2}, {8, 2, 4}};
   const std::vector<double> sizes{1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7};
+  std::vector<ChainPoint> points =
+      chain_points({{8, 4, 1}, {12, 4, 2}, {16, 5, 2}, {8, 2, 4}}, sizes);
   Table& table = report.table(
       "chain_growth", {count("sites", "of the ring"), count("waves", "on the ring"),
                        number("q", "wavenumber", "1/site"), number("eps", "amplitude scale"),
                        estimate("dps", "largest growth rate on the ring in the DpS equation", "",
                                 "against the largest: rounding"),
                        estimate("growth", "largest growth rate on the ring in the chain")});
-  table.fill(chain_points(waves, sizes), [](const ChainPoint& p) {
+  const auto row = [](ChainPoint& p) {
+    p.measure();
     return Cells{
         p.wave.sites, p.wave.waves, p.wave.wave().q, p.eps, Estimate{largest_growth(p.wave)},
-        growth_at(p)};
-  });
+        p.growth};
+  };
+  table.fill(points, row);
 
   // Orders between the smallest amplitudes; the next pair tells how far each is from its limit
   Table& orders = report.table(
@@ -757,16 +755,16 @@ void report_chain(Report& report) {
       {count("sites", "of the ring"), count("waves", "on the ring"),
        estimate("order", "power of eps with which the rate tends to that of the DpS equation", "",
                 "difference from the next larger amplitudes, known to 5 per cent")});
-  const auto growth = table.numbers("growth"), error = table.numbers("growth_error");
-  for (std::size_t w = 0; w < waves.size(); ++w) {
-    Approach rates{sizes, {}, largest_growth(waves[w])};
-    for (std::size_t k = 0; k < sizes.size(); ++k)
-      rates.growth.push_back({growth[sizes.size() * w + k], error[sizes.size() * w + k]});
-    orders.add({waves[w].sites, waves[w].waves,
-                compare(rates.order(sizes.size() - 2), rates.order(sizes.size() - 1))});
+  for (std::size_t last = sizes.size() - 1; last < points.size(); last += sizes.size()) {
+    const ChainPoint* at = &points[last];
+    orders.add(
+        {at->wave.sites, at->wave.waves, compare(order(at[-2], at[-1]), order(at[-1], *at))});
   }
 
-  const auto run = [&](double step) { return growth_in_run(waves[0], 1e-3, step) / growth[1]; };
+  const ChainPoint& one = points[1];
+  const auto run = [&](double step) {
+    return growth_in_run(one.wave, one.eps, step) / one.growth.value;
+  };
   report
       .table("run_of_a_wave",
              {estimate("over_eigenvalue",
@@ -776,9 +774,8 @@ void report_chain(Report& report) {
 
 /**
 In the array of section 3.6 a wave with $q = \pi$ and an amplitude of one micrometre has its fastest growth among the
-modulations of a ring of 62 sites, e-fold in [15.6](cell:one_micrometre/chain) periods of a beam, and in
-the DpS equation in [14.0](cell:one_micrometre/dps). Both go nearly like the amplitude to the power
-$-\frac12$. */
+modulations of a ring of 62 sites, e-fold in [15.6](cell:one_micrometre/chain) periods of a beam, and in the DpS
+equation in [14.0](cell:one_micrometre/dps). Both go nearly like the amplitude to the power $-\frac12$. */
 void report_array(Report& report) {
   const double eps = 1 / units.micrometres(1) / 2;
   const auto periods = [&](auto growth) {
