@@ -19,12 +19,9 @@ where $d(t)$ is the compression that every contact sees in its own time, and $*$
 solution where an integral is largest. It is complete on this page, and nobody outside has refereed it. */
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "lattice/numerics/parallel.hpp"
@@ -197,10 +194,20 @@ $m$ sites, or for masses of period $m$ in wells of one frequency, the resonance 
 
 Newton's method (kernel_wave.hpp) finds two even solutions for each $k$, one with the central contact closed at $t = 0$
 and one with it open (panel b). They are the two orbits of the chapter before, named by the sign of the central
-velocity $\dot y_0$ at the instant at which positions are odd. Two grids give the errors. At $k = 1$ both have the
-energy [0.181](num:sec5_kernel_equation.energy_plus); the next chapter proves that they exist and that their actions
-differ, in the eleventh digit. The sign plus, whose phase is pinned, has the smaller action, so the wave minus is not
-the maximum of the theorem. Whether the wave plus is remains open. Panel c shows how fast both fall. */
+velocity $\dot y_0$ at the instant at which positions are odd. Two grids give the errors. The product $Ek^4$, which
+stays between two constants for the maximum of the theorem, falls more and more slowly.
+
+| | $k = 1$ | $k = 3$ | $k = 6$ |
+|---|---|---|---|
+| energy $E$, sign plus | [0.18083](cell:waves/k=1/sign=1/energy) | [8.958e-4](cell:k=3/energy) | [4.301e-5](cell:k=6/energy) |
+| $Ek^4$, sign plus | [0.1808](cell:waves/k=1/sign=1/scaled_energy) | [0.0726](cell:k=3/scaled_energy) | [0.0557](cell:k=6/scaled_energy) |
+| largest compression, sign plus | [0.446](cell:waves/k=1/sign=1/peak) | [0.0417](cell:k=3/peak) | [0.00995](cell:k=6/peak) |
+| the same, sign minus | [0.457](cell:waves/k=1/sign=-1/peak) | [0.0420](cell:k=3/peak) | [0.00993](cell:k=6/peak) |
+
+The signs differ in their largest compression, but have the same energy to nine digits at $k = 1$, and to rounding for
+slower waves. At $k = 1$ the next chapter proves that both exist and that their actions differ, in the eleventh digit.
+The sign plus, whose phase is pinned, has the smaller action, so the wave minus is not the maximum of the theorem.
+Whether the wave plus is remains open. Panel c shows how fast both fall. */
 std::vector<TwoGridWave> waves(const std::vector<std::size_t>& ks) {
   std::vector<std::vector<TwoGridWave>> found(2 * ks.size());
   parallel_for(found.size(), [&](std::size_t i) {
@@ -231,14 +238,12 @@ void report_waves(Report& report, const std::vector<TwoGridWave>& all) {
                 estimate("quotient", "Q, the action to the power -1/5"),
                 estimate("peak", "largest compression"),
                 count("contacts", "number of time intervals in which a contact is closed"),
-                number("scaled_energy", "energy times k^4")});
+                estimate("scaled_energy", "energy times k^4")});
   for (const TwoGridWave& w : all) {
-    const Estimate energy = w(&KernelWave::energy);
-    table.add({w.k, w.sign, energy, w(&KernelWave::action), w(&KernelWave::quotient),
-               w(&KernelWave::peak), w.fine().contacts(), energy.value * std::pow(double(w.k), 4)});
+    const auto scaled = [&](const KernelWave& g) { return g.energy() * std::pow(double(w.k), 4); };
+    table.add({w.k, w.sign, w(&KernelWave::energy), w(&KernelWave::action),
+               w(&KernelWave::quotient), w(&KernelWave::peak), w.fine().contacts(), w(scaled)});
   }
-  report.facts.add("energy_plus", all[0](&KernelWave::energy));
-  report.facts.add("energy_minus", all[1](&KernelWave::energy));
 }
 
 // A profile is symmetric, and its tail falls so fast that only the logarithm shows it
@@ -273,42 +278,6 @@ std::vector<double> contact_exponents(bool quick) {
           3,    3.2, 3.4,  3.6,  3.8, 4,    4.5,  5,    5.5,  6,   6.5,  7,    7.5,  8};
 }
 
-/// Whether the phase of the larger quotient is pinned and that of the smaller is not.
-bool larger_is_pinned(const TwoSigns& c) {
-  const double sign = std::copysign(1.0, c.difference().value);
-  return sign * c.kappa_plus.value < 0 && sign * c.kappa_minus.value > 0;
-}
-
-/**
-
-<!-- travelling.exchanges -->
-For contact laws $r_+^\alpha$ with $\alpha$ between 1.38 and 8 the two even travelling waves with $k = 1$ exchange at
-least nine times which of them has the larger Rayleigh-type quotient, last at $\alpha =$ 5.82355. Nearby, but not at the
-same exponent, they exchange which of them has a pinned phase: between 3.10381 and 3.10475 both have, between 5.79556
-and 5.85298 neither has. (computed)
-<!-- /travelling.exchanges -->
-
-Beyond the largest exchange, up to $\alpha = 8$, the sign minus has the larger
-quotient. At [35](num:sec5_kernel_equation.phases_agree) of the [35](num:sec5_kernel_equation.phases_compared) exponents
-at which the difference and $\kappa$ are beyond their errors, the phase of the larger quotient is pinned and that of the
-other is not. It is not a law: between the exchanges of the table it fails, and with larger exponents in
-`contact_exponents` neither phase is pinned beyond $\alpha = 8.5$.
-
-| exchange | of the quotients, $\alpha$ | phase plus pinned | phase minus pinned |
-|---|---|---|---|
-| 1 | [5.82355 ± 9e-13](num:sec5_kernel_equation.exchange_1) | up to [5.79556 ± 8e-9](num:sec5_kernel_equation.kappa_plus_exchange_1) | from [5.85298 ± 9e-11](num:sec5_kernel_equation.kappa_minus_exchange_1) on |
-| 2 | [3.10428 ± 3e-12](num:sec5_kernel_equation.exchange_2) | from [3.10381 ± 6e-9](num:sec5_kernel_equation.kappa_plus_exchange_2) on | up to [3.10475 ± 8e-10](num:sec5_kernel_equation.kappa_minus_exchange_2) |
-| 3 | [2.30736 ± 2e-11](num:sec5_kernel_equation.exchange_3) | | |
-| 4 | [1.94497 ± 5e-10](num:sec5_kernel_equation.exchange_4) | | |
-| 5 | [1.73825 ± 5e-9](num:sec5_kernel_equation.exchange_5) | | |
-| 6 | [1.60461 ± 1e-7](num:sec5_kernel_equation.exchange_6) | | |
-| 7 | [1.51174 ± 8e-7](num:sec5_kernel_equation.exchange_7) | | |
-| 8 | [1.44347 ± 6e-6](num:sec5_kernel_equation.exchange_8) | | |
-| 9 | [1.3909 ± 0.0002](num:sec5_kernel_equation.exchange_9) | | |
-
-Stability does not pass from one sign to the other at a single exponent. At the second exchange both phases are pinned
-over a short range of $\alpha$, at the first one neither is: a third wave, without symmetry, should exist at both.
-(Another program finds one near $\alpha = 3.104$, with a quotient below both.) */
 void report_quotients(Report& report, const std::vector<TwoSigns>& all) {
   Table& table = report.table(
       "quotients",
@@ -322,35 +291,69 @@ void report_quotients(Report& report, const std::vector<TwoSigns>& all) {
                 "against the largest: difference of two grids and tolerances; may be nan"),
        estimate("kappa_minus", "kappa of the internal phase; nan where it is rounding", "",
                 "against the largest: difference of two grids and tolerances; may be nan")});
-  int compared = 0, agree = 0;
-  const auto certain = [](const Estimate& e) { return std::abs(e.value) > e.error; };
   for (const TwoSigns& c : all) {
     const Estimate apart = c.difference();
     table.add({c.alpha, c.plus(&KernelWave::quotient), c.minus(&KernelWave::quotient), apart,
                std::log10(std::max(std::abs(apart.value), 1e-16)), c.kappa_plus, c.kappa_minus});
-    if (!certain(apart) || !certain(c.kappa_plus) || !certain(c.kappa_minus)) continue;
-    ++compared, agree += larger_is_pinned(c);
   }
-  report.facts.add("phases_compared", exact(compared));
-  report.facts.add("phases_agree", exact(agree));
 }
 
-// The exchanges are numbered from large alpha to small; those of stability are looked for at the first two
+/**
+At every exponent of the list from 3/2 on the phase of the wave with the larger quotient is pinned and that of the other
+is not. It is not a law: between the exchanges of the table below it fails, and with larger exponents in
+`contact_exponents` neither phase is pinned beyond $\alpha = 8.5$.
+
+<!-- travelling.exchanges -->
+For contact laws $r_+^\alpha$ with $\alpha$ between 1.38 and 8 the two even travelling waves with $k = 1$ exchange at
+least nine times which of them has the larger Rayleigh-type quotient, last at $\alpha =$ 5.82355. Nearby, but not at the
+same exponent, they exchange which of them has a pinned phase: between 3.10381 and 3.10475 both have, between 5.79556
+and 5.85298 neither has. (computed)
+<!-- /travelling.exchanges -->
+
+Beyond the largest exchange, up to $\alpha = 8$, the sign minus has the larger quotient.
+
+| exchange | of the quotients, $\alpha$ | phase plus pinned | phase minus pinned |
+|---|---|---|---|
+| 1 | [5.82355](cell:exchanges/exchange=1/alpha) | up to [5.79556](cell:alpha_plus) | from [5.85298](cell:alpha_minus) on |
+| 2 | [3.10428](cell:exchanges/exchange=2/alpha) | from [3.10381](cell:alpha_plus) on | up to [3.10475](cell:alpha_minus) |
+| 3 | [2.307](cell:exchanges/exchange=3/alpha) | | |
+| 4 | [1.945](cell:exchanges/exchange=4/alpha) | | |
+| 5 | [1.738](cell:exchanges/exchange=5/alpha) | | |
+| 6 | [1.605](cell:exchanges/exchange=6/alpha) | | |
+| 7 | [1.512](cell:exchanges/exchange=7/alpha) | | |
+| 8 | [1.443](cell:exchanges/exchange=8/alpha) | | |
+| 9 | [1.391](cell:exchanges/exchange=9/alpha) | | |
+
+Stability does not pass from one sign to the other at a single exponent. At the second exchange both phases are pinned
+over a short range of $\alpha$, at the first one neither is: a third wave, without symmetry, should exist at both.
+(Another program finds one near $\alpha = 3.104$, with a quotient below both.) */
+struct Exchange {
+  std::size_t number;
+  const TwoSigns &low, &high;  // the exponents on either side
+};
+
+// Numbered from large alpha to small; kappa is looked for at the first two
 void report_exchanges(Report& report, const std::vector<TwoSigns>& all) {
-  const std::vector<std::size_t> where = exchanges_among(all);
-  const std::size_t stabilities = report.quick ? 0 : 2 * std::min<std::size_t>(2, where.size());
-  std::vector<Estimate> found(stabilities + where.size());
-  parallel_for("exchanges", found.size(), [&](std::size_t job) {
-    const std::size_t i = where[job < stabilities ? job / 2 : job - stabilities];
-    found[job] = job < stabilities ? exchange_of_stability(all[i], all[i + 1], job % 2 ? -1 : 1)
-                                   : exchange_of_quotients(all[i], all[i + 1]);
-  });
-  for (std::size_t i = 0; i < where.size(); ++i)
-    report.facts.add("exchange_" + std::to_string(i + 1), found[i + stabilities], "alpha");
-  for (std::size_t job = 0; job < stabilities; ++job)
-    report.facts.add(
-        (job % 2 ? "kappa_minus_exchange_" : "kappa_plus_exchange_") + std::to_string(job / 2 + 1),
-        found[job], "alpha");
+  Table& table = report.table(
+      "exchanges",
+      {count("exchange", "number of the exchange, from large exponents to small"),
+       estimate("alpha", "exponent at which the quotients are equal", "",
+                "difference of two grids, and rounding"),
+       estimate("alpha_plus", "exponent at which kappa of the sign plus is zero", "",
+                "difference of two grids and tolerances; nan where it is not looked for"),
+       estimate("alpha_minus", "exponent at which kappa of the sign minus is zero", "",
+                "difference of two grids and tolerances; nan where it is not looked for")});
+  std::vector<Exchange> found;
+  for (std::size_t i : exchanges_among(all))
+    found.push_back({found.size() + 1, all[i], all[i + 1]});
+  const std::size_t searched = report.quick ? 0 : 2;
+  const auto row = [&](const Exchange& e) {
+    const auto phase = [&](int sign) {
+      return e.number > searched ? undefined : exchange_of_stability(e.low, e.high, sign);
+    };
+    return Cells{e.number, exchange_of_quotients(e.low, e.high), phase(1), phase(-1)};
+  };
+  table.fill(found, row, "exchanges");
 }
 
 /**
@@ -358,17 +361,16 @@ void report_exchanges(Report& report, const std::vector<TwoSigns>& all) {
 
 Along the family that begins at $T = 2\pi$ (kernel_wave.hpp) $V$ changes its sign. The zero is the first orbit of type
 II of the chapter on exact travelling breathers, found here by another method, with $T/2\pi =$
-[0.897](num:sec5_kernel_equation.turns_type_two). */
+[0.897](cell:type_two/turns). */
 void report_type_two(Report& report) {
-  std::array<std::vector<KernelWave>, 2> found;
-  parallel_for(2, [&](std::size_t i) {
-    const KernelWave start = wave_of_type_one(1, 1, hertz, usual_grids[i]);
-    found[i].push_back(wave_of_type_two(start, 0.87 * two_pi, 0.03 * two_pi, usual_grids[i]));
-  });
-  const KernelWave &coarse = found[0][0], &fine = found[1][0];
-  report.facts.add("turns_type_two",
-                   compare(coarse.shift_time() / two_pi, fine.shift_time() / two_pi),
-                   "shift time over 2 pi");
+  const auto turns = [](const WaveGrid& grid) {
+    const KernelWave start = wave_of_type_one(1, 1, hertz, grid);
+    return wave_of_type_two(start, 0.87 * two_pi, 0.03 * two_pi, grid).shift_time() / two_pi;
+  };
+  report
+      .table("type_two", {estimate("turns", "shift time of the first wave of type II, over 2 pi",
+                                   "", "difference of two grids")})
+      .add({compare(turns(usual_grids[0]), turns(usual_grids[1]))});
 }
 
 /**
@@ -428,7 +430,8 @@ void reproduce(Report& report) {
 /**
 ## Try it
 
-*To change it*: `contact_exponents` lists the exponents of panel d, and `wave_on_two_grids` takes any other.
+**To change it.** The exponents of panel d are `contact_exponents`, which the statement reads from 3/2 to 8; the $k$ of
+`waves` stand in `reproduce`. `wave_on_two_grids` computes any other wave.
 
 1. *Easy.* Slow breathers are small. What is the energy of the one with two oscillations a site?
    `build/bin/sec5_kernel_equation wave --k 2` gives `energy` = 0.00581039.

@@ -132,14 +132,13 @@ So at each instant all $|d_n|$ are equal. If the orbit is localized they vanish,
 ## How exact they are
 
 For $k = 1$ to 3 we repeat Newton's method in extended precision, let each orbit flow over a whole shift, without its
-symmetry, and compare it with itself one site further on. It agrees to [1e-16](num:sec5_travelling_breathers.missed) of
-its amplitude. A small residual is no proof that an orbit exists. That there is one for every $k$ is proved in
+symmetry, and compare it with itself one site further on. All six agree to within $10^{-15}$ of their amplitude (table
+`exactness`). A small residual is no proof that an orbit exists. That there is one for every $k$ is proved in
 `sec5_kernel_equation`, that both of $k = 1$ exist in `sec5_enclosures`.
 
-The fastest orbit of type I, $k = 1$, has the energy [0.181](num:sec5_travelling_breathers.energy_plus) with the sign
-plus. With the sign minus it is higher by only [7.84e-11](num:sec5_travelling_breathers.energy_difference): the two are
-nearly the same packet at two phases of its internal oscillation. (At equal $T$; a barrier would compare them at equal
-action.) */
+The fastest orbit of type I, $k = 1$, has the energy [0.181](cell:orbits/type=1/k=1/sign=1/energy) with the sign plus.
+With the sign minus it is higher by only [7.84e-11](cell:exactness/k=1/energy_difference): the two are nearly the same
+packet at two phases of its internal oscillation. (At equal $T$; a barrier would compare them at equal action.) */
 Orbit<long double> in_extended_precision(const Exact& e) {
   NewtonRule<long double> rule;
   rule.events.tolerance /= 2;
@@ -147,19 +146,26 @@ Orbit<long double> in_extended_precision(const Exact& e) {
 }
 
 void report_exactness(Report& report, const std::vector<Exact>& all) {
-  double worst = 0, energy[2];
-  long double wide_energy[2];
-  for (int i : {0, 1})
-    for (std::size_t k : {3, 2, 1}) {
-      const Exact& e = orbit_of(all, k, i ? -1 : 1);
-      const Orbit<long double> wide = in_extended_precision(e);
-      worst = std::max(worst, missed(type_one<long double>(k).chain, wide));
-      energy[i] = e.orbit.energy, wide_energy[i] = wide.energy;
-    }
-  report.facts.add("missed", {worst, worst}, "largest of k = 1, 2, 3, relative to amplitude");
-  report.facts.add("energy_plus", compare(energy[0], double(wide_energy[0])));
-  report.facts.add("energy_difference",
-                   compare(energy[1] - energy[0], double(wide_energy[1] - wide_energy[0])));
+  const std::string only_size = "only its size counts, known to 100 per cent";
+  Table& table = report.table(
+      "exactness",
+      {count("k", "oscillations per site"),
+       estimate("missed_plus", "by how much the orbit with the sign plus misses itself",
+                "amplitude", only_size),
+       estimate("missed_minus", "the same of that with the sign minus", "amplitude", only_size),
+       estimate("energy_difference", "energy of that with the sign minus, minus that with plus", "",
+                "against the largest: difference of two precisions")});
+  for (std::size_t k : {1, 2, 3}) {
+    const Exact &plus = orbit_of(all, k, 1), &minus = orbit_of(all, k, -1);
+    const auto wide_plus = in_extended_precision(plus), wide_minus = in_extended_precision(minus);
+    const auto size = [&](const Orbit<long double>& wide) {
+      const double most = missed(type_one<long double>(k).chain, wide);
+      return Estimate{most, most};
+    };
+    table.add({k, size(wide_plus), size(wide_minus),
+               compare(minus.orbit.energy - plus.orbit.energy,
+                       double(wide_minus.energy - wide_plus.energy))});
+  }
 }
 
 /**
@@ -226,30 +232,40 @@ void report_maps(Report& report, const Exact& e) {
 The multipliers per shift, the eigenvalues of the flow over $T$ read one site further on, say whether a small
 disturbance of the eighteen sites grows. Two of them are one: a change of the speed neither grows nor dies out. The pair
 $\lambda$, $1/\lambda$ of the internal phase has $\kappa = (\lambda+\lambda^{-1}-2)/4$, and the phase is pinned if
-$\kappa<0$. With the sign plus $\kappa =$ [-8.89e-11](num:sec5_travelling_breathers.kappa_k1_plus): it is pinned. With
-the sign minus $\kappa =$ [8.89e-11](num:sec5_travelling_breathers.kappa_k1_minus), and it grows by
-[1.89e-5](num:sec5_travelling_breathers.growth_k1_minus) per shift. The other multipliers lie inside the unit circle, at
-most [0.871](num:sec5_travelling_breathers.next_modulus_k1_plus), though nothing is damped: a free oscillation of the
-beads is left behind, and the disturbance with it.
+$\kappa<0$. The other multipliers lie inside the unit circle, though nothing is damped: a free oscillation of the beads
+is left behind, and the disturbance with it.
+
+| $k = 1$, sign | plus | minus |
+|---|---|---|
+| $\kappa$ of the internal phase | [-8.888e-11](cell:stability/sign=1/kappa) | [8.9e-11](cell:sign=-1/kappa) |
+| its growth per shift | none: pinned | [1.89e-5](cell:stability/sign=-1/growth) |
+| largest modulus of the others | [0.8706](cell:stability/sign=1/others) | [0.8706](cell:sign=-1/others) |
 
 <!-- travelling.stability -->
 A small disturbance of the fastest travelling breather of type I ($T = 2\pi k$ with $k = 1$) has three parts. A change
 of speed persists. The internal phase is pinned if the central velocity has the sign plus (its pair of multipliers over
-one shift has $\kappa =$ -8.8883e-11) and unstable if it has the sign minus, growing by the fraction 1.8856e-5 per
-shift. In the co-moving frame everything else is eventually multiplied by 0.870581 or less per shift. (computed)
+one shift has $\kappa =$ -8.888e-11) and unstable if it has the sign minus, growing by the fraction 1.89e-5 per shift.
+In the co-moving frame everything else is eventually multiplied by 0.8706 or less per shift. (computed)
 <!-- /travelling.stability --> */
-void report_stability(Report& report, const Exact& e) {
-  const auto in_double = phase_and_rest(type_one<double>(e.k), e.orbit, {});
-  const auto wide = phase_and_rest(type_one<long double>(e.k), in_extended_precision(e), {});
-  const Estimate kappa = compare(in_double.first, wide.first);
-  const std::string name = e.sign > 0 ? "_k1_plus" : "_k1_minus";
-  report.facts.add("kappa" + name, kappa);
-  if (e.sign < 0)
-    report.facts.add("growth" + name,
-                     {2 * std::asinh(std::sqrt(kappa.value)), kappa.error / std::sqrt(kappa.value)},
-                     "per shift");
-  else
-    report.facts.add("next_modulus" + name, compare(in_double.second, wide.second));
+void report_stability(Report& report, const std::vector<Exact>& orbits) {
+  Table& table = report.table(
+      "stability",
+      {count("k", "oscillations per site"), count("sign", "sign of the central velocity"),
+       estimate("kappa", "kappa of the internal phase over one shift", "",
+                "difference of two precisions"),
+       estimate("growth", "growth of a shift of the phase, logarithm of its multiplier; 0: pinned",
+                "", "from that of kappa; 0 where exact"),
+       estimate("others", "largest modulus of the multipliers not near one", "",
+                "difference of two precisions")});
+  for (const Exact& e : orbits) {
+    const auto in_double = phase_and_rest(type_one<double>(e.k), e.orbit, {});
+    const auto wide = phase_and_rest(type_one<long double>(e.k), in_extended_precision(e), {});
+    const Estimate kappa = compare(in_double.first, wide.first);
+    const double root = std::sqrt(std::max(kappa.value, 0.0));
+    const Estimate growth =
+        root > 0 ? Estimate{2 * std::asinh(root), kappa.error / root} : exact(0);
+    table.add({e.k, e.sign, kappa, growth, compare(in_double.second, wide.second)});
+  }
 }
 
 /**
@@ -287,7 +303,7 @@ std::vector<Family> families(bool quick) {
   std::vector<Family> all{{1, 1, 0.88}};
   if (!quick) all = {{1, 1, 0.70}, {1, -1, 0.70}, {2, 1, 1.50}, {3, 1, 2.60}, {4, 1, 3.70}};
   parallel_for(all.size(), [&](std::size_t i) {
-    follow(all[i], quick ? 0.2 : i < 2 ? 0.06 : 0.1);
+    follow(all[i], quick ? 0.2 : all[i].k == 1 ? 0.06 : 0.1);
   });
   return all;
 }
@@ -328,29 +344,32 @@ void report_left_behind(Report& report, const std::vector<Family>& all) {
 }
 
 /**
-Beside the orbits of type I, $k = 1$ to 6 with both signs, the chart shows those of type II on the five families,
-[18](num:sec5_travelling_breathers.found_type_two) in all. On the family of $k = 1$ the first two lie at $T/2\pi =$
-[0.897](num:sec5_travelling_breathers.turns_type_two_1) and [0.833](num:sec5_travelling_breathers.turns_type_two_2). */
-void report_orbits(Report& report, std::vector<Exact> orbits, const std::vector<Family>& all) {
-  int found = 0;
-  for (const Family& f : all)
-    for (const Exact& e : f.found) ++found, orbits.push_back(e);
-  report.facts.add("found_type_two", exact(found));
-  for (std::size_t i = 0; i < std::min<std::size_t>(2, all[0].found.size()); ++i) {
-    const Estimate& t = all[0].found[i].time;
-    report.facts.add("turns_type_two_" + std::to_string(i + 1),
-                     {t.value / two_pi, t.error / two_pi}, "shift time over 2 pi");
-  }
+Beside the orbits of type I, $k = 1$ to 6 with both signs, the chart shows those of type II on the five families. Along
+a family the energy grows as the shift time falls.
+
+| orbits of type II, $T/2\pi$ | first | second | third | fourth |
+|---|---|---|---|---|
+| $k = 1$, sign plus | [0.8974](cell:orbits/type=2/k=1/sign=1/number=1/turns) | [0.8329](cell:number=2/turns) | [0.7993](cell:number=3/turns) | [0.7258](cell:number=4/turns) |
+| $k = 1$, sign minus | [0.8974](cell:orbits/type=2/k=1/sign=-1/number=1/turns) | [0.8328](cell:number=2/turns) | [0.7951](cell:number=3/turns) | [0.7289](cell:number=4/turns) |
+| $k = 2$, sign plus | [1.940](cell:orbits/type=2/k=2/sign=1/number=1/turns) | [1.869](cell:number=2/turns) | [1.779](cell:number=3/turns) | [1.658](cell:number=4/turns) |
+| energy, $k = 1$, plus | [1.31](cell:orbits/type=2/k=1/sign=1/number=1/energy) | [4.36](cell:number=2/energy) | [8.12](cell:number=3/energy) | [32.4](cell:number=4/energy) | */
+void report_orbits(Report& report, const std::vector<Exact>& type_one,
+                   const std::vector<Family>& all) {
   Table& table = report.table(
       "orbits",
       {count("type", "1 or 2"), count("k", "k of the type I orbit at which the family begins"),
        count("sign", "sign of the central velocity"),
+       count("number", "place among the orbits of type II of the family; 0: type I"),
        estimate("turns", "shift time over 2 pi", "", "difference of two precisions; 0 where exact"),
        estimate("energy", "energy", "", "difference of two computations")});
-  for (const Exact& e : orbits)
-    if (e.type == 2 || e.k <= 6)
-      table.add(
-          {e.type, e.k, e.sign, Estimate{e.time.value / two_pi, e.time.error / two_pi}, e.energy});
+  const auto add = [&](const Exact& e, std::size_t number) {
+    table.add({e.type, e.k, e.sign, number, Estimate{e.time.value / two_pi, e.time.error / two_pi},
+               e.energy});
+  };
+  for (const Exact& e : type_one)
+    if (e.k <= 6) add(e, 0);
+  for (const Family& f : all)
+    for (std::size_t i = 0; i < f.found.size(); ++i) add(f.found[i], i + 1);
 }
 
 /**
@@ -368,17 +387,9 @@ In hard wells the branches of the fastest exact travelling breathers of type I t
 0.0103004 for $k = 1$, 0.325582 for $k = 2$ and 1.90266 for $k = 3$. (computed)
 <!-- /travelling.wells -->
 
-Those
-of the sign minus and of type II were not followed.
-
-| $k$ | fold at $s =$ |
-|---|---|
-| 1 | [0.0103004 ± 2e-9](num:sec5_travelling_breathers.fold_k1) |
-| 2 | [0.325582 ± 5e-7](num:sec5_travelling_breathers.fold_k2) |
-| 3 | [1.90266 ± 2e-11](num:sec5_travelling_breathers.fold_k3) |
-
-The branches are shown for a limited number of steps within $|s|\le3$ and $T\ge\pi$, which are our choice, or until
-Newton's method fails, which seems to happen where a bead of the tail only just touches its neighbour.
+Those of the sign minus and of type II were not followed. The branches are shown for a limited number of steps within
+$|s|\le3$ and $T\ge\pi$, which are our choice, or until Newton's method fails, which seems to happen where a bead of the
+tail only just touches its neighbour.
 
 ![Exact breathers in soft and hard wells.](fig:x21) */
 using Points = std::vector<std::pair<double, double>>;  // s and T/2pi
@@ -400,7 +411,7 @@ Points branch_points(const Orbit<double>& start, int direction, int steps) {
 }
 
 void report_branches(Report& report, const std::vector<Exact>& starts) {
-  // The folds come from shorter steps than the branches
+  // The folds (table `folds`) come from shorter steps than the branches
   std::vector<Estimate> folds(starts.size());
   std::vector<Points> hard(starts.size()), soft = hard;
   parallel_for(starts.size(), [&](std::size_t i) {
@@ -413,8 +424,10 @@ void report_branches(Report& report, const std::vector<Exact>& starts) {
                                 count("direction", "direction in which s changes at the start"),
                                 number("s", "anharmonicity of the well"),
                                 number("turns", "shift time over 2 pi")});
+  Table& first = report.table("folds");
   for (std::size_t i = 0; i < starts.size(); ++i) {
-    report.facts.add("fold_k" + std::to_string(starts[i].k), folds[i], "s");
+    first.add({{"k", "k of the orbit at which the branch begins, s = 0", starts[i].k},
+               {"s", "anharmonicity at its first fold in hard wells", folds[i]}});
     for (const auto& [s, turns] : hard[i]) table.add({starts[i].k, 1, s, turns});
     for (const auto& [s, turns] : soft[i]) table.add({starts[i].k, -1, s, turns});
   }
@@ -439,8 +452,8 @@ a decade, with means since the row before.
 <!-- travelling.packets -->
 Over sixteen thousand sites no exact orbit that we know captures the packets of two impacts on linear wells, $v_0 =
 0.66$ and $1.5$. The beads left behind oscillate more and more in phase with their neighbours, and the tail decays with
-this: over the last decade of sites with the exponent -0.72067 after the weaker impact. Extrapolated, the shift times
-tend to $T/2\pi =$ 1.1566 and 0.847. (observed)
+this: over the last decade of sites with the exponent -0.721 after the weaker impact. Extrapolated, the shift times tend
+to $T/2\pi =$ 1.157 and 0.847 ± 0.001. (observed)
 <!-- /travelling.packets --> */
 struct Frame {
   std::size_t sites, drop;  // how many beads it has, how many are dropped at a time
@@ -492,8 +505,8 @@ How should the tail fall? The pulse of force in one contact gives a bead the com
 one takes it back, turned by $\vartheta$. So the bead keeps $|z| \simeq |\vartheta|\,|g|$, and with it the energy
 $|z|^2/2$, which the packet loses. If the packet's energy is linear in $\vartheta$ and $|g|$ tends to a constant, then
 $1/\vartheta$ grows linearly with $n$, and the tail falls like $1/n$. It does not yet: $1/\vartheta$ grows more and more
-slowly (figure x22b), and over the last decade of sites the tail after $v_0 = 0.66$ has the exponent
-[-0.721](num:sec5_travelling_breathers.tail_exponent_v66). Its final law is open.
+slowly (figure x22b), and over the last decade of sites the exponent of the tail is nearer to zero than $-1$. Its final
+law is open.
 
 Each impact is followed twice, the second time in a longer frame with half the step. The end of a packet is read off
 straight lines in $\vartheta$ through the last half decade of sites, at $\vartheta = 0$. A quarter of a decade and a
@@ -542,10 +555,11 @@ $2\pi$, which at the end is more than ten thousand times as much.
 
 | at the end | after $v_0 = 0.66$ | after $v_0 = 1.5$ |
 |---|---|---|
-| $T/2\pi$ | [1.1566 ± 0.0003](num:sec5_travelling_breathers.final_turns_v66) | [0.847 ± 0.001](num:sec5_travelling_breathers.final_turns_v150) |
-| $cE^{-1/4}$ of the packet | [0.25467 ± 3e-5](num:sec5_travelling_breathers.final_scaled_speed_v66) | [0.2312 ± 0.0002](num:sec5_travelling_breathers.final_scaled_speed_v150) |
-| $cE^{-1/4}$ on the line | [0.25466 ± 2e-5](num:sec5_travelling_breathers.type_one_scaled_speed_v66) | [0.2312 ± 0.0001](num:sec5_travelling_breathers.type_one_scaled_speed_v150) |
-| turn of the internal phase per site | [0.8867 ± 0.0001](num:sec5_travelling_breathers.turn_end_v66) | | */
+| exponent of the tail | [-0.721](cell:packet_ends/velocity=0.66/tail_exponent) | [-0.68](cell:velocity=1.5/tail_exponent) |
+| $T/2\pi$ | [1.1566 ± 0.0003](cell:packet_ends/velocity=0.66/turns) | [0.847 ± 0.001](cell:velocity=1.5/turns) |
+| $cE^{-1/4}$ of the packet | [0.25467 ± 3e-5](cell:packet_ends/velocity=0.66/scaled_speed) | [0.2312 ± 0.0002](cell:velocity=1.5/scaled_speed) |
+| $cE^{-1/4}$ on the line | [0.25466 ± 2e-5](cell:packet_ends/velocity=0.66/on_line) | [0.2312 ± 0.0001](cell:velocity=1.5/on_line) |
+| turn of the internal phase per site | [0.887](cell:packet_ends/velocity=0.66/phase_turn) | [-1.09](cell:velocity=1.5/phase_turn) | */
 using TypeOneLine = std::vector<std::pair<double, double>>;  // speed and scaled speed, k = 7 to 1
 
 TypeOneLine line_of_type_one() {
@@ -570,19 +584,32 @@ double scaled_speed(const TypeOneLine& line, double c, std::size_t from = 0) {
   return sum;
 }
 
-// Where a packet ends, and where the line is there
-void report_end(Quantities& facts, const std::string& name, const TwoRuns<Course>& runs,
-                const TypeOneLine& line) {
-  const auto on_line = [&](std::size_t from) {
-    return at_the_end(runs, [&](double c, double) { return scaled_speed(line, c, from); });
-  };
-  Estimate there = on_line(0);
-  there.error += std::abs(on_line(1).value - there.value);
-  facts.add("final_turns" + name,
-            at_the_end(runs, [](double c, double) { return 1 / (two_pi * c); }));
-  facts.add("final_scaled_speed" + name,
-            at_the_end(runs, [](double c, double energy) { return c / std::pow(energy, 0.25); }));
-  facts.add("type_one_scaled_speed" + name, there);
+// Where each packet ends, and where the line is there
+void report_ends(Report& report, const std::vector<double>& velocities,
+                 const std::vector<TwoRuns<Course>>& runs, const TypeOneLine& line) {
+  const auto turn = [](const Course& c) { return 1 / c.back().speed - c.back().angle - two_pi; };
+  const char *two = "difference of two frames and steps",
+             *end = "from two frames and steps, and from other stretches of the line";
+  Table& table = report.table("packet_ends");
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const auto on_line = [&](std::size_t from) {
+      return at_the_end(runs[k], [&](double c, double) { return scaled_speed(line, c, from); });
+    };
+    Estimate there = on_line(0);
+    there.error += std::abs(on_line(1).value - there.value);
+    table.add(
+        {{"velocity", "velocity of the impact", velocities[k]},
+         {"turns", "shift time over 2 pi at theta = 0, extrapolated",
+          at_the_end(runs[k], [](double c, double) { return 1 / (two_pi * c); }), "", end},
+         {"scaled_speed", "c E^(-1/4) of the packet there",
+          at_the_end(runs[k], [](double c, double energy) { return c / std::pow(energy, 0.25); }),
+          "", end},
+         {"on_line", "the same on the line of type I", there, "", end},
+         {"tail_exponent", "exponent of the tail over the last decade of sites",
+          runs[k].of(tail_exponent), "", two},
+         {"phase_turn", "turn of the internal phase per site in the last row, T - theta - 2 pi",
+          runs[k].of(turn), "", two}});
+  }
 }
 
 // Row by row: the tail, its phase, and the packet
@@ -615,11 +642,7 @@ void report_packets(Report& report) {
   });
   report_courses(report, impacts, runs);
   const TypeOneLine line = line_of_type_one();
-  for (std::size_t k = 0; k < runs.size(); ++k)
-    report_end(report.facts, "_v" + short_text(100 * impacts[k]), runs[k], line);
-  report.facts.add("tail_exponent_v66", runs[0].of(tail_exponent));
-  const auto turn = [](const Course& c) { return 1 / c.back().speed - c.back().angle - two_pi; };
-  report.facts.add("turn_end_v66", runs[0].of(turn), "of the internal phase from site to site");
+  report_ends(report, impacts, runs, line);
   // The line as a curve in the plane of shift time and energy
   Table& table = report.table(
       "line_of_type_one", {count("exact", "1: an orbit, 0: a point between orbits"),
@@ -646,7 +669,7 @@ equations and two integrators agree:
 
 | limit of small amplitude | DpS equation | chain, $k\to\infty$ |
 |---|---|---|
-| $E/c^4$ | [65.5523 ± 8e-13](num:sec5_travelling_breathers.dps_energy_over_c4) | [65.56 ± 0.01](num:sec5_travelling_breathers.limit_of_type_one) | */
+| $E/c^4$ | [65.55](cell:small_amplitude/equation=dps/energy) | [65.56 ± 0.01](cell:equation=chain/energy) | */
 double limit_of(const std::vector<Exact>& orbits) {
   double sum = 0;
   for (std::size_t i = orbits.size() - 3; i < orbits.size(); ++i) {
@@ -660,15 +683,18 @@ double limit_of(const std::vector<Exact>& orbits) {
 }
 
 void report_small_amplitude(Report& report, const std::vector<Exact>& plus) {
-  report.facts.add("limit_of_type_one",
-                   compare(limit_of({plus.begin(), plus.end() - 1}), limit_of(plus)),
-                   "of energy over the fourth power of the speed");
   const auto dps = [](double tolerance) {
     const DpsTravelling problem{.tolerance = tolerance};
     const DpsMember breather = dps_member(problem, cut_dps_packet(40, problem.half_length));
     return 2 * breather.norm * std::pow(problem.shift_time, 4);
   };
-  report.facts.add("dps_energy_over_c4", compare(dps(1e-12), dps(1e-13)));
+  Table& table = report.table(
+      "small_amplitude",
+      {label("equation", "dps, or chain: its orbits of type I, extrapolated to k = infinity"),
+       estimate("energy", "over the fourth power of the speed", "",
+                "two tolerances, or without the slowest orbit")});
+  table.add({"dps", compare(dps(1e-12), dps(1e-13))});
+  table.add({"chain", compare(limit_of({plus.begin(), plus.end() - 1}), limit_of(plus))});
 }
 
 /**
@@ -686,9 +712,9 @@ Letters in Mathematical Physics 106, 2016, arXiv:1502.01995); here the well itse
 travelling breathers were computed by James (Philosophical Transactions A 376, 20170138, 2018), who finds tails except
 at particular parameters.
 
-**To change it.** Families are the list in `families`, impacts that in `report_packets`, with frames in `frames`. Wells
-are the second member of `Chain`; but then the frequency of a passed bead depends on its amplitude, and $\vartheta$
-means less. */
+**To change it.** Families are the list in `families`, impacts that in `report_packets`, with frames in `frames`. The
+wells of the packets are the second member of `Chain` in `follow`; in others than linear ones the frequency of a passed
+bead depends on its amplitude, and $\vartheta$ means less. */
 void reproduce(Report& report) {
   std::vector<std::size_t> from_five{5, 6, 8};
   if (!report.quick) from_five.insert(from_five.end(), {10, 15, 20});
@@ -701,8 +727,7 @@ void reproduce(Report& report) {
   report_exactness(report, all);
   report_profiles(report, {plus, minus, orbit_of(all, 3, 1)});
   report_maps(report, plus);
-  report_stability(report, plus);
-  report_stability(report, minus);
+  report_stability(report, {plus, minus});
   // Families in T and in s
   const std::vector<Family> found = families(report.quick);
   report_left_behind(report, found);

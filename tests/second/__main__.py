@@ -1,6 +1,7 @@
 """python3 -m second [--write] [GROUP ...]: compute all or some groups of numbers; write them as the tables of their volumes."""
 import argparse
 import csv
+import re
 import time
 from pathlib import Path
 
@@ -14,8 +15,9 @@ COLUMNS = {"quantity": "string, description: 'name of the number'",
            "error": "float64, description: 'difference of the two accuracies plus rounding'",
            "unit": "string, description: 'empty in the scaled units of the article'",
            "method": "string, description: 'definition'"}
-UNITS = {"sec5_experiment.recipe_7000": "um", "sec34_boomeron.apex_site_190": "site",
-         "sec5_experiment.sites_undamped": "sites", "sec5_experiment.sites_10ms": "sites"}
+UNITS = {"sec5_experiment/folds/frequency=7000/fold": "um", "sec34_boomeron.apex_site_190": "site",
+         "sec5_experiment/journeys/velocity=1/lifetime=0/sites": "site",
+         "sec5_experiment/journeys/velocity=1/lifetime=10/sites": "site"}
 
 parser = argparse.ArgumentParser(prog="second", description=__doc__)
 parser.add_argument("groups", nargs="*", metavar="GROUP", help="of " + ", ".join(GROUPS))
@@ -28,10 +30,10 @@ for group in options.groups or GROUPS:
         rows.append((name, repr(float(value)), error, UNITS.get(name, ""), method))
         print(*rows[-1])
     print(f"{group}: {time.process_time() - start:.1f} s", flush=True)
-# A claim, or a fact of a program of the article, is of the first volume
+# A claim, or a number of a program of the article, is of the first volume
 SECOND = {path.stem for path in Path("beyond/src").glob("sec*.cpp")}
 for volume in (Path("."), Path("beyond")) if options.write else ():
-    mine = [row for row in rows if (row[0].split(".")[0] in SECOND) == (volume.name == "beyond")]
+    mine = [row for row in rows if (re.split("[./]", row[0])[0] in SECOND) == (volume.name == "beyond")]
     types = "".join(f"# - {{name: '{name}', unit: '', datatype: {text}}}\n" for name, text in COLUMNS.items())
     with open(volume / "paper/second.ecsv", "w", encoding="ascii") as file:
         file.write("# %ECSV 1.0\n# ---\n# delimiter: ','\n# datatype:\n" + types + "# schema: astropy-2.0\n")

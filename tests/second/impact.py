@@ -64,10 +64,11 @@ def turning(level):
 def packet(level):
     """Impact of 1 m/s on the array of cantilevers: contacts reached after 10 ms, without and with losses."""
     rows, target = [], 10e-3 / TIME
-    for nu, name in ((0.0, "sec5_experiment.sites_undamped"), (DAMPING, "sec5_experiment.sites_10ms")):
+    for nu, lifetime in ((0.0, 0), (DAMPING, 10)):
         when = contacts(Chain(nu=nu, **LONG[level]), (50, 60)[level], TIME / LENGTH, 1.3 * target)
         reached = np.flatnonzero(when > target)[0] + 1
-        rows.append((name, np.interp(target, when[:reached], np.arange(reached)), 1e-13,
+        rows.append((f"sec5_experiment/journeys/velocity=1/lifetime={lifetime}/sites",
+                     np.interp(target, when[:reached], np.arange(reached)), 1e-13,
                      "contacts after the first; linear at 10 ms between the times of strongest force"))
     return rows
 
@@ -89,4 +90,4 @@ def fold(level):
         last, old, place = place, slope[-1], place + move
         x, slope = orbit(x + slope * move)
     text = "first maximum of the piston's amplitude along the orbits of its period; 7000 Hz; energy lost in 10 ms"
-    return [("sec5_experiment.recipe_7000", x[-1] * LENGTH * 1e6, 1e-9, text)]
+    return [("sec5_experiment/folds/frequency=7000/fold", x[-1] * LENGTH * 1e6, 1e-9, text)]

@@ -7,9 +7,8 @@ import numpy as np
 from .chain import Chain, PRECISE, newton, seed
 
 PERIOD, GRID = 2 * np.pi, 48
-# name: sites in one wavelength, sites of the ring, amplitude
-POINTS = {"growth_3_8_4": (2, 8, 1e-3), "growth_3_12_4": (3, 12, 1e-3), "growth_quarter_6": (4, 8, 1e-6),
-          "growth_quarter_4": (4, 8, 1e-4), "growth_quarter_3": (4, 8, 1e-3), "growth_quarter_2": (4, 8, 1e-2)}
+# waves of the ring, its sites, and eps
+POINTS = ((4, 8, 1e-3), (4, 12, 1e-3), (2, 8, 1e-6), (2, 8, 1e-4), (2, 8, 1e-3), (2, 8, 1e-2))
 
 
 def guess(sign, beads):
@@ -40,9 +39,9 @@ def breathers(level):
         y, v = chain.run(*expand(seed(x)), PERIOD / 2)
         return np.vstack([y[1:] + y[:0:-1], v[1:] - v[:0:-1], y[:1], v[:1]])
     chain, rows = Chain(**PRECISE[level]), []
-    for name, sign, kind in (("plus", -1, "lowest"), ("minus", 1, "highest")):
+    for sign, kind in ((-1, "lowest"), (1, "highest")):
         y, v = expand(newton(rest, guess(sign, (7, 8)[level]), 1e-12)[0][:, None])
-        rows.append((f"sec5_kernel_equation.energy_{name}", chain.energies(y, v).sum(), 5e-15,
+        rows.append((f"sec5_kernel_equation/waves/k=1/sign={-sign}/energy", chain.energies(y, v).sum(), 5e-15,
                      f"energy; d even about its {kind} point; T = 2 pi"))
     return rows
 
@@ -70,10 +69,12 @@ def plane_wave(chain, sites, eps):
 def rates(level):
     """Growth rates per unit slow time, from the multipliers of advance and shift on the whole ring."""
     chain, rows = Chain(ring=True, **PRECISE[level]), []
-    for name, (sites, ring, eps) in POINTS.items():
+    for waves, ring, eps in POINTS:
+        sites = ring // waves
         x, delay = plane_wave(chain, sites, eps)
         end = shifted(chain, seed(np.tile(x.reshape(2, -1), ring // sites).ravel()), delay)
         time, fastest = delay * np.sqrt(eps), np.abs(np.linalg.eigvals(end[:, 1:])).max()
-        rows.append(("sec5_experiment." + name, np.log(fastest) / time, 1e-14 / time,
+        rows.append((f"sec5_experiment/chain_growth/sites={ring}/waves={waves}/eps={eps:g}/growth",
+                     np.log(fastest) / time, 1e-14 / time,
                      f"fastest growth per slow time on a ring of {ring}; q = 2 pi/{sites}; eps = {eps:g}"))
     return rows

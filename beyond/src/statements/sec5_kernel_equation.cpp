@@ -1,19 +1,25 @@
 /**
 # Statements of section 5: A theorem: exact travelling breathers exist */
 
-#include <string>
-
 #include "report/statement.hpp"
 
 using namespace lattice;
 
 STATEMENT("travelling.exchanges") {
   // The last and the ninth exchange of the quotients
-  less(5, fact("exchange_1"));
-  less(fact("exchange_9"), 1.4);
+  const Data exchanges = table("exchanges");
+  less(5, exchanges.at("exchange", 1)["alpha"]);
+  less(exchanges.at("exchange", 9)["alpha"], 1.4);
 
   // Those of the pinned phase are not at the same exponent for both signs
-  for (const std::string exchange : {"exchange_1", "exchange_2"})
-    less(fact("kappa_plus_" + exchange), fact("kappa_minus_" + exchange));
-  less(34, fact("phases_agree"));  // of 35 exponents
+  for (int exchange : {1, 2}) {
+    const auto row = exchanges.at("exchange", exchange);
+    less(row["alpha_plus"], row["alpha_minus"]);
+  }
+
+  // The larger quotient has the pinned phase
+  for (const auto& row : table("quotients").where("alpha", 1.5, 8)) {
+    less(row["difference"] * row["kappa_plus"], 0);
+    less(0, row["difference"] * row["kappa_minus"]);
+  }
 }
