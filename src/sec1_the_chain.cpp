@@ -285,8 +285,8 @@ how the path is smoothed. The last column has the same number by the methods of 
 | number | here | the book's |
 |---|---|---|
 | speed of the packet, $v_0 = 1$, $s = 0$ | [0.18780 ± 1e-5](num:sec1_the_chain.speed) | 0.18780 (exercise 1) |
-| turning point, $v_0 = 1.9$, $s = 1$, site | [20.055 ± 0.008](num:sec1_the_chain.turning_site) | [20.065 ± 0.006](num:sec34_boomeron.apex_site_190) |
-| its time | [465.2 ± 0.4](num:sec1_the_chain.turning_time) | [467 ± 1](num:sec34_boomeron.apex_time_190) |
+| turning point, $v_0 = 1.9$, $s = 1$, site | [20.055 ± 0.008](num:sec1_the_chain.turning_site) | [20.065 ± 0.006](cell:sec34_boomeron/turns/velocity=1.9/apex_site) |
+| its time | [465.2 ± 0.4](num:sec1_the_chain.turning_time) | [467 ± 1](cell:sec34_boomeron/turns/velocity=1.9/apex_time) |
 | amplitude of the breather, $\omega_b = 1.1$ | [0.0107478 ± 5e-7](num:sec1_the_chain.amplitude) | 0.01075 (exercise 2) |
 | its energy | [0.00015359 ± 1e-8](num:sec1_the_chain.energy) | [0.000153599 ± 4e-20](num:sec32_barrier.energy_110_site) |
 | distance of the fifth multiplier from $+1$ | [0.229543 ± 3e-6](num:sec1_the_chain.fifth_distance) | [0.229543 ± 2e-12](num:sec33_floquet.fifth_distance) |

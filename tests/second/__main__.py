@@ -14,7 +14,7 @@ COLUMNS = {"quantity": "string, description: 'name of the number'",
            "error": "float64, description: 'difference of the two accuracies plus rounding'",
            "unit": "string, description: 'empty in the scaled units of the article'",
            "method": "string, description: 'definition'"}
-UNITS = {"sec5_experiment.recipe_7000": "um", "sec34_boomeron.apex_site_190": "site",
+UNITS = {"sec5_experiment.recipe_7000": "um", "sec34_boomeron/turns/velocity=1.9/apex_site": "site",
          "sec5_experiment.sites_undamped": "sites", "sec5_experiment.sites_10ms": "sites"}
 
 parser = argparse.ArgumentParser(prog="second", description=__doc__)
@@ -28,7 +28,7 @@ for group in options.groups or GROUPS:
         rows.append((name, repr(float(value)), error, UNITS.get(name, ""), method))
         print(*rows[-1])
     print(f"{group}: {time.process_time() - start:.1f} s", flush=True)
-# A claim, or a fact of a program of the article, is of the first volume
+# A claim, or a number of a program of the article, is of the first volume
 SECOND = {path.stem for path in Path("beyond/src").glob("sec*.cpp")}
 for volume in (Path("."), Path("beyond")) if options.write else ():
     mine = [row for row in rows if (row[0].split(".")[0] in SECOND) == (volume.name == "beyond")]
