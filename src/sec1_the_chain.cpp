@@ -284,23 +284,26 @@ how the path is smoothed. The last column has the same number by the methods of 
 
 | number | here | the book's |
 |---|---|---|
-| speed of the packet, $v_0 = 1$, $s = 0$ | [0.18780 ± 1e-5](num:sec1_the_chain.speed) | 0.18780 (exercise 1) |
-| turning point, $v_0 = 1.9$, $s = 1$, site | [20.055 ± 0.008](num:sec1_the_chain.turning_site) | [20.065 ± 0.006](num:sec34_boomeron.apex_site_190) |
-| its time | [465.2 ± 0.4](num:sec1_the_chain.turning_time) | [467 ± 1](num:sec34_boomeron.apex_time_190) |
-| amplitude of the breather, $\omega_b = 1.1$ | [0.0107478 ± 5e-7](num:sec1_the_chain.amplitude) | 0.01075 (exercise 2) |
-| its energy | [0.00015359 ± 1e-8](num:sec1_the_chain.energy) | [0.0001536](cell:sec32_barrier/key_pairs/s=0/omega=1.1/energy_site) |
-| distance of the fifth multiplier from $+1$ | [0.229543 ± 3e-6](num:sec1_the_chain.fifth_distance) | [0.229543](cell:sec33_floquet/spectra/centre=site/omega=1.1/s=0/fifth) |
-| the largest distance of the four nearest to it | [0.003 ± 0.002](num:sec1_the_chain.fourth_distance) | [0.000214](cell:sec33_floquet/spectra/centre=site/omega=1.1/s=0/fourth) |
+| speed of the packet, $v_0 = 1$, $s = 0$ | [0.1878](cell:travelling/speed) | 0.18780 (exercise 1) |
+| turning point, $v_0 = 1.9$, $s = 1$, site | [20.055 ± 0.008](cell:turning/site) | [20.065 ± 0.006](cell:sec34_boomeron/turns/velocity=1.9/apex_site) |
+| its time | [465.2 ± 0.4](cell:turning/time) | [467 ± 1](cell:sec34_boomeron/turns/velocity=1.9/apex_time) |
+| amplitude of the breather, $\omega_b = 1.1$ | [0.01075](cell:standing/amplitude) | 0.01075 (exercise 2) |
+| its energy | [1.536e-4](cell:standing/energy) | [1.536e-4](cell:sec32_barrier/key_pairs/s=0/omega=1.1/energy_site) |
+| distance of the fifth multiplier from $+1$ | [0.229543 ± 3e-6](cell:multipliers/k=5/distance) | [0.229543](cell:sec33_floquet/spectra/centre=site/omega=1.1/s=0/fifth) |
+| of the fourth | [0.003 ± 0.002](cell:multipliers/k=4/distance) | [0.000214](cell:sec33_floquet/spectra/centre=site/omega=1.1/s=0/fourth) |
 
 So speed, amplitude and energy are correct to at least four digits, the fifth multiplier to six, and the turning point
 to three in space and two in time. No digit of the four multipliers next to $+1$ is known. */
 void report_impacts(Report& report) {
   const double h = report.quick ? 0.1 : 0.02;
-  report.facts.add("speed", compare(packet_speed(1, h), packet_speed(1, h / 2)),
-                   "site per unit of time");
+  report
+      .table("travelling", {estimate("speed", "speed of the packet after v_0 = 1 at s = 0",
+                                     "site per unit of time")})
+      .add({compare(packet_speed(1, h), packet_speed(1, h / 2))});
   const Turn coarse = turning_point(1.9, 1, h), fine = turning_point(1.9, 1, h / 2);
-  report.facts.add("turning_site", compare(coarse.site, fine.site), "site");
-  report.facts.add("turning_time", compare(coarse.time, fine.time));
+  report.table("turning").add(
+      {{"site", "turning point after v_0 = 1.9 at s = 1", compare(coarse.site, fine.site), "site"},
+       {"time", "its time", compare(coarse.time, fine.time)}});
 
   // The maps of the figure: densities averaged over a few units of time
   const int looks = report.quick ? 50 : 25;
@@ -325,10 +328,13 @@ void report_breather(Report& report) {
   const VectorXd coarse = breather(chain_of_breather, steps),
                  fine = breather(chain_of_breather, 2 * steps);
   const auto both = [&](auto number) { return compare(number(coarse), number(fine)); };
-  report.facts.add("amplitude", both([](const VectorXd& y) { return y.cwiseAbs().maxCoeff(); }));
-  report.facts.add("energy", both([](const VectorXd& y) {
-                     return energy_density(chain_of_breather, {y, 0 * y}).sum();
-                   }));
+  const auto energy = [](const VectorXd& y) {
+    return energy_density(chain_of_breather, {y, 0 * y}).sum();
+  };
+  report.table("standing")
+      .add({{"amplitude", "largest displacement of the breather",
+             both([](const VectorXd& y) { return y.cwiseAbs().maxCoeff(); })},
+            {"energy", "its energy", both(energy)}});
 
   // The beads during one period
   Table& motion = report.table(
@@ -345,16 +351,15 @@ void report_breather(Report& report) {
   // The multipliers, by their distance from +1
   const auto rough = multipliers(chain_of_breather, coarse, steps),
              good = multipliers(chain_of_breather, fine, 2 * steps);
-  Table& circle = report.table("multipliers", {number("real", "real part of the multiplier"),
-                                               number("imag", "imaginary part of the multiplier"),
-                                               number("error", "difference of two resolutions")});
+  Table& circle = report.table("multipliers");
   for (std::size_t k = 0; k < good.size(); ++k)
-    circle.add({good[k].real(), good[k].imag(), std::abs(good[k] - rough[k])});
-  const auto distance = [&](std::size_t k) {
-    return compare(std::abs(rough[k] - 1.0), std::abs(good[k] - 1.0));
-  };
-  report.facts.add("fourth_distance", distance(3));
-  report.facts.add("fifth_distance", distance(4));
+    circle.add({{"k", "order by the distance from +1", k + 1},
+                {"real", "real part of the multiplier", good[k].real()},
+                {"imag", "imaginary part of the multiplier", good[k].imag()},
+                {"error", "difference of two resolutions", std::abs(good[k] - rough[k])},
+                {"distance", "distance from +1",
+                 compare(std::abs(rough[k] - 1.0), std::abs(good[k] - 1.0)), "",
+                 "difference of two resolutions, against the largest"}});
 }
 
 /**
@@ -364,8 +369,8 @@ Four questions of the article cannot be answered in this way. Each has its own c
 
 | question | why not here | what we do | where |
 |---|---|---|---|
-| the barrier: by how much do the energies of the two kinds of breather differ? | [1.62e-11](cell:sec32_barrier/key_pairs/s=0/omega=1.1/equal_frequency), while the energies themselves are [0.0001536](cell:sec32_barrier/key_pairs/s=0/omega=1.1/energy_bond), of which this chapter knows four digits | contact events are located, orbits computed in extended precision | `sec32_barrier`, event_driven.hpp |
-| are the multipliers next to $+1$ on the circle? | an error $\eta$ of the monodromy moves them by $\sqrt\eta$: two that are exactly $+1$ appear at a distance of [0.003 ± 0.002](num:sec1_the_chain.fourth_distance) | symmetries remove the exact pair; $\kappa = (\lambda+\lambda^{-1}-2)/4$ instead of $\lambda$ | `sec33_floquet` |
+| the barrier: by how much do the energies of the two kinds of breather differ? | [1.62e-11](cell:sec32_barrier/key_pairs/s=0/omega=1.1/equal_frequency), while the energies themselves are [1.536e-4](cell:sec32_barrier/key_pairs/s=0/omega=1.1/energy_bond), of which this chapter knows four digits | contact events are located, orbits computed in extended precision | `sec32_barrier`, event_driven.hpp |
+| are the multipliers next to $+1$ on the circle? | an error $\eta$ of the monodromy moves them by $\sqrt\eta$: two that are exactly $+1$ appear at a distance of [0.003 ± 0.002](cell:multipliers/k=4/distance) | symmetries remove the exact pair; $\kappa = (\lambda+\lambda^{-1}-2)/4$ instead of $\lambda$ | `sec33_floquet` |
 | the smallest kick that sets a breather in motion | it adds $c^2/2 \approx 10^{-11}$ to the energy; within each period Verlet's method changes it by more | impulses of contacts are exact, drift is compared with kick | `sec33_mobility`, `secA_integrators` |
 | where is a packet long after it has turned? | the motion is chaotic: late fates depend on the last digit of the start | two runs that agree, or a count over many runs | `sec34_boomeron`, `sec34_boomeron_map` |
 

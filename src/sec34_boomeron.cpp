@@ -36,6 +36,7 @@ four, and its centre $X$ oscillates with them. */
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -71,6 +72,7 @@ struct Trajectory {
   Run run{};  // energy drift
 };
 constexpr double sample = 0.2, width = 15;        // of time
+constexpr double pictured = 1.87;                 // impact of figure 23
 constexpr double back = 5, again = 3, clear = 8;  // sites, which define a turn
 using Seen = std::function<void(double t, const std::vector<double>& e)>;
 
@@ -146,50 +148,51 @@ void report_maps(Report& report) {
 
 At $v_0=1.9$ the packet stops, drifts on by a fifth of a site, turns, and comes back to the struck end. The packet of
 $v_0=1.5$, the article's example of a slow deceleration, turns in the end too, far outside the figure. Near a turning
-point a packet is almost at rest, and small errors decide in which direction it moves. So the table `step_dependence`
-holds each moment at three steps, 0.1, 0.05 and 0.025; the numbers here come from the last two.
+point a packet is almost at rest, and small errors decide in which direction it moves. So the steps are short, and the
+time at which the velocity vanishes is known least.
 
 | $s=1$ | article | here |
 |---|---|---|
-| $v_0 = 1.9$: velocity vanishes first, time | | [289 ± 7](num:sec34_boomeron.stop_time_190) |
-| $v_0 = 1.9$: turning point, site | | [20.065 ± 0.006](num:sec34_boomeron.apex_site_190) |
-| $v_0 = 1.9$: turning point, time | | [467 ± 1](num:sec34_boomeron.apex_time_190) |
-| $v_0 = 1.9$: reflection, time | | [897.7 ± 0.2](num:sec34_boomeron.return_time_190) |
-| $v_0 = 1.5$: velocity vanishes first, time | not by 1000 | [4.36e3 ± 4e1](num:sec34_boomeron.stop_time_150) |
-| $v_0 = 1.5$: turning point, site | | [183.239 ± 0.005](num:sec34_boomeron.apex_site_150) |
-| $v_0 = 1.5$: turning point, time | not by 1000 | [4.36e3 ± 2e1](num:sec34_boomeron.apex_time_150) | */
-/// Returns the two runs of figure 23, v0 = 1.87.
-TwoRuns<Trajectory> report_turns(Report& report) {
-  Table& table = report.table(
-      "step_dependence",
-      {number("velocity", "impact velocity"), number("step", "time step"),
-       number("stop_time", "time at which the velocity first vanishes"),
-       number("apex_site", "turning point, the farthest site reached on the way out", "site"),
-       number("apex_time", "time of the turning point"),
-       number("return_time", "time of the reflection at the struck end")});
-  const auto steps = report.quick ? std::vector{0.2, 0.1} : std::vector{0.1, 0.05, 0.025};
-  TwoRuns<Trajectory> pictured;
-  for (const Experiment& impact :
-       {Experiment{1.5, 1, 5500, 260}, {1.87, 1, 1300}, {1.9, 1, 1200}}) {
-    std::vector<Trajectory> runs(steps.size());
-    parallel_for(runs.size(),
-                 [&](std::size_t i) { runs[i] = trajectory(impact, EventCorrected{steps[i]}); });
-    for (std::size_t i = 0; i < runs.size(); ++i)
-      table.add({impact.v0, steps[i], runs[i].turn.stop.time, runs[i].turn.apex.site,
-                 runs[i].turn.apex.time, runs[i].turn.rebound.time});
+| $v_0 = 1.9$: velocity vanishes first, time | | [289 ± 7](cell:turns/velocity=1.9/stop_time) |
+| its site | | [19.9](cell:turns/velocity=1.9/stop_site) |
+| $v_0 = 1.9$: turning point, site | | [20.1](cell:turns/velocity=1.9/apex_site) |
+| $v_0 = 1.9$: turning point, time | | [467 ± 1](cell:turns/velocity=1.9/apex_time) |
+| $v_0 = 1.9$: reflection, time | | [898](cell:turns/velocity=1.9/return_time) |
+| $v_0 = 1.5$: velocity vanishes first, time | not by 1000 | [4.36e3 ± 4e1](cell:turns/velocity=1.5/stop_time) |
+| $v_0 = 1.5$: turning point, site | | [183](cell:turns/velocity=1.5/apex_site) |
+| $v_0 = 1.5$: turning point, time | not by 1000 | [4.36e3 ± 2e1](cell:turns/velocity=1.5/apex_time) | */
+struct TurningImpact {
+  Experiment impact;
+  double step;
+};
+// At v0 = 1.5 the way out takes most of the run; the last impact belongs to the section on weakly hard wells
+const std::vector<TurningImpact> turning = {{{1.5, 1, 5500, 260}, 0.025},
+                                            {{pictured, 1, 1300}, 0.025},
+                                            {{1.9, 1, 1200}, 0.025},
+                                            {{132, 0.005, 400, 800}, 0.01}};
 
-    // From the two shortest steps; at v0 = 1.5 the way out takes most of the run
-    const TwoRuns<Trajectory> last{runs.end()[-2], runs.end()[-1]};
-    const std::string name = std::to_string(std::lround(100 * impact.v0));
-    report.facts.add("stop_time_" + name, measured(last, &Turn::stop, &Moment::time));
-    report.facts.add("apex_site_" + name, measured(last, &Turn::apex, &Moment::site), "site");
-    report.facts.add("apex_time_" + name, measured(last, &Turn::apex, &Moment::time));
-    if (impact.v0 == 1.87) pictured = last;
-    if (impact.v0 < 1.9) continue;
-    report.facts.add("return_time_190", measured(last, &Turn::rebound, &Moment::time));
-  }
-  if (pictured.fine.path.t.empty()) throw Failure("figure 23 needs the impact of 1.87");
-  return pictured;
+void report_turns(Report& report) {
+  const auto row = [&](const TurningImpact& of) -> Row {
+    const auto runs = two_runs(of.impact, report.quick ? 4 * of.step : of.step);
+    constexpr auto stop = &Turn::stop, apex = &Turn::apex, rebound = &Turn::rebound;
+    const char *well = "from step and smoothing, known to 2 per cent; nan where there is none",
+               *poorly = "from step and smoothing, known to 40 per cent; nan where there is none";
+    return {
+        {"s", "anharmonicity", of.impact.s},
+        {"velocity", "impact velocity", of.impact.v0},
+        {"stop_time", "time at which the velocity first vanishes",
+         measured(runs, stop, &Moment::time), "", poorly},
+        {"stop_site", "site at which it vanishes", measured(runs, stop, &Moment::site), "site",
+         poorly},
+        {"apex_site", "turning point, the farthest site reached on the way out",
+         measured(runs, apex, &Moment::site), "site", well},
+        {"apex_time", "time of the turning point", measured(runs, apex, &Moment::time), "", well},
+        {"return_time", "time of the reflection at the struck end",
+         measured(runs, rebound, &Moment::time), "", well},
+        {"return_site", "site of the reflection", measured(runs, rebound, &Moment::site), "site",
+         poorly}};
+  };
+  report.table("turns").fill(turning, row, "turning packets");
 }
 
 /**
@@ -204,29 +207,37 @@ changes made by twice the step and by half the smoothing width.
 To infer a force one also needs a mass. That of a kicked breather is negative (`sec33_mobility`); that of a packet
 nobody has measured. So the acceleration is the force but for a factor whose sign is not known.
 
-Along both lists, of $v_0$ at $s=1$ and of $s$ at $v_0=1.9$, the modulus grows: no value is smaller than an earlier one
-beyond the errors of both. The article does not quantify *almost constant*. The acceleration also changes within each
-way (column `bend` of the table `force`), on the way back by more than its mean. So between the ways out and back the
-force is constant within a factor of two, and no better. In linear wells a packet slows down as well, but we saw none
-turn.
+| $\ddot X$, sites per squared unit of time | out | around the turning point | back |
+|---|---|---|---|
+| $s=1$, $v_0=1.9$ | [-0.00046 ± 2e-5](cell:force/s=1/velocity=1.9/leg=out/force) | [-7.8e-5 ± 7e-6](cell:leg=between/force) | [-0.00029 ± 3e-5](cell:leg=back/force) |
+| second half minus first half, relative | [0.3 ± 0.2](cell:force/s=1/velocity=1.9/leg=out/change) | [-0.9 ± 0.4](cell:leg=between/change) | [-1.2 ± 0.3](cell:leg=back/change) |
 
-| $\ddot X$, sites per squared unit of time | article | here |
-|---|---|---|
-| $s=1$, $v_0=1.9$, out | $< 0$ | [-0.00046 ± 2e-5](num:sec34_boomeron.force_190) |
-| $s=1$, $v_0=1.9$, around the turning point | $< 0$ | [-7.8e-5 ± 7e-6](num:sec34_boomeron.force_190_between) |
-| $s=1$, $v_0=1.9$, back | $< 0$ | [-0.00029 ± 3e-5](num:sec34_boomeron.force_190_back) |
-| back over out | almost constant | [0.63 ± 0.08](num:boomeron.constant_force) |
-| out, second half minus first half, relative | almost constant | [0.3 ± 0.2](num:sec34_boomeron.force_190_bend) |
-| $s=1$, $v_0=1.5$, out | slow | [-0.000171 ± 7e-6](num:sec34_boomeron.force_150) |
-| $s=0$, $v_0=1.9$, out | | [-9e-5 ± 4e-5](num:sec34_boomeron.force_linear_well) |
-| $s=1$, $v_0=2$ over $v_0=1.1$ | increases | [3.7 ± 0.3](num:sec34_boomeron.force_grows_velocity_last_over_first) |
-| $v_0=1.9$, $s=1$ over $s=0$ | increases | [5 ± 2](num:sec34_boomeron.force_grows_s_last_over_first) |
-| $s=1$, $v_0=1.5$: speed, last quarter over first | slow | [0.510831 ± 6e-8](num:sec34_boomeron.speed_ratio_150) | */
+The article does not quantify *almost constant*. On the way back the force is
+[0.63 ± 0.08](statement:boomeron.constant_force) of that on the way out. It also changes within each way, on the way
+back by as much as its mean. So between the ways out and back it is constant within a factor of two, and no better.
+Around the turning point it is much weaker.
+
+| way out, $s=1$ | $v_0 = 1.1$ | 1.5 | 1.9 | 2 |
+|---|---|---|---|---|
+| $\ddot X$ | [-0.000156 ± 6e-6](cell:force/s=1/velocity=1.1/force) | [-0.000171 ± 7e-6](cell:force/s=1/velocity=1.5/force) | [-0.00046 ± 2e-5](cell:force/s=1/velocity=1.9/leg=out/force) | [-0.00058 ± 2e-5](cell:force/s=1/velocity=2/force) |
+
+| way out, $v_0=1.9$ | $s=0$ | 0.25 | 0.5 | 1 |
+|---|---|---|---|---|
+| $\ddot X$ | [-9e-5 ± 4e-5](cell:force/s=0/force) | [-0.00015 ± 1e-5](cell:force/s=0.25/force) | [-0.000162 ± 9e-6](cell:force/s=0.5/force) | [-0.00046 ± 2e-5](cell:force/s=1/velocity=1.9/leg=out/force) |
+
+Along both lists, which the table `force` has in full, the modulus grows: no value is smaller than an earlier one beyond
+the errors of both. In linear wells a packet slows down as well, but we saw none turn. In hard wells at $v_0 = 1.5$ it
+slows down from quarter to quarter of the time of figure 22, and does not turn:
+
+| $s=1$, $v_0=1.5$, until $t = 1000$ | first quarter | second | third | fourth |
+|---|---|---|---|---|
+| speed, sites per unit of time | [0.129](cell:slowing/quarter=1/speed) | [0.0936](cell:quarter=2/speed) | [0.0785](cell:quarter=3/speed) | [0.0660](cell:quarter=4/speed) | */
 struct Accelerated {
   double v0, s;
   Leg leg = Leg::out;
-  Acceleration seen{};
 };
+const std::map<Leg, std::string> names = {
+    {Leg::out, "out"}, {Leg::between, "between"}, {Leg::back, "back"}};
 
 void report_force(Report& report) {
   const double step = report.quick ? 0.1 : 0.05;
@@ -234,46 +245,35 @@ void report_force(Report& report) {
   for (double v0 : {1.1, 1.3, 1.5, 1.6, 1.7, 1.8, 1.9, 2.0}) list.push_back({v0, 1});
   for (double s : {0.0, 0.25, 0.5, 0.75}) list.push_back({1.9, s});  // s = 1 is in the first list
   for (Leg leg : {Leg::back, Leg::between}) list.push_back({1.9, 1, leg});
-  const auto row = [&](Accelerated& p) {
+  const auto row = [&](const Accelerated& p) {
     const auto runs = two_runs({p.v0, p.s, p.leg == Leg::out ? 300.0 : 1000.0}, step);
-    p.seen = acceleration_of(runs.coarse.path, runs.fine.path, p.leg);
-    return Cells{p.s, p.v0, p.leg, p.seen.mean, p.seen.bend.value};
+    const Acceleration seen = acceleration_of(runs.coarse.path, runs.fine.path, p.leg);
+    return Cells{p.s, p.v0, names.at(p.leg), seen.mean, seen.bend};
   };
-  const std::string unit = "site per squared unit of time";
+  const std::string from = "from the fit, the time step and the smoothing; known to ";
   Table& table = report.table(
       "force", {number("s", "anharmonicity"), number("velocity", "impact velocity"),
-                count("outward", "1 on the way out, 0 on the way back, 2 in between"),
-                estimate("force", "acceleration of the packet's centre", unit,
-                         "from the fit, the time step and the smoothing; known to 50 per cent"),
-                number("bend", "relative difference of the slopes of the two halves of the fit")});
+                label("leg", "out, between or back: the part of the way"),
+                estimate("force", "acceleration of the packet's centre",
+                         "site per squared unit of time", from + "50 per cent"),
+                estimate("change",
+                         "slope of the second half of the fit minus that of the first, "
+                         "relative to that of the whole",
+                         "", "relative; " + from + "40 per cent")});
   table.fill(list, row, "forces");
 
-  // The two impacts of figure 22, the three legs, the linear well
-  const auto seen = [&](double v0, double s, Leg leg = Leg::out) {
-    for (const Accelerated& p : list)
-      if (p.v0 == v0 && p.s == s && p.leg == leg) return p.seen;
-    throw Failure("no such acceleration");
-  };
-  const Estimate fast = seen(1.9, 1).mean, back = seen(1.9, 1, Leg::back).mean;
-  report.facts.add("force_150", seen(1.5, 1).mean, unit);
-  report.facts.add("force_190", fast, unit);
-  report.facts.add("force_190_back", back, unit);
-  report.facts.add("force_190_between", seen(1.9, 1, Leg::between).mean, unit);
-  report.facts.add("force_190_bend", seen(1.9, 1).bend);
-  report.facts.add("force_190_back_over_out", quotient(back, fast));
-  report.facts.add("force_linear_well", seen(1.9, 0).mean, unit);
-  report.facts.add("force_grows_velocity_last_over_first",
-                   quotient(seen(2, 1).mean, seen(1.1, 1).mean));
-  report.facts.add("force_grows_s_last_over_first", quotient(fast, seen(1.9, 0).mean));
-
-  // The packet of v0 = 1.5 within the time of figure 22: last quarter over first
-  const auto slowing = [](const Trajectory& run) {
-    const std::vector<double>&t = run.smoothed.t, &x = run.smoothed.centre;
-    const std::size_t n = t.size() / 4, last = std::min(4 * n, t.size() - 1);
-    return (x[last] - x[3 * n]) / (t[last] - t[3 * n]) / ((x[n] - x[0]) / (t[n] - t[0]));
-  };
-  report.facts.add("speed_ratio_150", two_runs({1.5, 1, 1000}, step).of(slowing),
-                   "last quarter to first");
+  // The packet of v0 = 1.5 within the time of figure 22
+  Table& slowing = report.table(
+      "slowing", {count("quarter", "quarter of the time until 1000"),
+                  estimate("speed", "mean speed at v0 = 1.5, s = 1", "site per unit of time")});
+  const auto slow = two_runs({1.5, 1, 1000}, step);
+  for (std::size_t quarter = 0; quarter < 4; ++quarter)
+    slowing.add({quarter + 1, slow.of([&](const Trajectory& run) {
+                   const std::vector<double>&t = run.smoothed.t, &x = run.smoothed.centre;
+                   const std::size_t n = t.size() / 4, from = quarter * n,
+                                     to = std::min(from + n, t.size() - 1);
+                   return (x[to] - x[from]) / (t[to] - t[from]);
+                 })});
 }
 
 /**
@@ -282,7 +282,8 @@ void report_force(Report& report) {
 The article shows the velocities of all beads at $v_0 = 1.87$ for two times at which, it says, the packet is close to
 turning. At the first of them the centre is two and a half sites short of its turning point. The time at which its
 velocity first vanishes is poorly determined, because the trajectory is almost flat there: with half the smoothing it is
-$t\approx 315$, still later than the article's times. So the packet is close to turning in place, but not in time.
+[315](cell:printed_range/velocity=1.87/smoothed_less), still later than the article's times. So the packet is close to
+turning in place, but not in time.
 
 ![Velocities close to the turning. Drawn by fig23_turning_profiles.gp: `v` against `n` for two `t`, from the table
 `turning_profiles`.](fig:23) */
@@ -290,53 +291,58 @@ double centre_at(const Trajectory& run, double t) {
   return run.smoothed.centre.at(std::size_t(std::lround((t - run.smoothed.t[0]) / sample)));
 }
 
-void report_profiles(Report& report, const TwoRuns<Trajectory>& pictured) {
+void report_profiles(Report& report) {
   Table& table =
       report.table("turning_profiles",
                    {number("t", "time"), count("n", "site", "site"),
                     estimate("v", "velocity", "", "against the largest: difference of two steps")});
+  Table& near = report.table(
+      "close_to_turning",
+      {number("t", "time"), estimate("distance", "distance of the centre from its turning point",
+                                     "site", "from the time step and the smoothing")});
   const double step = report.quick ? 0.1 : 0.025;
+  const auto whole = two_runs({pictured, 1, 1300}, step);
+  const Estimate apex = measured(whole, &Turn::apex, &Moment::site);
   for (double time : {238.0, 241.0}) {
-    const auto runs = two_runs({1.87, 1, time}, step);
+    const auto runs = two_runs({pictured, 1, time}, step);
     for (std::size_t n = 0; n < 40; ++n)
       table.add({time, n + 1, runs.of([&](const Trajectory& run) { return run.end.v[n]; })});
+    const Estimate here = whole.of([&](const Trajectory& run) { return centre_at(run, time); });
+    near.add({time, Estimate(apex.value - here.value, apex.error + here.error)});
   }
-
-  // How far the centre is at the first of these times from its turning point
-  const Estimate apex = measured(pictured, &Turn::apex, &Moment::site),
-                 here = pictured.of([](const Trajectory&run) { return centre_at(run, 238); });
-  report.facts.add("apex_distance_187_at_238", {apex.value - here.value, apex.error + here.error},
-                   "site");
 }
 
 /**
-Can the rounding of $v_0$ explain this? It leaves a range from 1.865 to 1.875. Over this range the velocity first
-vanishes at 320 at the earliest (with half the smoothing at 296), well after the article's 240. A velocity profile does
-not distinguish a packet at rest from one that moves slowly.
+Can the rounding of $v_0$ explain this? It leaves a range from 1.865 to 1.875, of which we take eleven impacts (table
+`printed_range`). The velocity first vanishes at [319.8 ± 0.8](cell:printed_range/velocity=1.875/stop_time) at the
+earliest, with half the smoothing at [296](cell:printed_range/velocity=1.868/smoothed_less), well after the article's
+240. A velocity profile does not distinguish a packet at rest from one that moves slowly.
 
 | $s=1$, $v_0=1.87$ | article | here |
 |---|---|---|
-| distance from the turning point at $t=238$, sites | close | [2.459 ± 0.004](num:boomeron.turning_time) |
-| turning point, site | | [23.175 ± 0.004](num:sec34_boomeron.apex_site_187) |
-| turning point, time | | [493.0 ± 0.4](num:sec34_boomeron.apex_time_187) |
-| velocity vanishes first, time | close to 238 and 241 | [5e2 ± 2e2](num:sec34_boomeron.stop_time_187) |
-| the earliest such time for 1.865 to 1.875 | | [3.2e2 ± 2e1](num:sec34_boomeron.stop_time_187_earliest) |
-| the latest | | [5e2 ± 2e2](num:sec34_boomeron.stop_time_187_latest) | */
+| distance from the turning point at $t=238$, sites | close | [2.46](statement:boomeron.turning_time) |
+| at $t=241$ | close | [2.36](cell:close_to_turning/t=241/distance) |
+| turning point, site | | [23.2](cell:turns/velocity=1.87/apex_site) |
+| turning point, time | | [493](cell:turns/velocity=1.87/apex_time) |
+| velocity vanishes first, time | close to 238 and 241 | [5e2 ± 2e2](cell:turns/velocity=1.87/stop_time) |
+| $v_0=1.865$: the same | | [3.7e2 ± 3e1](cell:printed_range/velocity=1.865/stop_time) |
+| $v_0=1.875$: the same | | [319.8 ± 0.8](cell:printed_range/velocity=1.875/stop_time) | */
 void report_printed_range(Report& report) {
-  const std::size_t count = report.quick ? 3 : 11;
-  std::vector<double> coarse(count), fine(count), smoothed_less(count);
-  parallel_for(count, [&](std::size_t i) {
-    const auto runs = two_runs({1.865 + 0.01 * double(i) / double(count - 1), 1, 700}, 0.1);
-    coarse[i] = runs.coarse.turn.stop.time, fine[i] = runs.fine.turn.stop.time;
-    smoothed_less[i] = runs.fine.other_width.stop.time;
-  });
-  const auto fact = [&](const std::string& which, auto extreme) {
-    Estimate e = compare(extreme(coarse), extreme(fine));
-    e.error += std::abs(extreme(smoothed_less) - e.value);
-    report.facts.add("stop_time_187_" + which, e, "over the printed digits of v0");
+  std::vector<double> velocities(report.quick ? 3 : 11);
+  for (std::size_t i = 0; i < velocities.size(); ++i)
+    velocities[i] = 1.865 + 0.01 * double(i) / double(velocities.size() - 1);
+  Table& table = report.table(
+      "printed_range", {number("velocity", "impact velocity"),
+                        estimate("stop_time", "time at which the velocity first vanishes", "",
+                                 "from the time step and the smoothing; known to 40 per cent"),
+                        estimate("smoothed_less", "the same with half the smoothing", "",
+                                 "difference of two steps, known to 5 per cent")});
+  const auto row = [](double v0) {
+    const auto runs = two_runs({v0, 1, 700}, 0.1);
+    return Cells{v0, measured(runs, &Turn::stop, &Moment::time),
+                 runs.of([](const Trajectory& run) { return run.other_width.stop.time; })};
   };
-  fact("earliest", [](const auto& times) { return std::ranges::min(times); });
-  fact("latest", [](const auto& times) { return std::ranges::max(times); });
+  table.fill(velocities, row, "impacts within the printed digits");
 }
 
 /**
@@ -344,43 +350,33 @@ void report_printed_range(Report& report) {
 
 The article sees reversals for $s\ge0.005$ and none for $s=0$, and prints neither an impact nor a time. In such a weakly
 hard well packets turn soon only after very strong impacts, so we take $v_0=132$. After the same impact in linear wells
-the packet moves outward all the time until $t=450$, and is still moving then (table `without_hardness`). After
-weaker impacts a packet at $s = 0.005$ may turn much farther out.
+the packet has never moved inward by $t=450$, and is still moving outward then (table `without_hardness`). After weaker
+impacts a packet at $s = 0.005$ may turn much farther out.
 
 | $v_0=132$ | article | here |
 |---|---|---|
-| $s=0.005$: turning point, site | turns | [26.804 ± 0.005](num:sec34_boomeron.turning_site_softest) |
-| $s=0.005$: reflection, time | | [310.03 ± 0.08](num:sec34_boomeron.return_time_softest) |
-| $s=0.005$: reflection, site | | [2.566 ± 0.001](num:sec34_boomeron.return_site_softest) |
-| $s=0$: centre at $t=450$, site | does not turn | [441.554 ± 7e-9](num:sec34_boomeron.centre_without_hardness) |
-| $s=0$: speed there, sites per unit of time | | [0.954685 ± 5e-11](num:sec34_boomeron.speed_without_hardness) | */
-void report_softest(Report& report) {
-  const double step = report.quick ? 0.02 : 0.01;
-  const auto hard = two_runs({132, 0.005, 400, 800}, step),
-             linear = two_runs({132, 0, 460, 800}, step);
-  report.facts.add("turning_site_softest", measured(hard, &Turn::apex, &Moment::site), "site");
-  report.facts.add("return_time_softest", measured(hard, &Turn::rebound, &Moment::time));
-  report.facts.add("return_site_softest",
-                   hard.of([](const Trajectory& p) { return p.turn.rebound.site; }), "site");
-
-  // In linear wells: position and speed at t = 450, and the farthest that the centre has ever fallen back
+| $s=0.005$: turning point, site | turns | [26.8](cell:turns/velocity=132/apex_site) |
+| $s=0.005$: reflection, time | | [310](cell:turns/velocity=132/return_time) |
+| $s=0.005$: reflection, site | | [2.6 ± 0.3](cell:turns/velocity=132/return_site) |
+| $s=0$: centre at $t=450$, site | does not turn | [442](cell:without_hardness/centre) |
+| $s=0$: speed there, sites per unit of time | | [0.955](cell:without_hardness/speed) | */
+void report_without_hardness(Report& report) {
+  const auto linear = two_runs({132, 0, 460, 800}, report.quick ? 0.02 : 0.01);
+  const auto centre = [](const Trajectory& p) { return centre_at(p, 450); };
+  const auto speed = [](const Trajectory& p) {
+    return (centre_at(p, 450) - centre_at(p, 440)) / 10;
+  };
   const auto fallen = [](const Trajectory& p) {
     double most = p.smoothed.centre[0], back = 0;
     for (double x : p.smoothed.centre) most = std::max(most, x), back = std::max(back, most - x);
     return back;
   };
-  const auto centre = [](const Trajectory& p) { return centre_at(p, 450); };
-  const auto speed = [](const Trajectory& p) {
-    return (centre_at(p, 450) - centre_at(p, 440)) / 10;
-  };
-  report.facts.add("centre_without_hardness", linear.of(centre), "site");
-  report.facts.add("speed_without_hardness", linear.of(speed), "site per unit of time");
-  report
-      .table("without_hardness",
-             {estimate("centre", "centre of the packet in linear wells at t = 450", "site"),
-              estimate("speed", "its speed there", "site per unit of time"),
-              estimate("fallen_back", "the farthest that it has ever fallen back", "site")})
-      .add({linear.of(centre), linear.of(speed), linear.of(fallen)});
+  report.table("without_hardness")
+      .add(
+          {{"centre", "centre of the packet in linear wells at t = 450", linear.of(centre), "site"},
+           {"speed", "its speed there", linear.of(speed), "site per unit of time"},
+           {"fallen_back", "the farthest that it has ever fallen back", linear.of(fallen),
+            "site"}});
 }
 
 /**
@@ -391,14 +387,16 @@ The motion is chaotic: two runs that differ by as little as a rounding error sep
 shows for how long we can compute the motion. Two impacts that differ by a fraction $\delta$ show for how long it is
 predictable if $v_0$ is known to that accuracy; half a unit of the last digit of 1.87 is $\delta\approx3\cdot10^{-3}$.
 */
+constexpr double compared_every = 2;  // of time
+
 double decorrelation_time(double v0, double step, double other_v0, double other_step) {
   const Chain chain{150, Quartic{1}};
   State<double> one(chain.sites), other(chain.sites);
   one.v[0] = v0, other.v[0] = other_v0;
-  for (double t = 0; t < 1700; t += 2) {
+  for (double t = 0; t < 1700; t += compared_every) {
     if (distance(one, other) > 0.1) return t;
-    evolve(EventCorrected{step}, chain, one, 2, 2);
-    evolve(EventCorrected{other_step}, chain, other, 2, 2);
+    evolve(EventCorrected{step}, chain, one, compared_every, compared_every);
+    evolve(EventCorrected{other_step}, chain, other, compared_every, compared_every);
   }
   throw Failure("two impacts have not decorrelated");
 }
@@ -407,41 +405,38 @@ double decorrelation_time(double v0, double step, double other_v0, double other_
 Two steps agree until well beyond the first reflection. Figure 22 marks the time at which two impacts that differ by
 $10^{-6}$ decorrelate, since velocities are hardly ever printed with more digits. So turning point and first reflection
 are well defined, and the much later part of the map is one possibility among many. With the three printed digits two
-impacts decorrelate even before they turn (table `decorrelation`).
+impacts decorrelate even before they turn.
 
-| $s=1$, $v_0=1.9$ | article | here |
-|---|---|---|
-| two steps agree until | | [1.38e3 ± 6e1](num:sec34_boomeron.resolved_until) |
-| two impacts, $\delta = 10^{-6}$, decorrelate at | | [1.05e3 ± 1e1](num:sec34_boomeron.decorrelation_time_190) | */
+| $s=1$, $v_0=1.9$ | decorrelated at |
+|---|---|
+| one impact, steps of 0.05 and 0.025 | [1.38e3 ± 6e1](cell:decorrelation/coarse=0.05/t) |
+| two impacts, $\delta = 3\cdot10^{-3}$ | [58 ± 2](cell:decorrelation/delta=0.003/t) |
+| $\delta = 10^{-4}$ | [632 ± 2](cell:decorrelation/delta=1e-4/t) |
+| $\delta = 10^{-6}$ | [1.05e3 ± 1e1](cell:decorrelation/delta=1e-6/t) |
+| $\delta = 10^{-8}$ | [1.33e3 ± 1e1](cell:decorrelation/delta=1e-8/t) | */
 void report_decorrelation(Report& report) {
   struct Pair {
-    double delta, coarse, fine, when = 0, check = 0;
+    double delta, coarse, fine;
   };
   std::vector<Pair> pairs{{0, 0.1, 0.05}, {0, 0.05, 0.025}};
   for (double delta : {3e-3, 1e-4, 1e-6, 1e-8}) pairs.push_back({delta, 0.1, 0.1});
   if (report.quick) pairs = {{0, 0.2, 0.1}, {1e-6, 0.1, 0.1}};
-  parallel_for(pairs.size(), [&](std::size_t i) {
-    Pair& p = pairs[i];
-    const double other = 1.9 * (1 + p.delta);
-    p.when = decorrelation_time(1.9, p.coarse, other, p.fine);
-    if (p.delta > 0) p.check = decorrelation_time(1.9, 2 * p.coarse, other, 2 * p.fine);
-  });
-
-  // The error: the change made by another step, and the two units of time between two comparisons
   Table& table = report.table(
       "decorrelation",
       {number("delta",
               "relative difference of the impact velocities; 0 for one impact with two time steps"),
        number("coarse", "first time step"), number("fine", "second time step"),
-       number("t", "time at which the two runs have decorrelated")});
-  Estimate resolved;
-  for (const Pair& p : pairs) {
-    table.add({p.delta, p.coarse, p.fine, p.when});
-    if (p.delta == 0) resolved = {p.when, std::abs(p.when - resolved.value)};
-    if (p.delta == 1e-6)
-      report.facts.add("decorrelation_time_190", {p.when, std::abs(p.when - p.check) + 2});
-  }
-  report.facts.add("resolved_until", resolved);
+       estimate("t", "time at which the two runs have decorrelated", "",
+                "change made by steps twice as long, and the time between two comparisons; known "
+                "to 26 per cent")});
+  const auto row = [](const Pair& p) {
+    const auto time = [&](double longer) {
+      return decorrelation_time(1.9, longer * p.coarse, 1.9 * (1 + p.delta), longer * p.fine);
+    };
+    const double t = time(1);
+    return Cells{p.delta, p.coarse, p.fine, Estimate(t, std::abs(t - time(2)) + compared_every)};
+  };
+  table.fill(pairs, row, "pairs of runs");
 }
 
 /**
@@ -454,8 +449,8 @@ beyond it.
 
 | standard deviation of the centres, sites | article | here |
 |---|---|---|
-| mean until $t = 850$, out and back | | [0.00022 ± 4e-5](num:sec34_boomeron.erratic_spread_until_return) |
-| mean for $2000 < t < 2600$ | erratic | [9 ± 1](num:sec34_boomeron.erratic_spread_late) | */
+| mean until $t = 850$, out and back | | [0.00022 ± 4e-5](cell:spread/part=out_and_back/deviation) |
+| mean for $2000 < t < 2600$ | erratic | [9 ± 1](cell:spread/part=late/deviation) | */
 struct Spread {
   double t, mean, deviation, low, high;  // of the centres; the tenths
 };
@@ -494,17 +489,22 @@ void report_ensemble(Report& report) {
   table.meta = {{"seed", std::to_string(seed)}, {"members", std::to_string(v0.size())}};
   for (const Spread& at : both.fine) table.add({at.t, at.mean, at.deviation, at.low, at.high});
 
-  // The deviation, averaged over a stretch of time
-  const auto over = [&](double from, double to) {
-    return both.of([&](const std::vector<Spread>& all) {
-      double sum = 0, n = 0;
-      for (const Spread& at : all)
-        if (at.t >= from && at.t <= to) sum += at.deviation, ++n;
-      return sum / n;
-    });
+  // The deviation, averaged over a part of the time
+  Table& parts = report.table(
+      "spread", {label("part", "part of the motion"), number("from", "its first time"),
+                 number("to", "its last time"),
+                 estimate("deviation", "mean of the standard deviation of the centres", "site",
+                          "difference of two resolutions, known to 20 per cent")});
+  const auto add = [&](const char* part, double from, double to) {
+    parts.add({part, from, to, both.of([&](const std::vector<Spread>& all) {
+                 double sum = 0, n = 0;
+                 for (const Spread& at : all)
+                   if (at.t >= from && at.t <= to) sum += at.deviation, ++n;
+                 return sum / n;
+               })});
   };
-  report.facts.add("erratic_spread_until_return", over(0, 850));
-  report.facts.add("erratic_spread_late", over(report.quick ? 1900 : 2000, time));
+  add("out_and_back", 0, 850);
+  add("late", report.quick ? 1900 : 2000, time);
 }
 
 /**
@@ -534,11 +534,12 @@ void check_by_other_routes(bool quick) {
 
 void reproduce(Report& report) {
   report_maps(report);
-  report_profiles(report, report_turns(report));
+  report_turns(report);
+  report_profiles(report);
   report_decorrelation(report);
   report_force(report);
   report_printed_range(report);
-  report_softest(report);
+  report_without_hardness(report);
   report_ensemble(report);
   check_by_other_routes(report.quick);
 }
@@ -549,21 +550,22 @@ void reproduce(Report& report) {
 <!-- statements -->
 | statement | printed | here | verdict |
 |---|---|---|---|
-| `boomeron.reversal`: s = 1 and v_0 = 1.9: deceleration; reversal; return; rebound | reverses | force.force (s = 1, velocity = 1.9, outward = 1): -0.0004633 < 0; force.force (s = 1, velocity = 1.9, outward = 0): -0.0002931 < 0; return_time_190: 0.2216 < 10 | holds |
-| `boomeron.moderate`: s = 1 and v_0 = 1.5 decelerates slowly | slow | force.force (s = 1, velocity = 1.5), (s = 1, velocity = 1.9, outward = 1): 0.3697 < 0.5 (the closest of 5) | holds |
+| `boomeron.reversal`: s = 1 and v_0 = 1.9: deceleration; reversal; return; rebound | reverses | -0.0002931 < 0 (force.force (s = 1, velocity = 1.9, leg = back)) | holds |
+| `boomeron.moderate`: s = 1 and v_0 = 1.5 decelerates slowly | slow | 0.3697 < 0.5 (force.force (s = 1, velocity = 1.5), (s = 1, velocity = 1.9, leg = out)) | holds |
 | `boomeron.turning_time`: close to direction reversal at v_0 = 1.87 | close at 238 and 241 | 2.46 site | quantified |
-| `boomeron.any_s`: reversal takes place for s >= 0.005 and not for s = 0 | s >= 0.005 | return_site_softest: 2.566 < 8 (the closest of 4) | holds |
-| `boomeron.erratic`: after some rebounds the motion is trapped or erratic | erratic | erratic_spread_until_return: 0.000216 < 0.25; erratic_spread_late: 3 < 8.964 | holds |
+| `boomeron.any_s`: reversal takes place for s >= 0.005 and not for s = 0 | s >= 0.005 | 2.566 < 8 (turns.return_site (s = 0.005)) | holds |
+| `boomeron.erratic`: after some rebounds the motion is trapped or erratic | erratic | 3 < 8.964 (spread.deviation (part = late)) | holds |
 | `boomeron.constant_force`: during a few rebounds the centre moves like a particle in an almost constant force field | almost constant | 0.63 ± 0.08 | quantified |
 | `boomeron.force_grows`: the effective force increases with s and with the impact velocity | increases | force.force (s = 1, velocity = 1.1), (s = 1, velocity = 1.3): 0.0001564 <= 0.0001559 (the closest of 40) | holds |
 <!-- /statements -->
 
 ## Try it
 
-**To change it.** The impacts of a table are lists of `Experiment`, $\{v_0, s, t\}$; 1.87 and 1.9 stay in that of
-`step_dependence`, since figure 23 and the tables need them. The sites `back`, `again` and `clear` define a turn; the
-smoothing is `width`. The figures read columns by name. Lengths of chains and stretches of fits are chosen for these
-wells: try others with `sec34_boomeron run --well`.
+**To change it.** Another impact that turns is a row of `turning`, $\{v_0, s, t\}$, the length of the chain and the
+shorter of two steps. Another one whose acceleration is measured is in `list` of `report_force`; figure 22 has those of
+`report_maps`, with names in its script, and figure 23 that of `pictured`. The sites `back`, `again` and `clear` define
+a turn; the smoothing is `width`. Lengths of chains and stretches of fits are chosen for these wells: try others with
+`sec34_boomeron run --well`. The figures read columns by name.
 
 1. *Easy.* When does the packet of figure 23 turn? `build/bin/sec34_boomeron run --velocity 1.87` gives
    `apex_site` = 23.175 and `apex_time` = 493. Hint: before it turns it is slow for a long time.

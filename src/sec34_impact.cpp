@@ -124,7 +124,7 @@ For each velocity of the sweep we compute three numbers of the packet: the speed
 least-squares line through $X(t)$ between sites 20 and 60; the largest maximum in time of $e_{n'}$ on the same stretch,
 from parabolas through three samples; and the energy within $m$ sites of the peak when the packet passes site 60. The
 error of the fit is added to that of the speed. The length of the run follows from the chapter before: at small
-$\epsilon = v_0/2$ the packet moves with the speed [0.361](num:sec34_dps_impact.dps_speed) times $\epsilon^{1/2}$. */
+$\epsilon = v_0/2$ the packet moves with the speed [0.361](cell:sec34_dps_impact/speeds/model=dps/per_slow_time) times $\epsilon^{1/2}$. */
 // Three times what the slowest packets need to reach the end of the stretch
 double time_for(double velocity) {
   return 3 * fit_to / (0.36 * std::sqrt(velocity / 2));

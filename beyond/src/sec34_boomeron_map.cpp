@@ -48,7 +48,7 @@ A map needs one criterion for all its points, although the impacts differ by ord
 when $X$, averaged over about one internal period, has come back by five sites; a packet that is trapped between two
 sites swings by less. It has *escaped* when it passes site 40, the *horizon*, and it *stays* if it never gets beyond
 site 8. A packet that turns farther out than site 40 counts as escaped: with $s=1$ and $v_0=1.5$ the map says *escaped*,
-and the packet does turn, at site [183](num:sec34_boomeron.apex_site_150).
+and the packet does turn, at site [183](cell:sec34_boomeron/turns/velocity=1.5/apex_site).
 
 Samples and steps follow the fastest motion, that of the well, of the contact or of the quartic term, with rates one,
 $v_0^{1/5}$ and $(s v_0^2)^{1/4}$. How long to wait is decided by the slowest packets, those of the DpS limit, which

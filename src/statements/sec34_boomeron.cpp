@@ -7,42 +7,47 @@ using namespace lattice;
 
 STATEMENT("boomeron.reversal") {
   const Data force = table("force").where("s", 1).where("velocity", 1.9);
-  for (int outward : {1, 0}) less(force.at("outward", outward)["force"], 0);
-  less(exact(fact("return_time_190").error), 10);
+  for (const char* leg : {"out", "back"}) less(force.at("leg", leg)["force"], 0);
+  less(exact(table("turns").at("velocity", 1.9)["return_time"].error), 10);
 }
 
 STATEMENT("boomeron.moderate") {
-  const Data out = table("force").where("s", 1).where("outward", 1);
+  const Data out = table("force").where("s", 1).where("leg", "out");
   const auto moderate = out.at("velocity", 1.5), turning = out.at("velocity", 1.9);
-  less(1000, fact("apex_time_150"));  // the end of the figure
-  within(fact("speed_ratio_150"), 0, 1);
+  less(1000, table("turns").at("velocity", 1.5)["apex_time"]);  // the end of the figure
+  const Data quarters = table("slowing");
+  less(0, quarters.at("quarter", 4)["speed"]);
+  less(quarters.at("quarter", 4)["speed"], quarters.at("quarter", 1)["speed"]);
   less(moderate["force"], 0);
   less(moderate["force"] / turning["force"], 0.5);
 }
 
 STATEMENT("boomeron.turning_time") {
-  answer(fact("apex_distance_187_at_238"));
+  answer(table("close_to_turning").at("t", 238)["distance"]);
 }
 
 STATEMENT("boomeron.any_s") {
   const auto linear = table("without_hardness").only();
-  less(fact("turning_site_softest"), linear["centre"]);
-  less(fact("return_site_softest"), 8);
+  const auto hard = table("turns").at("s", 0.005);
+  less(hard["apex_site"], linear["centre"]);
+  less(hard["return_site"], 8);
   less(linear["fallen_back"], 5);  // which would count as a turn
   less(0, linear["speed"]);
 }
 
 STATEMENT("boomeron.erratic") {
-  less(fact("erratic_spread_until_return"), 0.25);
-  less(3, fact("erratic_spread_late"));
+  const Data spread = table("spread");
+  less(spread.at("part", "out_and_back")["deviation"], 0.25);
+  less(3, spread.at("part", "late")["deviation"]);
 }
 
 STATEMENT("boomeron.constant_force") {
-  answer(fact("force_190_back_over_out"));
+  const Data force = table("force").where("s", 1).where("velocity", 1.9);
+  answer(quotient(force.at("leg", "back")["force"], force.at("leg", "out")["force"]), "");
 }
 
 STATEMENT("boomeron.force_grows") {
-  const Data out = table("force").where("outward", 1);
+  const Data out = table("force").where("leg", "out");
   const auto never_falls = [&](const Data& list, const char* with) {
     for (const auto& one : list)
       for (const auto& later : list)

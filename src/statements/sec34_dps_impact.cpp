@@ -6,38 +6,40 @@
 using namespace lattice;
 
 STATEMENT("impact.dps_breather") {
-  less(fact("dps_breather_speed_change"), 0.05);
-  less(fact("dps_breather_energy_change"), 0.1);
-  less(fact("dps_breather_residue"), 1);
+  const Data packet = table("dps_packet");
+  less(packet["speed_change"], 0.05);
+  less(packet["norm_change"], 0.1);
+  less(table("residue")["window"], 1);
 }
 
 STATEMENT("impact.amp_full") {
-  answer(fact("height_lattice_8091"));
+  answer(table("heights").at("t", 8091)["chain"]);
 }
 
 STATEMENT("impact.amp_dps") {
-  answer(fact("height_dps_8091"));
+  answer(table("heights").at("t", 8091)["dps"]);
 }
 
 STATEMENT("impact.speed_order") {
-  const Estimate tau_per_time{std::sqrt(0.9548e-3), 1e-6};  // eps as printed
-  less(fact("lattice_speed"), tau_per_time * fact("dps_speed"));
+  const Data speeds = table("speeds");
+  less(speeds.at("model", "chain")["per_time"], speeds.at("model", "dps")["per_time"]);
 }
 
 STATEMENT("impact.support") {
   // A hundredth of the peak is still visible in a plot
-  less(0.01, fact("support_outermost"));
-  less(fact("support_next"), 0.01);
+  const Data profile = table("packet_profile");
+  less(0.01, profile.at("distance", 3)["amplitude"]);
+  less(profile.at("distance", 4)["amplitude"], 0.01);
 }
 
 STATEMENT("impact.wavetrain") {
-  answer(fact("wavetrain"));
+  answer(table("train")["apart"]);
 }
 
 STATEMENT("impact.residual_extended") {
-  answer(fact("residual_extended"));
+  answer(table("residue")["sharing"]);
 }
 
 STATEMENT("impact.scales_fig17") {
-  answer(fact("time_of_tau_250"));
+  answer(table("scales")["end"]);
 }

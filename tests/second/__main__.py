@@ -15,7 +15,7 @@ COLUMNS = {"quantity": "string, description: 'name of the number'",
            "error": "float64, description: 'difference of the two accuracies plus rounding'",
            "unit": "string, description: 'empty in the scaled units of the article'",
            "method": "string, description: 'definition'"}
-UNITS = {"sec5_experiment/folds/frequency=7000/fold": "um", "sec34_boomeron.apex_site_190": "site",
+UNITS = {"sec5_experiment/folds/frequency=7000/fold": "um", "sec34_boomeron/turns/velocity=1.9/apex_site": "site",
          "sec5_experiment/journeys/velocity=1/lifetime=0/sites": "site",
          "sec5_experiment/journeys/velocity=1/lifetime=10/sites": "site"}
 

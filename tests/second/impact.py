@@ -57,8 +57,8 @@ def turning(level):
     a, b, c = mean[top - 1:top + 2]
     shift = (a - c) / 2 / (a - 2 * b + c)
     text = "maximum up to t = 800 of the centre of eleven sites averaged with 1 + cos(2 pi t/15); impact of 1.9; s = 1"
-    return [("sec34_boomeron.apex_site_190", b - (a - c) * shift / 4, 1e-12, text),
-            ("sec34_boomeron.apex_time_190", dt * (top + 1 + half_width + shift), 1e-12, "time of the " + text)]
+    return [("sec34_boomeron/turns/velocity=1.9/apex_site", b - (a - c) * shift / 4, 1e-12, text),
+            ("sec34_boomeron/turns/velocity=1.9/apex_time", dt * (top + 1 + half_width + shift), 1e-12, "time of the " + text)]
 
 
 def packet(level):
