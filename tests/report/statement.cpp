@@ -57,8 +57,8 @@ struct Written {
 
 /// A statement whose body is given by a test, with the words that it may use.
 struct Spoken : Statement {
-  using Statement::accuracy, Statement::answer, Statement::increases,
-      Statement::less, Statement::near, Statement::not_more, Statement::table, Statement::within;
+  using Statement::accuracy, Statement::answer, Statement::increases, Statement::less,
+      Statement::near, Statement::not_more, Statement::table, Statement::within;
   std::function<void(Spoken&)> body;
   double zero = 0;
   void judge() override { body(*this); }
@@ -165,7 +165,8 @@ TEST_CASE("nothing passes by having nothing to compare", "[unit]") {
   check_line(lost([](Spoken& s) { (*s.table("sweep").begin())["raw"]; }), "no column 'raw_error'");
   check_line(lost([](Spoken& s) { (*s.table("sweep").begin())["kind"]; }), "'kind' holds texts");
   check_line(lost([](Spoken& s) { s.table("speeds"); }), "sec1_demo has no table 'speeds'");
-  check_line(lost([](Spoken& s) { s.table("coarse")["lost"]; }), "lost is not a number, or has no error");
+  check_line(lost([](Spoken& s) { s.table("coarse")["lost"]; }),
+             "lost is not a number, or has no error");
   check_line(lost([](Spoken& s) { s.table("empty"); }), "sec1_demo/empty has no rows");
   check_line(lost([](Spoken& s) { s.table("older"); }), "has no table 'older'");
   check_line(lost([](Spoken& s) { s.table("edited"); }), "is not the table that its program wrote");
