@@ -18,7 +18,7 @@ pygments_style, pygments_dark_style = "friendly", "github-dark"
 
 myst_enable_extensions = ["colon_fence", "dollarmath"]
 myst_dmath_double_inline = True  # a displayed formula within a paragraph
-myst_url_schemes = ["http", "https", "mailto", "num", "cell", "statement", "finding"]
+myst_url_schemes = ["http", "https", "mailto", "cell", "statement", "finding"]
 
 html_theme = "furo"
 html_title = project

@@ -31,12 +31,12 @@ from sphinx.util.docutils import SphinxDirective
 from lineage import ecsv, inventory, markdown as md
 from lineage.cells import cited, home_of, read_cells, with_links
 from lineage.chapters import explained_by, read_commands, read_costs, run_of, shown_cost
-from lineage.claims import (KINDS, OBTAINED, agrees, by_name, in_plain, meanings, programs_of, read_answers, read_claims, read_facts,
+from lineage.claims import (KINDS, OBTAINED, agrees, by_name, in_plain, meanings, programs_of, read_answers, read_claims,
                             read_findings, read_literature, read_second, read_statements, read_verdicts, said as filled,
                             with_sentences)
 from lineage.lock import quoted, read_lock
 from lineage.refresh import command_of, printed, read_figures
-from lineage.sources import definitions, local_names, named_at, sources_of
+from lineage.sources import definitions, local_names, sources_of
 from lineage.values import distance
 from lineage.volumes import joined, volumes
 from live import live
@@ -107,19 +107,15 @@ class Book:
         programs = [program for v in every for program in programs_of(v)]
         locked, report = joined(read_lock, every), self.build / "report"
         cells = read_cells(self.data, programs, quoted(self.root))
-        fresh = read_facts(self.data, programs) | cells | joined(lambda volume: read_answers(volume, report), every)
+        ecsv.check_all_written(self.data)
+        fresh = cells | joined(lambda volume: read_answers(volume, report), every)
         self.numbers = by_name(fresh | locked)
         self.stale = {fresh[key].name for key in locked.keys() & fresh.keys()
                       if self.build.name != "quick" and distance(locked[key], fresh[key]) > 1}
         self.verdicts = joined(lambda volume: read_verdicts(volume, report), every)
         self.judged = joined(read_statements, every)
         self.literature = joined(read_literature, every)
-        self.lines, near = {}, {}
-        for chapter in self.chapters:
-            needed = [self.by_include[i] for i in chapter.includes if i in self.by_include]
-            halves = [i for i in (s.included[:-4] + ".cpp" for s in needed) if i in self.by_include]
-            near[chapter.stem] = [chapter, *needed, *(self.by_include[i] for i in halves)]
-        self.lines = {name: self.table_at(f) if f.what == "cell" else named_at(f.id, near.get(f.program, ())) for name, f in self.numbers.items()}
+        self.lines = {name: self.table_at(f.program, f.id.partition("/")[0]) for name, f in self.numbers.items() if f.what == "cell"}
         for id, (_, path, line) in self.judged.items():
             self.lines[id] = self.by_path[str(path.relative_to(self.root))], line
 
@@ -130,9 +126,9 @@ class Book:
         self.labels = {row["label"]: f"Eq. ({row['number']})" for row in equations}
         self.labels |= {row["label"]: f"Fig. {int(id)}" for id, row in self.figures.items() if row["label"]}
 
-    def table_at(self, cell):
-        """Where a chapter begins the table of a cell."""
-        chapter, table = self.by_page[cell.program], cell.id.partition("/")[0]
+    def table_at(self, program, table):
+        """Where a chapter names a table first, as (source, line); nothing where its name is put together."""
+        chapter = self.by_page[program]
         lines = [k for k, line in enumerate(chapter.text.split("\n"), 1) if f'"{table}"' in line]
         return (chapter, lines[0]) if lines else None
 
@@ -313,10 +309,10 @@ class Book:
     def numbers_page(self, program):
         """All numbers of a program, and its tables with their columns."""
         paths = ecsv.tables_in(self.data / program)
-        means = {c.name: c.description for path in paths for c in ecsv.header_of(ecsv.text_of(path))[0] if len(c.name) > 2}
-        rows = [[md.place(name) + md.name(f.id), meaning(f.id.rpartition("/")[2], means), md.number(md.with_error(f)) + self.second_mark(name),
+        means = {(path.stem, c.name): c.description for path in paths for c in ecsv.header_of(ecsv.text_of(path))[0]}
+        rows = [[md.place(name) + md.name(f.id), md.spelled(means.get((f.id.partition("/")[0], f.id.rpartition("/")[2]), "")), md.number(md.with_error(f)) + self.second_mark(name),
                  ", ".join(filter(None, [self.line_link(name), self.speaks(name, program)])) + self.alone_mark(name)]
-                for name, f in sorted(self.numbers.items()) if f.program == program and f.what in ("cell", "fact")]
+                for name, f in sorted(self.numbers.items()) if f.program == program and f.what == "cell"]
         out = [f"{ORPHAN}# Numbers and tables of {program}\n\n*{self.by_page[program].title}*: `{program}`, computed by "
                f"`{run_of(program)}`{self.cost(program)}. What they decide is in [published against "
                "reproduced](published.md); how to read a table is told in [use the data](data.md).\n",
@@ -351,7 +347,7 @@ class Book:
     def table_links(self, row):
         """Where a chapter begins each table of a figure."""
         chapter = self.by_page[row["program"]]
-        lines = {found[1] for name in row["data"].split() if (found := named_at(name, [chapter]))}
+        lines = {found[1] for name in row["data"].split() if (found := self.table_at(row["program"], name))}
         return ", ".join([self.page_link(chapter.page), *(md.link(f"{chapter.page}.html#L-{k}", f"line {k}") for k in sorted(lines))])
 
     def naming(self, label):
@@ -482,14 +478,6 @@ def columns(path):
     return md.table(["column", "unit", "meaning"], rows, "columns")
 
 
-def meaning(id, columns):
-    """A fact in words: those of the column that it is called after, and the rest of its name."""
-    if not (names := [name for name in columns if re.match(rf"{name}(_|$)", id)]):
-        return ""
-    rest = id[len(max(names, key=len)):].strip("_").replace("_", " ")
-    return md.spelled(columns[max(names, key=len)]) + (f" ({md.plain(rest)})" if rest else "")
-
-
 def comparison(text):
     """One as `verdicts` writes it, `sweep.speed (s = 0): 1.2 +- 3e-4 < 2`: what was read, and both sides."""
     what, _, sides = text.rpartition(": ")
@@ -551,14 +539,14 @@ def in_anchor(text):
 
 
 class Bind(SphinxTransform):
-    """Binds the links num: and finding:, and what prose names, in one page."""
+    """Binds the links cell:, statement: and finding:, and what prose names, in one page."""
     default_priority = 5
 
     def apply(self, **given):
         self.book, self.page = self.env.app.book, self.env.docname
         for found in list(self.document.findall(nodes.reference)):
             kind, _, id = unquote(found.get("refuri", "")).partition(":")
-            if kind in ("num", "cell", "statement"):
+            if kind in ("cell", "statement"):
                 found.replace_self(self.number(id, found))
             elif kind == "finding":
                 found.replace_self(link(found.astext(), f"findings.html#{id}", kind=["evidence"]))
@@ -595,7 +583,7 @@ class Bind(SphinxTransform):
         text, known = found.astext(), number.shown
         if text == "to":  # as the sentence of a finding has it
             text = number.shown_as_interval
-        if text not in ("", known, number.shown_in_prose, number.shown_in_table, number.shown_as_interval, number.shown_like(text)):
+        if text not in ("", known, number.shown_like(text)):
             say.warning(f"{id} is stale: the text has {text}, the reference value is {known} (make refresh)", location=found)
         if id in self.book.stale:
             say.warning(f"{id} is stale: the computed value differs from the reference value {known} (make accept)", location=found)

@@ -62,7 +62,6 @@ bool follows(const Case& one, const Cases& all, Tables& tables, const Change& ce
 /// A column as a whole, or, where that moves both sides of a comparison alike, one of its cells; of many two dozen are tried.
 bool follows(const Case& one, const Cases& all, Tables& tables, const CellRead& column) {
   const auto& [program, table, name, row] = column;
-  if (table == "facts") return follows(one, all, tables, Change{program, table, name, row});
   if (follows(one, all, tables, Change{program, table, name})) return true;
   std::vector<std::size_t> rows;
   for (const CellRead& cell : one.found.cells)
@@ -103,13 +102,11 @@ TEST_CASE("a verdict follows the values that it was read from", "[statements]") 
     if (one.claim.status == "quantified") continue;  // nothing is decided
     std::set<CellRead> columns;
     for (CellRead cell : one.found.cells) {
-      if (cell.table != "facts") cell.row = 0;
+      cell.row = 0;
       columns.insert(cell);
     }
     for (const CellRead& column : columns) {
-      const std::string name =
-          column.table == "facts" ? tables.of(column.program, "facts").texts("quantity")[column.row]
-                                  : column.table + "." + column.column;
+      const std::string name = column.table + "." + column.column;
       const bool is_listed = listed.erase({one.claim.id, name}) > 0;
       CAPTURE(one.claim.id, name);
       CHECK(follows(one, all, tables, column) != is_listed);
@@ -123,16 +120,14 @@ TEST_CASE("a table that is cut short decides nothing", "[statements]") {
   const Cases all = judge(VOLUME_DIR, tables);
   for (const Case& one : all) {
     std::map<std::pair<std::string, std::string>, std::size_t> read;  // the last row of each
-    for (const CellRead& cell : one.found.cells)
-      if (cell.table != "facts") {
-        std::size_t& last = read[{cell.program, cell.table}];
-        last = std::max(last, cell.row);
-      }
+    for (const CellRead& cell : one.found.cells) {
+      std::size_t& last = read[{cell.program, cell.table}];
+      last = std::max(last, cell.row);
+    }
     for (const auto& [of, last] : read) {
       const auto& [program, table] = of;
       const std::size_t rows = tables.of(program, table).rows.size();
       CAPTURE(one.claim.id, table, rows);
-      if (rows < 2) continue;
       tables.cut(program, table, std::min<std::size_t>(last, 1));
       CHECK(statements().at(one.claim.id).judge(tables).lost != "");
       tables.restore();
@@ -164,23 +159,6 @@ TEST_CASE("what was observed names its range in its sentence", "[statements]") {
   for (std::size_t i = 0; i < kind.size(); ++i)
     if (kind[i] == "observed")
       CHECK(sentence[i].find(range[i].substr(0, range[i].find(';'))) != std::string::npos);
-}
-
-TEST_CASE("no number of a program is without an error unless it is exact", "[statements]") {
-  for (const auto& folder : fs::directory_iterator(tables_of_run())) {
-    const fs::path file = folder.path() / "facts.ecsv";
-    if (!fs::exists(file)) continue;
-    const Table t = read(file);
-    const auto label = t.texts("quantity"), kind = t.texts("kind");
-    const auto value = t.numbers("value"), error = t.numbers("error");
-    for (std::size_t i = 0; i < kind.size(); ++i) {
-      CAPTURE(file.string(), label[i], error[i], kind[i]);
-      if (kind[i] == "exact")
-        CHECK(error[i] == 0);
-      else
-        CHECK((error[i] > 0 || std::isnan(value[i])));
-    }
-  }
 }
 
 TEST_CASE("the ring of figure 26 starts from the phonon of Eq. (39), and arrives", "[statements]") {

@@ -62,12 +62,6 @@ void Answers::add_small(const std::string& quantity, const Estimate& e, const st
   table.add({quantity, none ? undefined : e, unit, kind_of(e), meaning, why});
 }
 
-void Quantities::add(const std::string& quantity, const Estimate& e, const std::string& unit) {
-  for (const auto& row : table.rows)
-    if (std::get<std::string>(row[0]) == quantity) throw std::logic_error(quantity + ": twice");
-  table.add({quantity, e, unit, kind_of(e)});
-}
-
 /**
 ## Headers
 
@@ -118,8 +112,7 @@ static Meta build() {
           {"libraries", LATTICE_LIBRARIES}};
 }
 
-void Output::finish(const Quantities& facts) {
-  if (!facts.table.rows.empty()) add("facts", facts.table);
+void Output::finish() {
   Sums sums;
   for (const auto& [name, table] : tables_) {
     if (table.columns.empty()) throw std::logic_error(name + ": a table without a row");
@@ -285,7 +278,7 @@ void Invocation::reproduce(const Offer& full) {
     const Heartbeat alive(program.name);
     program.reproduce(report);
   }
-  tables.finish(report.facts);
+  tables.finish();
 }
 
 }  // namespace

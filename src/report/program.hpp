@@ -4,7 +4,7 @@
 
 Every chapter is a program with the same manners. Without a command it computes everything its section
 shows and writes tables to `--out`; a command computes one thing with the reader's parameters and prints a
-table. What they share is in this file: provenance, facts, errors and exit codes.
+table. What they share is in this file: provenance, errors and exit codes.
 
 Bad input ends with exit code 2 and one line that names the option, the value and what is allowed. A
 computation that does not deliver what it promised ends with exit code 1. In neither case is a file left
@@ -32,23 +32,12 @@ struct Failure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/**
-What a chapter computes beside its tables are facts, and what a command answers has the same form. Which fact answers what
-the article prints is said in `paper/claims.ecsv` and judged there (verdict.hpp). */
-/// The columns quantity, value, error, unit, kind.
+/// What a command answers: the columns quantity, value, error, unit, kind.
 Columns quantity_columns();
 
 /// A quantity that is not defined, such as the speed of a packet that never left.
 inline constexpr Estimate undefined{std::numeric_limits<double>::quiet_NaN(),
                                     std::numeric_limits<double>::quiet_NaN()};
-
-/// The facts of a chapter, the table `facts` if there are any.
-struct Quantities {
-  Table table{quantity_columns()};
-
-  /// One row. Throws std::logic_error for a second one of this name.
-  void add(const std::string& quantity, const Estimate& e, const std::string& unit = "");
-};
 
 /**
 Each row of an answer says what it means and, where its value is `nan`, why. A value smaller than its error is no answer,
@@ -97,7 +86,7 @@ class Output {
   /// Where the tables go; work in progress may wait there under a name that begins with a dot.
   const std::filesystem::path& folder() const { return folder_; }
   /// Writes all tables, then `run.ecsv`, and last `SHA256SUMS` (sums.hpp).
-  void finish(const Quantities& facts);
+  void finish();
 
  private:
   std::filesystem::path folder_;
@@ -105,11 +94,10 @@ class Output {
   std::deque<std::pair<std::string, Table>> tables_{};
 };
 
-/// What the parts of a chapter write: the tables of their figures, and numbers that text and captions quote.
+/// What the parts of a chapter write: tables.
 struct Report {
   Output& output;
   bool quick;  ///< whether the run has coarse parameters
-  Quantities facts{};
 
   /// A new table of the output, to be filled; without columns its first row has them.
   Table& table(const std::string& name, const Columns& columns = {}) {

@@ -80,7 +80,7 @@ double Tables::changed(const CellRead& cell, double value) const {
 /**
 ## The name of a value
 
-A fact has its own. A cell is named by its table, its column, and as many of the first cells of its row as no other row has;
+A cell is named by its table, its column, and as many of the first cells of its row as no other row has;
 results, which have errors, do not name a row. */
 static bool is_result(const Table& table, const std::string& column) {
   return std::ranges::any_of(table.columns,
@@ -97,7 +97,6 @@ static std::string shown(const Cell& cell) {
 
 static std::string name_of(const CellRead& cell, const Table& table) {
   const auto& row = table.rows[cell.row];
-  if (cell.table == "facts") return std::get<std::string>(row[0]);
   std::vector<const std::vector<Cell>*> alike;
   for (const auto& other : table.rows) alike.push_back(&other);
   std::string which;
@@ -194,23 +193,21 @@ std::string Data::Row::text(const std::string& column) const {
   return *text;
 }
 
-// The number and its error, after the change that a test makes; a fact has a unit of its own
+// The number and its error, after the change that a test makes
 Quantity Data::Row::operator[](const std::string& column) const {
   const auto& [table, program, name, reading] = *source;
-  const bool is_fact = name == "facts";
   const CellRead read{program, name, column, at};
   const double value = number_in(cell(column), column), now = reading.tables->changed(read, value);
   reading.all.insert(read);
   reading.latest.insert(read);
 
   const Column& heading = table.columns[source->find(column)];
-  const std::string with_error = is_fact ? "error" : column + "_error";
+  const std::string with_error = column + "_error";
   const double error = heading.kind == Kind::integer ? 0 : number_in(cell(with_error), with_error);
   if (!std::isfinite(now) || !std::isfinite(error) || error < 0)
     throw Unresolved{program + ": " + name_of(read, table) + " is not a number, or has no error"};
-  const std::string unit = is_fact ? text("unit") : heading.unit;
-  if (error == 0) return {{exact(now)}, unit};
-  return {{Estimate(now, now == value ? error : std::abs(now / value) * error)}, unit};
+  if (error == 0) return {{exact(now)}, heading.unit};
+  return {{Estimate(now, now == value ? error : std::abs(now / value) * error)}, heading.unit};
 }
 
 /**
@@ -381,12 +378,6 @@ Data Statement::table(const std::string& program, const std::string& name) {
 }
 Data Statement::table(const std::string& name) {
   return table(program_, name);
-}
-Quantity Statement::fact(const std::string& program, const std::string& name) {
-  return table(program, "facts").at("quantity", name)["value"];
-}
-Quantity Statement::fact(const std::string& name) {
-  return fact(program_, name);
 }
 
 // How it is judged, and how it comes to be known

@@ -258,9 +258,6 @@ class Statement {
   /// A table of the program of this file, or of another one.
   Data table(const std::string& name);
   Data table(const std::string& program, const std::string& name);
-  /// A number of the program, or of another one: a row of its facts.ecsv.
-  Quantity fact(const std::string& name);
-  Quantity fact(const std::string& program, const std::string& name);
 
   /// a < b by more than the errors of both.
   void less(const Estimate& a, const Estimate& b);

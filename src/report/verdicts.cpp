@@ -43,7 +43,8 @@ Table table_of(const Cases& rows) {
          {"margin_error", "error of the margin", closest ? closest->margin().error : none.error},
          {"verdict", "verdict, as explained in paper/verdicts.ecsv", verdict(one, rows)},
          {"found", "the value, or the comparisons, of many the closest one", found.text()},
-         {"short", "the value, or up to three comparisons, of more the closest one", found.short_text()},
+         {"short", "the value, or up to three comparisons, of more the closest one",
+          found.short_text()},
          {"state", "judged here; not run: the recorded verdict; quick: from coarse tables",
           !found.not_run.empty() ? "not run"
           : found.is_quick       ? "quick"

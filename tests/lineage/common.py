@@ -33,14 +33,14 @@ LOCK = ["program", "what", "id", "value", "error", "unit", "kind"]
 STATEMENTS = '''/**
 # Statements: a demonstration */
 STATEMENT("a.one") {
-  answer(fact("one"));
+  answer(table("results").at("name", "one")["value"]);
 }
 STATEMENT("a.two") {
-  less(1, fact("fact"));
+  less(1, table("results").at("name", "two")["value"]);
 }
 '''
-FACTS = ["quantity", "value", "error", "unit"]
-FACTS_OF_DEMO = ["one", 1.0, 1e-3, "m"], ["other", 1.0, 0.0, ""], ["fact", 2.0, 0.1, ""]
+RESULTS = ["name", "value", "value_error"]
+RESULTS_OF_DEMO = ["one", 1.0, 1e-3], ["other", 1.0, 0.0], ["two", 2.0, 0.1]
 FIGURES = ["id", "label", "section", "program", "script", "class", "data", "caption", "details"]
 REAL = ("value", "error", "value_error", "margin", "margin_error", "seconds", "lowest", "highest")
 NAN = float("nan")
@@ -68,27 +68,27 @@ def finding(value, error=0.0, unit="", kind="value", id="x"):
 
 
 class Scratch(unittest.TestCase):
-    """A small repository, in which the test stands: one chapter, two statements, three facts, one figure."""
+    """A small repository, in which the test stands: one chapter, two statements, three results, one figure."""
 
     def setUp(self):
         self.root = Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, self.root)
         self.addCleanup(os.chdir, os.getcwd())
         os.chdir(self.root)
-        self.write("src/sec1_demo.cpp", "/**\n# 1 A demonstration\n\nIt is [](num:a.one). */\n")
+        self.write("src/sec1_demo.cpp", "/**\n# 1 A demonstration\n\nIt is [](statement:a.one). */\n")
         self.write("paper/claims.ecsv", table(CLAIMS, [
             ["a.one", "1", "Fig. demo", "one", "1.02", "", "rel 1e-2", "", "", "they erred", "their ruler", "discrepant"],
             ["a.two", "1", "text", "two", "yes", "", "", "of {a.one}, Section wells", "", "", "", "holds"]]))
         self.write("src/statements/sec1_demo.cpp", STATEMENTS)
         self.write("paper/converged.ecsv", table(LOCK, [
             ["sec1_demo", "answer", "a.one", 1.0000000000000002, 1e-3, "m", "value"],
-            ["sec1_demo", "margin", "a.two", 0.5, 0.05, "", "value"], ["sec1_demo", "fact", "fact", 2.0, 0.1, "", "headline"]]))
+            ["sec1_demo", "margin", "a.two", 0.5, 0.05, "", "value"], ["sec1_demo", "cell", "results/name=two/value", 2.0, 0.1, "", "headline"]]))
         self.write("figures/figures.ecsv", table(FIGURES, [
-            ["01", "demo", "1", "sec1_demo", "fig01.gp", "ER", "facts", "A line.", "(a–c) At $t = \\frac12$."]]))
+            ["01", "demo", "1", "sec1_demo", "fig01.gp", "ER", "results", "A line.", "(a–c) At $t = \\frac12$."]]))
         self.write("paper/costs.ecsv", table(["program", "seconds"], [["sec1_demo", 3.0]]))
         self.write("codemeta.json", ecsv.text_of(ROOT / "codemeta.json"))
         self.write("README.md", "<!-- discrepant -->\n<!-- /discrepant -->\n")
-        self.facts(*FACTS_OF_DEMO)
+        self.results(*RESULTS_OF_DEMO)
 
     def write(self, name, text):
         ecsv.write_whole(self.root / name, text)
@@ -105,14 +105,14 @@ class Scratch(unittest.TestCase):
         """What `verdicts` would have written."""
         nan = float("nan")
         self.report(["claims", "a.one", one, 1e-3, "m", nan, nan, verdict, "1 +- 1e-3 m", "1 +- 1e-3 m", "judged", "sec1_demo"],
-                    ["claims", "a.two", nan, nan, "", 0.5, 0.05, "holds", *["fact: 1 < 2 +- 0.1"] * 2, "judged", "sec1_demo"])
+                    ["claims", "a.two", nan, nan, "", 0.5, 0.05, "holds", *["results.value: 1 < 2 +- 0.1"] * 2, "judged", "sec1_demo"])
 
     def report(self, *rows):
         columns = ["list", "id", "value", "error", "unit", "margin", "margin_error", "verdict", "found", "short", "state", "program"]
         self.write("build/report/claims.ecsv", table(columns, rows))
 
-    def facts(self, *rows):
-        self.computed("sec1_demo/facts.ecsv", table(FACTS, rows))
+    def results(self, *rows):
+        self.computed("sec1_demo/results.ecsv", table(RESULTS, rows))
 
     def computed(self, name, text, data="build/data"):
         """Writes a table as a program does, with a new list of all that are there."""

@@ -34,7 +34,7 @@ class Words(unittest.TestCase):
 CHAPTER = """/**
 # 1 A demonstration
 
-What we see, as in Eq. (9), is $x^2$, and it is [](num:a.one), with [2.0](num:sec1_demo.fact) beside it (demo.hpp).
+What we see, as in Eq. (9), is $x^2$, and it is [](statement:a.one), with [2.0 ± 0.1](cell:results/name=two/value) beside it (demo.hpp).
 [1.5](cell:speeds/n=2/value) and [0.50](cell:n=1/value) were measured.
 ![All of $it$.](fig:01) */
 #include "lattice/numbers/demo.hpp"
@@ -50,8 +50,7 @@ $$E = \\tfrac12 v^2
 <!-- /statements --> */
 int main() {
   report.table("speeds");
-  facts.add("one", once(1));
-  facts.add("fact", {2, 0.1});
+  report.table("results").add({"one", once(1)});
 }
 """
 
@@ -70,11 +69,11 @@ class Repository(Scratch):
         self.write("build/figures/fig01.svg", '<svg xmlns="http://www.w3.org/2000/svg" width="10mm" height="20"><rect/></svg>')
         self.write("book/equations.ecsv", ecsv.text_of(ROOT / "book/equations.ecsv"))
         self.write("book/contents.txt", "= One\nsec1_demo\n")
-        self.write("book/start.md", "# Start\n\nTake [](num:a.one).\n")
+        self.write("book/start.md", "# Start\n\nTake [](statement:a.one).\n")
         self.write("book/commands.txt", "a.one build/bin/sec1_demo one --exactly # one\n")
         self.write("src/modules.ecsv", table(["folder", "idea"], [["src/lattice/numbers", "what numbers are"]]))
         self.write("tools/apt-packages.txt", "dpkg\n[book]\nno-such-package\n")
-        cells = [{"cell_type": "markdown", "source": ["# In Python\n", "\n", "By Eq. (9), $x^2$; [](num:a.one)."]},
+        cells = [{"cell_type": "markdown", "source": ["# In Python\n", "\n", "By Eq. (9), $x^2$; [](statement:a.one)."]},
                  {"cell_type": "code", "source": ["x = 1  # one"], "outputs": [{"output_type": "stream", "text": ["a < b\n"]}]}]
         self.write("python/a_b.ipynb", json.dumps({"cells": cells}))
         self.program()
@@ -92,14 +91,14 @@ class Repository(Scratch):
         self.assertEqual(self.build(), (0, ""))
         page = self.read("build/book/sec1_demo.html")
         for piece in ['href="published.html#a.one"', "1.000 ± 0.001 m; the article prints 1.02: discrepant", 'class="katex"',
-                      'href="numbers-sec1_demo.html#sec1_demo.fact"', 'href="equations.html#eq-9"', 'href="numbers-demo.html">demo.hpp</a>',
+                      'href="numbers-sec1_demo.html#sec1_demo/results/name=two/value"', 'href="equations.html#eq-9"', 'href="numbers-demo.html">demo.hpp</a>',
                       'id="fig-01"', "make fig01", "figures/fig01.gp", 'id="L-19"', "<em>this</em>. And", ">1.5</a> and <a"]:
             self.assertIn(piece, page)
         for name, pieces in {
                 "published": ['id="a.one"', "they erred", 'statements-sec1_demo-cpp.html#L-3">judged</a>', "--exactly"],
-                "numbers-sec1_demo": ['id="sec1_demo.fact"', "sec1_demo.html#L-21", "data/sec1_demo/facts.ecsv", "what quantity is",
+                "numbers-sec1_demo": ['id="sec1_demo/results/name=two/value"', "sec1_demo.html#L-20", "data/sec1_demo/results.ecsv", "what name is",
                                       'id="sec1_demo/speeds/n=1/value"', 'sec1_demo.html#L-19">Results, line 19 of'],
-                "fig-01": ["(a–c) At", "a line", "what quantity is"], "numbers-demo-cpp": ["A header: how", "declared in"],
+                "fig-01": ["(a–c) At", "a line", "what name is"], "numbers-demo-cpp": ["A header: how", "declared in"],
                 "commands": ['id="sec1_demo-one"', "how fast it is, in sites (default: 0.5)", "[1e-06, 1] m/s"], "packages": ["not installed"],
                 "notebook-a-b": ["equations.html#eq-9", "a &lt; b"], "library": ["what numbers are"], "data": ["numbers-sec1_demo.html"]}.items():
             for piece in pieces:
@@ -114,9 +113,9 @@ class Repository(Scratch):
 
     def test_what_stops_the_build(self):
         for old, new, message in [
-                ("num:a.one", "num:a.none", "'a.none' has no reference value and no computed value"), ("[2.0]", "[3.0]", "is stale: the text has 3.0"),
+                ("statement:a.one", "statement:a.none", "'a.none' has no reference value and no computed value"), ("[2.0 ± 0.1]", "[3.0 ± 0.1]", "is stale: the text has 3.0"),
                 ("fig:01", "fig:02", "no figure '02'"), ("Eq. (9)", "Eq. (99)", "no Eq. .99."), ("$x^2$", r"$\nonsense{x}$", "KaTeX.*nonsense"),
-                ("$x^2$", "[there](nowhere.html)", "nowhere"), ("$x^2$", r"it costs \$5 or", "left as text"), ('"fact"', '"other"', "no line of the sources names"),
+                ("$x^2$", "[there](nowhere.html)", "nowhere"), ("$x^2$", r"it costs \$5 or", "left as text"), ('"results"', '"others"', "no line of the sources names"),
                 ("$x^2$", '<a href="sec1_demo.html#none">x</a>', "leads nowhere"), ("cell:n=1", "cell:n=3", "no row of .* with n = 3"), ("[0.50]", "[0.51]", "is stale: the text has 0.51")]:
             with self.subTest(new):
                 self.assertIn(old, CHAPTER)

@@ -9,17 +9,17 @@ from lineage.lock import read_lock
 from common import ROOT, STATEMENTS, VOLUME, Scratch, finding, of_volume, table
 
 FINDINGS = ["id", "sentence", "kind", "range", "tried", "second", "figure", "front"]
-GOOD = ["pull", "Up to t = 10 it is [](num:a.one) and $x_1 > 0$.", "observed", "Up to t = 10; one well", "longer runs",
+GOOD = ["pull", "Up to t = 10 it is [](statement:a.one) and $x_1 > 0$.", "observed", "Up to t = 10; one well", "longer runs",
         "0.9 by hand", "01", "yes"]
 
 
 class Rows(Scratch):
     def test_our_numbers_in_a_row(self):
-        self.assertEqual(claims.said("It is {p.q}, {not a name}.", {"p.q": finding(1.25, 1e-3)}), "It is 1.250, {not a name}.")
+        self.assertEqual(claims.said("It is {p.q}, {not a name}.", {"p.q": finding(1.25, 1e-4)}), "It is 1.250, {not a name}.")
         with self.assertRaisesRegex(ecsv.Fault, "there is no number 'p.none'"):
             claims.said("{p.none}", {})
-        row = {"sentence": "It is [](num:a.one).", "assumption": "with {sec1_demo.q}", "covered_by": "a.two^2"}
-        self.assertEqual(claims.quoted_in(row), {"a.one", "sec1_demo.q"})
+        row = {"sentence": "It is [](statement:a.one).", "assumption": "with {sec1_demo/t/s=-1/6/q}", "covered_by": "a.two^2"}
+        self.assertEqual(claims.quoted_in(row), {"a.one", "sec1_demo/t/s=-1/6/q"})
 
     def test_every_row_is_judged_by_a_statement(self):
         self.assertEqual({id: row["program"] for id, row in claims.read_claims(self.root).items()}, {"a.one": "sec1_demo", "a.two": "sec1_demo"})
@@ -28,11 +28,11 @@ class Rows(Scratch):
 
     def test_a_sentence_shows_a_number_or_both_ends_of_a_bound(self):
         numbers = {"p.q": finding(0.18083351357990812, 6.4137584132595309e-12)}
-        self.assertEqual(claims.in_plain("[](num:p.q), [to](num:p.q).", numbers), "0.180834, 0.1808335135(734 to 864).")
+        self.assertEqual(claims.in_plain("[](statement:p.q), [to](statement:p.q).", numbers), "0.181, 0.1808335135(734 to 864).")
 
     def test_the_sentence_of_a_finding_stands_in_one_place(self):
         self.write("paper/findings.ecsv", table(FINDINGS, [GOOD]))
-        self.write("src/statements/sec1_demo.cpp", STATEMENTS + 'STATEMENT("pull") {\n  less(1, fact("one"));\n}\n')
+        self.write("src/statements/sec1_demo.cpp", STATEMENTS + 'STATEMENT("pull") {\n  less(1, table("results").at("name", "one")["value"]);\n}\n')
         mark = "<!-- pull -->\n<!-- /pull -->"
         for prose, words in [("", "pull: it is quoted in no chapter and no page of the report"),
                              (mark + mark.replace("pull", "push"), "sec1_demo.cpp: there is no table 'push'"),
@@ -42,15 +42,15 @@ class Rows(Scratch):
         self.write("src/sec1_demo.cpp", f"/**\n# 1 A demonstration\n\n{mark} */\n")
         self.write("README.md", "<!-- found -->\n<!-- /found -->\n")
         self.assertEqual(self.lineage("refresh")[0], 0)
-        self.assertIn("- Up to t = 10 it is 1.000 and $x_1 > 0$. (make fig01)", self.read("README.md"))
-        self.assertIn("<!-- pull -->\nUp to t = 10 it is 1.000 and $x_1 > 0$. (observed)\n<!-- /pull -->", self.read("src/sec1_demo.cpp"))
-        self.change("src/sec1_demo.cpp", "1.000", "1.001")
+        self.assertIn("- Up to t = 10 it is 1.00 and $x_1 > 0$. (make fig01)", self.read("README.md"))
+        self.assertIn("<!-- pull -->\nUp to t = 10 it is 1.00 and $x_1 > 0$. (observed)\n<!-- /pull -->", self.read("src/sec1_demo.cpp"))
+        self.change("src/sec1_demo.cpp", "1.00", "1.01")
         self.assertEqual(self.lineage("refresh", "--check")[0], 1)
 
         nan = float("nan")
         self.report(["findings", "pull", nan, nan, "", 0.1, 0.01, "holds", "one: 0.9 < 1 +- 1e-3; one: 1 < 2", "one: 1 < 2", "judged", "sec1_demo"])
         out = self.lineage("show", "pull")[1]
-        self.assertIn("we found   Up to t = 10 it is 1.000 and $x_1 > 0$.", out)
+        self.assertIn("we found   Up to t = 10 it is 1.00 and $x_1 > 0$.", out)
         self.assertIn("found      one: 0.9 < 1 +- 1e-3\n  found      one: 1 < 2\n  judged     src/statements/sec1_demo.cpp:9\n", out)
 
 

@@ -49,7 +49,7 @@ class Archive(Scratch):
         self.assertEqual({(m.uid, m.gid, m.mtime) for m in members}, {(0, 0, 1000000000)})
         check = self.run_in("sh", "-c", "cd out/$NAME && sha256sum --quiet -c SHA256SUMS && wc -l < SHA256SUMS")
         self.assertEqual(int(check.stdout), sum(m.isfile() for m in members) - 1, check.stderr)
-        files = ["codemeta.json", "build/data/sec1_demo/facts.ecsv", "build/data/sec1_demo/SHA256SUMS", "build/figures/fig01.pdf", "build/report/claims.ecsv"]
+        files = ["codemeta.json", "build/data/sec1_demo/results.ecsv", "build/data/sec1_demo/SHA256SUMS", "build/figures/fig01.pdf", "build/report/claims.ecsv"]
         self.assertEqual([path for path in files if not (inside / path).exists()], [])
         first = archive.read_bytes()
         os.utime(self.root / "build/figures/fig01.svg", (5, 5))

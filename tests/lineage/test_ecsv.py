@@ -25,11 +25,11 @@ class Reader(unittest.TestCase):
         self.assertIn("0.10000000000000001", text)
 
     def test_what_cannot_be_read_is_one_line(self):
-        good = table(LOCK, [["p", "fact", "a", 1.0, 0.0, "", "value"], ["p", "fact", "b", 2.0, 0.0, "", "value"]])
+        good = table(LOCK, [["p", "cell", "a", 1.0, 0.0, "", "value"], ["p", "cell", "b", 2.0, 0.0, "", "value"]])
         for bad, message in [("", "t: not a table (it is empty)"), (good[:300], "t: not a table (it ends in its header)"),
                              (good[:-9], "row 2: 6 cells under 7 columns"), (good[:-1], "t: row 2: the file is cut off"),
                              (good.replace("b,2", "b,two"), "t: row 2: 'two' in the column 'value' is not a number"),
-                             (good.replace("t,b,", 't,"b,'), "t: unbalanced quotes"),
+                             (good.replace("l,b,", 'l,"b,'), "t: unbalanced quotes"),
                              (good.replace("program,what", "program,name"), "column names above the rows")]:
             with self.assertRaises(ecsv.Fault) as caught:
                 ecsv.parse(bad, "t")
@@ -53,7 +53,7 @@ class Reader(unittest.TestCase):
 class Files(Scratch):
     """What is wrong with one is a line that names file and row."""
 
-    FACTS, SPEEDS = "build/data/sec1_demo/facts.ecsv", "build/data/sec1_demo/speeds.ecsv"
+    RESULTS, SPEEDS = "build/data/sec1_demo/results.ecsv", "build/data/sec1_demo/speeds.ecsv"
 
     def test_what_means_nothing(self):
         text = self.read("paper/claims.ecsv")
@@ -61,11 +61,6 @@ class Files(Scratch):
         for verb in ("show a.one", "refresh", "macros"):
             self.refuses(verb, "claims.ecsv: row 3: two claims for 'a.two' (the first: row 2)")
         self.write("paper/claims.ecsv", text)
-        for rows, words in [([["fact", 1.0, 0.1, ""]] * 2, "row 2: two values for 'fact'"),
-                            ([["fact", 1.0, -0.1, ""]], "row 1: fact: the error -0.1 is negative")]:
-            self.facts(*rows)
-            self.refuses("show a.one", "sec1_demo/facts.ecsv: " + words)
-        self.facts()
         self.change("paper/converged.ecsv", "m,value", "m,vaule")
         self.refuses("refresh", "converged.ecsv: row 1: a.one: the kind 'vaule' is unknown")
         (self.root / "build/data").rename(self.root / "build/gone")
@@ -79,9 +74,9 @@ class Files(Scratch):
         self.write("apt-packages.txt", "")
         changed, readers = "not as SHA256SUMS has it; remove it to recompute it", ("show a.one", "tables")
         for path, old, new, words, verbs in [
-                (self.FACTS, r"(?s).*", "", "not a table (it is empty)", readers[:1]), (self.FACTS, r"(?s).{12}$", "", "row 3: ", readers[:1]),
-                (self.FACTS, "one,1,", "one,2,", changed, readers), (self.FACTS, r"fact,.*\n", "", changed, readers),
-                (self.FACTS, "what unit is", "of both", changed, readers), (self.SPEEDS, "\n2\n", "\n3\n", changed, readers)]:
+                (self.RESULTS, r"(?s).*", "", changed, readers), (self.RESULTS, r"(?s).{12}$", "", changed, readers),
+                (self.RESULTS, "one,1,", "one,2,", changed, readers), (self.RESULTS, r"two,.*\n", "", changed, readers),
+                (self.RESULTS, "what value is", "of both", changed, readers), (self.SPEEDS, "\n2\n", "\n3\n", changed, readers)]:
             good = self.read(path)
             self.write(path, re.sub(old, new, good, count=1))
             for verb in verbs:

@@ -5,10 +5,10 @@ from unittest import mock
 
 from lineage import ecsv, hashes
 
-from common import FACTS_OF_DEMO, ROOT, VOLUME, Scratch, of_volume, of_run, table
+from common import RESULTS_OF_DEMO, ROOT, VOLUME, Scratch, of_volume, of_run, table
 
-NAME = "sec1_demo/facts.ecsv"
-FACTS, RECORD = f"build/data/{NAME}", "paper/full.sha256"
+NAME = "sec1_demo/results.ecsv"
+RESULTS, RECORD = f"build/data/{NAME}", "paper/full.sha256"
 
 
 class Hashes(Scratch):
@@ -30,16 +30,16 @@ class Hashes(Scratch):
         return out + err
 
     def test_a_digit_counts_and_a_header_and_not_where_a_program_was_built(self):
-        text = self.read(FACTS)
+        text = self.read(RESULTS)
         self.change("build/data/sec1_demo/run.ecsv", "GNU 12", "GNU 14")
         self.assertEqual(self.says(0, check=""), "bytes      : 1 of 1 tables of the full run are as recorded\n")
         self.write(f"twin/{NAME}", text)
-        for old, new, words in [("fact,2,", "fact,2.0000000000000004,", "row 3, value: 2.0000000000000004 instead of 2.0 (1 of 3 rows differ)"),
-                                ("what unit is", "of both", "another header"), ("fact,2,", "fact,2.0,", "other spelling"),
-                                ("fact,2,0.10000000000000001,\"\"\n", "", "2 rows instead of 3")]:
-            self.write(FACTS, text)
-            self.change(FACTS, old, new)
-            self.says(1, f"differs  {FACTS}: not the bytes that are recorded; {words}\n", "0 of 1 tables", check="--against twin")
+        for old, new, words in [("two,2,", "two,2.0000000000000004,", "row 3, value: 2.0000000000000004 instead of 2.0 (1 of 3 rows differ)"),
+                                ("what value is", "of both", "another header"), ("two,2,", "two,2.0,", "other spelling"),
+                                ("two,2,0.10000000000000001\n", "", "2 rows instead of 3")]:
+            self.write(RESULTS, text)
+            self.change(RESULTS, old, new)
+            self.says(1, f"differs  {RESULTS}: not the bytes that are recorded; {words}\n", "0 of 1 tables", check="--against twin")
         with mock.patch("platform.machine", return_value="aarch64"):
             self.says(hashes.OTHER_PROCESSOR, "here     aarch64, GNU 14, GSL 2.7.1\n", "GNU 12, GSL 2.7.1\n", check="")
 
@@ -48,15 +48,15 @@ class Hashes(Scratch):
         self.says(0, "new      sec1_demo/speeds.ecsv (full)\n")
         speeds = self.root / "build/data/sec1_demo/speeds.ecsv"
         speeds.rename(speeds.with_name("new.ecsv"))
-        self.computed(NAME, self.read(FACTS))
+        self.computed(NAME, self.read(RESULTS))
         self.says(1, "new.ecsv: not recorded", "speeds.ecsv: recorded and not there", check="")
         self.says(0, "new      sec1_demo/new.ecsv (full)\n", "gone     sec1_demo/speeds.ecsv (full)\n")
 
     def test_what_has_not_run_is_not_compared_and_what_did_not_finish_is(self):
-        self.change(RECORD, NAME, f"sec2_other/facts.ecsv\n{'0' * 64}  {NAME}")
+        self.change(RECORD, NAME, f"sec2_other/results.ecsv\n{'0' * 64}  {NAME}")
         self.says(1, "0 of 1 tables", check="")
         (self.root / "build/data/sec2_other").mkdir()
-        self.says(1, "build/data/sec2_other/facts.ecsv: recorded and not there", check="")
+        self.says(1, "build/data/sec2_other/results.ecsv: recorded and not there", check="")
 
     def test_the_quick_run_has_its_own_bytes(self):
         self.quick("2")
@@ -69,7 +69,7 @@ class Hashes(Scratch):
             return subprocess.run(["sha256sum", "--strict", "-c", f"../../{RECORD}"], cwd="build/data", capture_output=True, text=True, check=False)
 
         self.assertEqual((check().returncode, check().stdout, check().stderr), (0, f"{NAME}: OK\n", ""))
-        self.change(FACTS, "fact,2,", "fact,3,")
+        self.change(RESULTS, "two,2,", "two,3,")
         self.assertEqual(check().returncode, 1)
 
     def test_nothing_is_recorded_of_a_run_of_another_kind_or_that_was_changed_or_did_not_finish(self):
@@ -79,18 +79,18 @@ class Hashes(Scratch):
             self.says(1, words, check=check)
             self.assertEqual((self.read(RECORD), self.read("paper/quick.sha256")), record)
 
-        self.facts(["one", 2.0, 1e-3, "m"])
+        self.results(["one", 2.0, 1e-3])
         self.quick("1", "no")
         refused(f"quick/data/{NAME}: from a full run; remove")
         self.quick("1")
-        self.computed(NAME, of_run("yes", self.read(FACTS)))
+        self.computed(NAME, of_run("yes", self.read(RESULTS)))
         for check in (None, ""):
-            refused(f"{FACTS}: from a quick run; remove", check)
-        self.facts(*FACTS_OF_DEMO)
-        self.change(FACTS, "fact,2,", "fact,3,")
+            refused(f"{RESULTS}: from a quick run; remove", check)
+        self.results(*RESULTS_OF_DEMO)
+        self.change(RESULTS, "two,2,", "two,3,")
         refused(f"{NAME}: not as SHA256SUMS has it; remove it to recompute it")
         (self.root / "build/quick/data/sec1_demo/SHA256SUMS").unlink()
-        self.facts(*FACTS_OF_DEMO)
+        self.results(*RESULTS_OF_DEMO)
         refused("sec1_demo did not finish")
 
     @of_volume

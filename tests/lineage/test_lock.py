@@ -6,38 +6,38 @@ from lineage import lock
 from lineage.claims import by_name
 from lineage.volumes import joined, volumes
 
-from common import FACTS_OF_DEMO, ROOT, VOLUME, WHOLE, Scratch, finding, of_run, of_volume
+from common import RESULTS_OF_DEMO, ROOT, VOLUME, WHOLE, Scratch, finding, of_run, of_volume
 
 
 class Locking(Scratch):
     def setUp(self):
         super().setUp()
-        self.computed("sec1_demo/facts.ecsv", of_run("yes", self.read("build/data/sec1_demo/facts.ecsv")), "build/quick/data")
+        self.computed("sec1_demo/results.ecsv", of_run("yes", self.read("build/data/sec1_demo/results.ecsv")), "build/quick/data")
         self.judged()
         self.lineage("accept")
 
     def test_what_was_not_run_keeps_its_rows(self):
-        locked = {("a", "fact", "x"): finding(1e-15, 0, "", "residue"), ("b", "fact", "y"): finding(0.1), ("c", "fact", "z"): finding(3)}
-        fresh = {("a", "fact", "x"): finding(2e-15), ("a", "fact", "w"): finding(7), ("a", "fact", "unquoted"): finding(8, id="no")}
+        locked = {("a", "cell", "x"): finding(1e-15, 0, "", "residue"), ("b", "cell", "y"): finding(0.1), ("c", "cell", "z"): finding(3)}
+        fresh = {("a", "cell", "x"): finding(2e-15), ("a", "cell", "w"): finding(7), ("a", "cell", "unquoted"): finding(8, id="no")}
         now = lock.renewed(locked, fresh, ["a", "b"], lambda f: f.id != "no")
-        self.assertEqual(sorted(now), [("a", "fact", "w"), ("a", "fact", "x"), ("b", "fact", "y")])
-        self.assertEqual((now["a", "fact", "x"].kind, now["a", "fact", "x"].value), ("residue", 2e-15))
+        self.assertEqual(sorted(now), [("a", "cell", "w"), ("a", "cell", "x"), ("b", "cell", "y")])
+        self.assertEqual((now["a", "cell", "x"].kind, now["a", "cell", "x"].value), ("residue", 2e-15))
 
     def test_answers_margins_and_what_is_quoted_are_locked(self):
-        self.assertIn("values     : 3 (5 computed), 0 changes", self.lineage("accept")[1])
+        self.assertIn("values     : 3 (3 computed), 0 changes", self.lineage("accept")[1])
         before, text = self.read("paper/converged.ecsv"), self.read("src/sec1_demo.cpp")
-        for name, quotation in [("src/sec1_demo.cpp", text + "/** [](num:sec1_demo.other) */\n"),
-                                ("paper/paper.tex", "\\num{sec1_demo.other}\n"), ("paper/theorem.tex", "\\both{sec1_demo.other}\n"),
-                                ("book/start.md", "[](num:sec1_demo.other)\n"),
-                                ("book/commands.txt", "# one\nsec1_demo.other run # it\n")]:
+        for name, quotation in [("src/sec1_demo.cpp", text + "/** [](cell:sec1_demo/results/name=other/value) */\n"),
+                                ("paper/paper.tex", "\\num{sec1_demo/results/name=other/value}\n"), ("paper/theorem.tex", "\\both{sec1_demo/results/name=other/value}\n"),
+                                ("book/start.md", "[](cell:sec1_demo/results/name=other/value)\n"),
+                                ("book/commands.txt", "# one\nsec1_demo/results/name=other/value run # it\n")]:
             self.write(name, quotation)
-            self.assertIn("new      sec1_demo other: 1", self.lineage("accept")[1], name)
-            self.write(name, text if name.endswith("cpp") else "% \\num{sec1_demo.other}\n# nothing\n")
-            self.assertIn("dropped  sec1_demo other: nothing quotes it", self.lineage("accept")[1], name)
+            self.assertIn("new      sec1_demo results/name=other/value: 1", self.lineage("accept")[1], name)
+            self.write(name, text if name.endswith("cpp") else "% \\num{sec1_demo/results/name=other/value}\n# nothing\n")
+            self.assertIn("dropped  sec1_demo results/name=other/value: nothing quotes it", self.lineage("accept")[1], name)
         self.assertEqual(self.read("paper/converged.ecsv"), before)
 
         self.change("paper/converged.ecsv", ',headline', ",value")  # marked by hand
-        self.assertIn("dropped  sec1_demo fact", self.lineage("accept")[1])
+        self.assertIn("dropped  sec1_demo results/name=two/value", self.lineage("accept")[1])
 
     def test_what_is_farther_than_the_errors_fails(self):
         self.judged(one=1.0005)
@@ -45,12 +45,12 @@ class Locking(Scratch):
                          "bytes      : 1 of 1 tables of the full run are as recorded\nbytes      : 1 of 1 tables of the quick run are as recorded\n"))
         self.assertIn("moved    a.one (answer): 1 -> 1.0004999999999999, 0.25 of the sum of the errors\n", self.lineage("accept")[1])
         self.judged(one=2.0)
-        one, other, _ = FACTS_OF_DEMO
-        self.facts(one, other, ["fact", 2.5, 0.1, ""])
+        one, other, _ = RESULTS_OF_DEMO
+        self.results(one, other, ["two", 2.5, 0.1])
         code, said, _ = self.lineage("accept", "--check")
         self.assertEqual(code, 1, said)
-        for words in ("a.one (answer): 1.0004999999999999 -> 2, 500 of the sum of the errors  <- outside\n", "moved    sec1_demo fact: 2 -> 2.5",
-                      ": 1 of 3", "differs  build/data/sec1_demo/facts.ecsv", "1 table, 2 values changed; if you meant it: make accept\n"):
+        for words in ("a.one (answer): 1.0004999999999999 -> 2, 500 of the sum of the errors  <- outside\n", "moved    sec1_demo results/name=two/value: 2 -> 2.5",
+                      ": 1 of 3", "differs  build/data/sec1_demo/results.ecsv", "1 table, 2 values changed; if you meant it: make accept\n"):
             self.assertIn(words, said)
 
 

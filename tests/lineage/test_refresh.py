@@ -6,23 +6,21 @@ from lineage import ecsv, refresh
 
 from common import VOLUME, Scratch, finding, of_volume
 
-NUMBERS = {"pn.omega11": finding(1.62e-11, 1e-13), "p.x": finding(3),
+NUMBERS = {"pn.omega11": finding(1.62e-11, 1e-14), "sec1/p/x": finding(3),
            "sec1/t/s=-1/6/x": finding(0.2012, 1e-3), "sec1/t/s=0/y": finding(0.31251, 1e-5)}
 
 
 class Texts(unittest.TestCase):
     def test_links_show_the_value_and_dangle_nowhere(self):
-        prose = "is [](num:pn.omega11), and [17](num:p.x) of [these](fig:07), as `[](num:...)` says."
-        ought = "is [1.62e-11](num:pn.omega11), and [3](num:p.x) of [these](fig:07), as `[](num:...)` says."
-        self.assertEqual(refresh.with_numbers(prose, NUMBERS), ought)
-        row = "a\n| a | [](num:pn.omega11) | [](num:p.x) |\n"
-        self.assertEqual(refresh.with_numbers(row, NUMBERS), "a\n| a | [1.62e-11 ± 1e-13](num:pn.omega11) | [3](num:p.x) |\n")
+        prose = "is [](statement:pn.omega11), and [17](cell:p/x) of [these](fig:07), as `[](cell:...)` says."
+        ought = "is [1.62e-11](statement:pn.omega11), and [3](cell:p/x) of [these](fig:07), as `[](cell:...)` says."
+        self.assertEqual(refresh.with_numbers(prose, NUMBERS, "sec1"), ought)
         for text in ("to", "1.61(5 to 9)e-11"):
-            self.assertEqual(refresh.with_numbers(f"[{text}](num:pn.omega11)", NUMBERS), "[1.6(09 to 30)e-11](num:pn.omega11)")
+            self.assertEqual(refresh.with_numbers(f"[{text}](statement:pn.omega11)", NUMBERS), "[1.6(1899 to 2100)e-11](statement:pn.omega11)")
         prose = "[0.1](cell:t/s=-1/6/x) and [](cell:s=0/y), [1.6](statement:pn.omega11)"
         ought = "[0.2](cell:t/s=-1/6/x) and [0.313](cell:s=0/y), [1.6e-11](statement:pn.omega11)"
         self.assertEqual(refresh.with_numbers(prose, NUMBERS, "sec1"), ought)
-        for bad in ("[](num:pn.omega12)", "](num:p.x)", "[](num:p.x", "[](cell:t/s=1/x)", "[](cell:y)", "[](cell:t/s=-1/6/x)\n[](cell:s=0/y)"):
+        for bad in ("[](statement:pn.omega12)", "](cell:p/x)", "[](cell:p/x", "[](cell:t/s=1/x)", "[](cell:y)", "[](cell:t/s=-1/6/x)\n[](cell:s=0/y)"):
             with self.assertRaises(ecsv.Fault):
                 refresh.with_numbers(bad, NUMBERS, "sec1")
 
@@ -39,8 +37,8 @@ class Refreshing(Scratch):
     def test_only_what_is_stale_is_written(self):
         self.assertEqual(self.lineage("refresh", "--check")[0], 1)
         self.assertEqual(self.lineage("refresh")[0], 0)
-        self.assertIn("It is [1.000](num:a.one).", self.read("src/sec1_demo.cpp"))
-        self.assertIn("| one | 1.02 | 1.000 ± 0.001 | their ruler |", self.read("README.md"))
+        self.assertIn("It is [1.00](statement:a.one).", self.read("src/sec1_demo.cpp"))
+        self.assertIn("| one | 1.02 | 1.00 m | their ruler |", self.read("README.md"))
         self.assertEqual(self.lineage("refresh", "--check"), (0, "", ""))
         self.write("build/report/cost/sec1_demo", "9.1\n")
         self.assertIn("renewed", self.lineage("refresh")[1])
@@ -53,12 +51,12 @@ class Refreshing(Scratch):
         self.assertIn(mark, self.read("src/sec1_demo.cpp"))
         self.judged()
         self.lineage("refresh")
-        for line in ("| `a.one`: one | 1.02 | 1.00 m | discrepant |", "| `a.two`: two | yes | fact: 1 < 2 | holds |"):
+        for line in ("| `a.one`: one | 1.02 | 1.00 m | discrepant |", "| `a.two`: two | yes | results.value: 1 < 2 | holds |"):
             self.assertIn(line, self.read("src/sec1_demo.cpp"))
 
     def test_what_is_quoted_must_be_locked(self):
-        self.write("src/sec1_demo.cpp", "/** [](num:sec1_demo.other) */\n")
-        self.refuses("refresh", "src/sec1_demo.cpp: there is no reference value 'sec1_demo.other'")
+        self.write("src/sec1_demo.cpp", "/** [](cell:results/name=other/value) */\n")
+        self.refuses("refresh", "src/sec1_demo.cpp: there is no reference value 'sec1_demo/results/name=other/value'")
 
 
 class Here(unittest.TestCase):

@@ -19,17 +19,17 @@ class Show(Scratch):
                      "chapter    src/sec1_demo.cpp (build/bin/sec1_demo, 3 s on two cores)",
                      "from       build/data"]:
             self.assertIn(f"  {line}", out)
-        self.assertIn("converged  1\n", self.lineage("show", "sec1_demo.other")[1])
+        self.assertIn("converged  1\n", self.lineage("show", "sec1_demo/results/name=other/value")[1])
         (self.root / "build/data/sec1_demo/SHA256SUMS").unlink()
         (self.root / "build/report/claims.ecsv").unlink()
-        self.assertIn("not computed here yet", self.lineage("show", "sec1_demo.fact")[1])
+        self.assertIn("not computed here yet", self.lineage("show", "sec1_demo/results/name=two/value")[1])
 
     def test_the_verdict_is_the_one_that_was_given_or_that_is_recorded(self):
         out = self.lineage("show", "a.two")[1]
         self.assertIn("verdict    holds\n  found      not run\n  judged     src/statements/sec1_demo.cpp:6 (not run)\n  assuming   of 1.00, Section wells", out)
         self.judged("reproduced")
         self.assertIn("verdict    reproduced\n", self.lineage("show", "a.one")[1])
-        self.assertIn("found      fact: 1 < 2 +- 0.1\n  judged     src/statements/sec1_demo.cpp:6\n", self.lineage("show", "a.two")[1])
+        self.assertIn("found      results.value: 1 < 2 +- 0.1\n  judged     src/statements/sec1_demo.cpp:6\n", self.lineage("show", "a.two")[1])
         self.change("src/statements/sec1_demo.cpp", 'STATEMENT("a.two")', 'STATEMENT("a.new") {\n}\nSTATEMENT("a.two")')
         text = self.read("paper/claims.ecsv")
         self.write("paper/claims.ecsv", text + text.splitlines()[-1].replace("a.two", "a.new") + "\n")

@@ -7,7 +7,7 @@ from lineage import ecsv, tex
 
 from common import ROOT, WHOLE, Scratch, finding
 
-GOOD = (r"\num{a.one} \both{a.one} \pub{a.one} \claimed{a.one} \num{sec1_demo.fact} \tally{reproduced, assuming}"
+GOOD = (r"\num{a.one} \both{a.one} \pub{a.one} \claimed{a.one} \num{sec1_demo/results/name=two/value} \cell{2.0}{sec1_demo/results/name=two/value} \tally{reproduced, assuming}"
         r" \meta{date} \wide{01} \gone{a.one} \cause{a.one}")
 
 
@@ -41,16 +41,16 @@ class Paper(Scratch):
         self.write("paper/paper.tex", GOOD + "\n% \\num{x}\n\\newcommand\\q[1]{\\num{#1}} 5\\% of \\num{a.one}\n")
         self.assertEqual(self.lineage("macros")[0], 0)
         numbers = self.read("build/paper/numbers.tex")
-        for line in [r"\define{num}{a.one}{\ensuremath{1.000}}", r"\define{fig}{01}{fig01}", r"\define{cause}{a.one}{their ruler}",
+        for line in [r"\define{num}{a.one}{\ensuremath{1.000}}", r"\define{cell}{2.0@sec1_demo/results/name=two/value}{\ensuremath{2.0} $\pm$ \ensuremath{0.1}}", r"\define{fig}{01}{fig01}", r"\define{cause}{a.one}{their ruler}",
                      r"\define{both}{a.one}{\ensuremath{1.000(1)}}", r"\define{pub}{a.one}{1.02}", r"\define{tally}{discrepant}{1}",
                      r"\define{caption}{01}{A line. (a--c) At $t = \frac12$.}", r"\define{claimed}{a.one}{one}",
                      r"\define{source}{01}{\nolinkurl{src/sec1_demo.cpp}}"]:
             self.assertIn(line + "\n", numbers)
 
     def test_a_reference_to_nothing_is_named(self):
-        self.write("paper/paper.tex", "\\both{a.three} \\num{a.three} 5\\% of \\pub{sec1_demo.fact}\n\\own{08} \\cause{a.two}\n"
+        self.write("paper/paper.tex", "\\both{a.three} \\num{a.three} 5\\% of \\pub{sec1_demo.x}\n\\own{08} \\cause{a.two}\n"
                                       "Figs.~01, x06\nand 05\n")
-        self.refuses("macros", r"\num{a.three}", r"\both{a.three}", r"\pub{sec1_demo.fact}", r"\cause{a.two}", "figure 05", "figure 08",
+        self.refuses("macros", r"\num{a.three}", r"\both{a.three}", r"\pub{sec1_demo.x}", r"\cause{a.two}", "figure 05", "figure 08",
                      "figure x06")
         self.assertFalse((self.root / "build/paper").exists())
         self.write("paper/paper.tex", GOOD)
@@ -64,10 +64,10 @@ class Paper(Scratch):
             self.refuses("macros", words)
 
     def test_the_theorem_comes_from_its_chapter(self):
-        prose = (f"/**\nA theorem.\n\n## {tex.FROM}\n\nWe *look $a_1$ up* in **L**, `a_b`, [3.1](num:a.one), 5 % – so:\n$$x*y$$\nof $x*z$. */\n"
+        prose = (f"/**\nA theorem.\n\n## {tex.FROM}\n\nWe *look $a_1$ up* in **L**, `a_b`, [3.1e-5](statement:a.one), 5 % – so:\n$$x*y$$\nof $x*z$. */\n"
                  "int x;\n/**\nMore.\n\n## The proof\n\n1. *One*: first,\n   still.\n2. Two.\n\n- A.\n\nThe end. $\\square$ */\nint y;\n"
                  f"/**\n## {tex.TO}\n\nWaves. */\n")
-        ought = (f"\\section{{{tex.FROM}}}\nWe \\emph{{look $a_1$ up}} in \\textbf{{L}}, \\texttt{{a\\_b}}, \\num{{a.one}}, 5 \\% -- so:\n"
+        ought = (f"\\section{{{tex.FROM}}}\nWe \\emph{{look $a_1$ up}} in \\textbf{{L}}, \\texttt{{a\\_b}}, \\ensuremath{{3.1\\times10^{{-5}}}}, 5 \\% -- so:\n"
                  "\\[x*y\\]\nof $x*z$.\n\nMore.\n\n\\section{The proof}\n"
                  "\\begin{enumerate}\n\\item \\emph{One}: first,\n   still.\n\\item Two.\n\\end{enumerate}\n\n"
                  "\\begin{itemize}\n\\item A.\n\\end{itemize}\n\nThe end. $\\square$\n")

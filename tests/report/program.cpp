@@ -100,25 +100,10 @@ TEST_CASE("what a program writes no longer goes, and nothing else", "[unit][fram
   write_whole(scratch.path / "notes.ecsv", "no table");
   Output output(scratch.path, {{{"program", "sec1_demo"}}, {}});
   output.add("speeds", mine);
-  output.finish({});
+  output.finish();
   CHECK_FALSE(std::filesystem::exists(scratch.path / "older.ecsv"));
   for (const char* name : {"other", "notes", "speeds", "run"})
     CHECK(std::filesystem::exists(scratch.path / (std::string(name) + ".ecsv")));
-}
-
-TEST_CASE("facts are a table if there are any, and no two have a name", "[unit][frame]") {
-  const Scratch scratch;
-  const auto written = [&](const Quantities& facts) {
-    Output output(scratch.path, {{{"program", "sec1_demo"}}, {}});
-    output.add("speeds", Table{number("x", "number")});
-    output.finish(facts);
-    return std::filesystem::exists(scratch.path / "facts.ecsv");
-  };
-  Quantities facts;
-  facts.add("size", {2, 0.1});
-  CHECK_THROWS_AS(facts.add("size", {3, 0.1}), std::logic_error);
-  CHECK(written(facts));
-  CHECK_FALSE(written({}));
 }
 
 TEST_CASE("a row that has headings makes the columns, and no other row comes among them",

@@ -28,10 +28,9 @@ struct Written {
       for (const double s : {0.0, -1.0 / 6})
         sweep.add(
             {s, 0.31 * k + 1e-16, Estimate(k + s, 0.01), 6 + k, 1.0, s < 0 ? "soft" : "linear"});
-    Table facts{label("quantity", ""), number("value", ""), number("error", ""), label("unit", "")};
-    facts.add({"threshold", Estimate(2.5, 0.1), "m"});
-    facts.add({"lost", undefined_value(), "m"});
-    facts.meta = {{"parameters", "quick = yes"}};
+    Table coarse{estimate("threshold", "of a kick", "m"), estimate("lost", "no number")};
+    coarse.add({Estimate(2.5, 0.1), undefined_value()});
+    coarse.meta = {{"parameters", "quick = yes"}};
     for (const char* program : {"sec1_demo", "sec2_other"}) {
       const auto folder = scratch.path / program;
       std::filesystem::create_directory(folder);
@@ -39,7 +38,7 @@ struct Written {
       for (const auto& [name, table] : {std::pair{"sweep", sweep},
                                         {"edited", sweep},
                                         {"empty", {sweep.columns}},
-                                        {"facts", facts}}) {
+                                        {"coarse", coarse}}) {
         write(folder / (name + std::string(".ecsv")), table);
         sums[name + std::string(".ecsv")] = sha256_of(folder / (name + std::string(".ecsv")));
       }
@@ -58,8 +57,8 @@ struct Written {
 
 /// A statement whose body is given by a test, with the words that it may use.
 struct Spoken : Statement {
-  using Statement::accuracy, Statement::answer, Statement::fact, Statement::increases,
-      Statement::less, Statement::near, Statement::not_more, Statement::table, Statement::within;
+  using Statement::accuracy, Statement::answer, Statement::increases, Statement::less,
+      Statement::near, Statement::not_more, Statement::table, Statement::within;
   std::function<void(Spoken&)> body;
   double zero = 0;
   void judge() override { body(*this); }
@@ -98,7 +97,7 @@ TEST_CASE("rows are found by keys and ranges, however these were rounded", "[uni
     CHECK(row.text("kind") == "soft");
     check_close(row("velocity"), 0.93, 1e-12);
     CHECK(s.table("sec2_other", "sweep").at("kind", "linear", "width", 7)("raw") == 1);
-    CHECK(s.fact("sec2_other", "threshold").unit == "m");
+    CHECK(s.table("sec2_other", "coarse")["threshold"].unit == "m");
     s.less(1, 2);
   });
 }
@@ -136,7 +135,7 @@ TEST_CASE("what is compared is kept with what was read for it", "[unit]") {
     const Data sweep = s.table("sweep");
     for (const auto& soft : sweep.where("s", -1.0 / 6).where("velocity", 0.62, 0.93))
       s.less(soft["speed"], sweep.at("s", 0, "velocity", soft("velocity"))["speed"]);
-    s.within(s.fact("threshold"), 2, 3);
+    s.within(s.table("coarse")["threshold"], 2, 3);
     s.near(1, 1.05, 0.1);
     s.not_more(Estimate(1.05, 0.2), 1);
     s.increases(sweep.where("s", 0), "velocity", "speed");
@@ -146,7 +145,7 @@ TEST_CASE("what is compared is kept with what was read for it", "[unit]") {
   for (const Comparison& c : found.comparisons) CHECK(c.holds());
   CHECK(found.comparisons[0].what ==
         "sweep.speed (s = 0, velocity = 0.62), (s = -0.166667, velocity = 0.62)");
-  CHECK(found.comparisons[3].text() == "threshold: 2.5 +- 0.1 < 3");
+  CHECK(found.comparisons[3].text() == "coarse.threshold: 2.5 +- 0.1 < 3");
   check_close(found.closest()->margin().value, 1.0 / 18, 1e-9);  // 3 - 1/6 < 3
   CHECK(found.cells.size() == 6);
   CHECK_FALSE(Comparison{"", Estimate(1, 0.1), Estimate(1.1, 0.1)}.is_decided());
@@ -166,8 +165,8 @@ TEST_CASE("nothing passes by having nothing to compare", "[unit]") {
   check_line(lost([](Spoken& s) { (*s.table("sweep").begin())["raw"]; }), "no column 'raw_error'");
   check_line(lost([](Spoken& s) { (*s.table("sweep").begin())["kind"]; }), "'kind' holds texts");
   check_line(lost([](Spoken& s) { s.table("speeds"); }), "sec1_demo has no table 'speeds'");
-  check_line(lost([](Spoken& s) { s.fact("lost"); }), "lost is not a number, or has no error");
-  check_line(lost([](Spoken& s) { s.fact("none"); }), "has no row with quantity = none");
+  check_line(lost([](Spoken& s) { s.table("coarse")["lost"]; }),
+             "lost is not a number, or has no error");
   check_line(lost([](Spoken& s) { s.table("empty"); }), "sec1_demo/empty has no rows");
   check_line(lost([](Spoken& s) { s.table("older"); }), "has no table 'older'");
   check_line(lost([](Spoken& s) { s.table("edited"); }), "is not the table that its program wrote");
@@ -179,13 +178,13 @@ TEST_CASE("nothing passes by having nothing to compare", "[unit]") {
              }),
              "not a number");
   check_line(lost([](Spoken&) {}), "nothing is compared");
-  check_line(lost([](Spoken& s) { s.less(1, 2), s.answer(s.fact("threshold")); }),
+  check_line(lost([](Spoken& s) { s.less(1, 2), s.answer(s.table("coarse")["threshold"]); }),
              "both an answer");
-  CHECK(judged([](Spoken& s) { s.fact("sec3_none", "x"); }).not_run == "sec3_none");
+  CHECK(judged([](Spoken& s) { s.table("sec3_none", "x"); }).not_run == "sec3_none");
 }
 
 TEST_CASE("whoever reads a coarse table is told", "[unit]") {
-  CHECK(judged([](Spoken& s) { s.less(1, s.fact("threshold")); }).is_quick);
+  CHECK(judged([](Spoken& s) { s.less(1, s.table("coarse")["threshold"]); }).is_quick);
   CHECK_FALSE(judged([](Spoken& s) { s.less(1, least(s.table("sweep"), "width")); }).is_quick);
 }
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from . import ecsv
 from .values import Finding
 
-LINK = re.compile(r"(\[[^\]]*\])?\((num|cell|statement):([^)\n]*)(\)?)")
+LINK = re.compile(r"(\[[^\]]*\])?\((cell|statement):([^)\n]*)(\)?)")
 KEY = re.compile(r"(\w+)=(-?\d+/\d+|[^/]+)")
 ADDRESS = re.compile(rf"(?:(sec[0-9A-Z]\w*)/)?(\w+)((?:/{KEY.pattern})*)/(\w+)".replace("(\\w+)=(", "(?:\\w+)=(?:"))
 

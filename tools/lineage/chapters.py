@@ -1,7 +1,7 @@
 """What a reader needs to compute a number again: the chapters that answer and explain a claim, the commands of their
 programs, and what these cost.
 
-Nobody types which chapter explains a discrepancy: it is one whose facts the reason quotes. The costs are in
+Nobody types which chapter explains a discrepancy: it is one whose cells the reason quotes. The costs are in
 paper/costs.ecsv, a row for each program, which `make refresh` renews from what the last run took."""
 
 import math
@@ -18,13 +18,13 @@ COSTS = [ecsv.Column("program", "string", "chapter of src/"),
 
 
 def explained_by(id, claims, known=()):
-    """The programs behind a claim: the one that answers it, then those of the facts that its reason quotes, and those
+    """The programs behind a claim: the one that answers it, then those of the cells that its reason quotes, and those
     behind the claims that it names or follows from."""
     claim, programs = claims[id], [claims[id]["program"]]
     named = [name for name in claims if re.search(rf"(?<![\w.]){re.escape(name)}(?!\w)", claim["reason"])]
     for name in QUOTED.findall(claim["reason"]) + [claim["covered_by"].partition("^")[0]] + named:
-        if name not in claims and "." in name:
-            programs.append(name.partition(".")[0])
+        if name not in claims and "/" in name:
+            programs.append(name.partition("/")[0])
         elif name in claims and name != id and name not in known:
             programs += explained_by(name, claims, (id, *known))
     return [program for program in dict.fromkeys(programs) if program]

@@ -2,7 +2,7 @@
 what is printed; a function of src/statements decides each row. The program `verdicts` judges and writes
 build/report/claims.ecsv. All three are read here, for README, book and paper, and nothing is judged.
 
-A fact goes by `program.quantity`, the answer to a statement by the statement's id."""
+A cell goes by its address (cells.py), the answer to a statement by the statement's id."""
 
 import math
 import re
@@ -21,7 +21,7 @@ KINDS = {"proved": "by an argument that is written out in the chapter",
          "observed": "seen in every run of a stated range, which the sentence names"}
 OBTAINED = {"text": "read in its text", "data": "read in its data", "abstract": "read in its abstract",
             "memory": "from memory, its source not read"}
-QUOTED = re.compile(r"\{([a-z]\w*(?:\.\w+|/[^{}\s]+))\}")
+QUOTED = re.compile(r"\{(sec\w+/[^{}\s]+|[a-z]\w*\.\w+)\}")
 STATEMENT = re.compile(r'^STATEMENT\("([\w.]+)"\)', re.M)
 MARKED = re.compile(r"<!-- ([\w.]+) -->\n.*?<!-- /\1 -->", re.S)
 
@@ -107,20 +107,6 @@ def runs_of(data, programs):
     return [(program, folder) for program, folder in folders if (folder / "SHA256SUMS").exists()]
 
 
-def read_facts(data, programs):
-    """The facts of the programs that have run, by (program, "fact", id); Fault if any of their tables was changed since."""
-    out = {}
-    for path in (path for _, folder in runs_of(data, programs) for path in ecsv.tables_in(folder) if path.name == "facts.ecsv"):
-        program = path.parent.name
-        for id, row in ecsv.read_written(path, ("quantity", "value")).by("quantity", "values").items():
-            error = float(row.get("error", 0))
-            if error < 0:
-                raise row.fault(f"{id}: the error {error:g} is negative")
-            out[program, "fact", id] = Finding(program, id, float(row["value"]), error, row.get("unit", ""))
-    ecsv.check_all_written(data)
-    return out
-
-
 def read_answers(root, report=None):
     """What statements that were judged on full runs found, by (program, answer or margin, id): numbers, and the least
     margin of comparisons."""
@@ -134,7 +120,7 @@ def read_answers(root, report=None):
 
 
 def by_name(found):
-    """Facts and answers by their names."""
+    """Cells and answers by their names."""
     return {f.name: f for f in found.values() if f.what != "margin"}
 
 
@@ -146,15 +132,12 @@ def quoted_in(row):
 
 def shown_at(link, name, numbers):
     """The text of a link to a number of ours; Fault for one that leads nowhere."""
-    brackets, kind, _, end = link.groups()
+    brackets, _, _, end = link.groups()
     if brackets is None or not end:
         raise ecsv.Fault(f"a link without brackets: {link[0]}")
     if name not in numbers:
         raise ecsv.Fault(f"there is no reference value '{name}' (a new one: make accept)")
-    found, typed = numbers[name], brackets[1:-1]
-    if kind == "num":
-        return found.shown_as_interval if re.search(r"\bto\b", typed) else found.shown
-    return found.shown_like(typed)
+    return numbers[name].shown_like(brackets[1:-1])
 
 
 def said(text, numbers):
@@ -162,8 +145,7 @@ def said(text, numbers):
     def shown(m):
         if m[1] not in numbers:
             raise ecsv.Fault(f"paper/claims.ecsv: there is no number '{m[1]}' (a new number: make accept)")
-        found = numbers[m[1]]
-        return found.shown if found.what == "fact" else found.shown_like("1.000")
+        return numbers[m[1]].shown_like("1.000")
 
     return QUOTED.sub(shown, text)
 

@@ -39,7 +39,7 @@ class Column:
 
 
 class Row(dict):
-    """Cells by the names of their columns, and where they stand: `build/data/x/facts.ecsv: row 3`."""
+    """Cells by the names of their columns, and where they stand: `build/data/x/speeds.ecsv: row 3`."""
 
     def __init__(self, cells, path, number):
         super().__init__(cells)

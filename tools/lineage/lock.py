@@ -1,6 +1,6 @@
 """The reference values, paper/converged.ecsv: what we found, with its error.
 
-It has the answer to every statement that is a number, the least margin of every other one, and the facts that prose, paper
+It has the answer to every statement that is a number, the least margin of every other one, and the cells that prose, paper
 or book quote, or that somebody has marked as a `headline` in the last column. A fresh value has to agree with the locked
 one within the sum of the two errors.
 
@@ -15,15 +15,15 @@ from pathlib import Path
 from . import ecsv
 from .chapters import read_commands
 from .cells import cited, home_of, read_cells
-from .claims import programs_of, quoted_in, read_answers, read_every, read_facts, read_second
+from .claims import programs_of, quoted_in, read_answers, read_every, read_second
 from .values import Finding, distance
 from .volumes import joined, volumes
 
 KINDS = ("value", "residue", "headline")
 COLUMNS = [
     ecsv.Column("program", "string", "program that computes it"),
-    ecsv.Column("what", "string", "cell of a table; fact; answer to a statement; margin: least one of its comparisons, relative to the larger side"),
-    ecsv.Column("id", "string", "address of the cell, quantity of the program's facts, or statement"),
+    ecsv.Column("what", "string", "cell of a table; answer to a statement; margin: least one of its comparisons, relative to the larger side"),
+    ecsv.Column("id", "string", "address of the cell, or statement"),
     ecsv.Column("value", "float64", "converged value"),
     ecsv.Column("error", "float64", "absolute error; 0 for an exact value"),
     ecsv.Column("unit", "string", "unit of value and error"),
@@ -81,7 +81,7 @@ def quoted(root):
 
 
 def is_kept(finding, names):
-    return finding.what not in ("cell", "fact") or finding.kind == "headline" or finding.name in names
+    return finding.what != "cell" or finding.kind == "headline" or finding.name in names
 
 
 # Locked and fresh
@@ -99,7 +99,7 @@ def renewed(locked, fresh, programs, kept):
 def changes(locked, now, kept):
     """A line for each difference, to be signed by whoever renews the lock."""
     for key, was in locked.items():
-        place = f"{was.program} {was.id}" if was.what in ("cell", "fact") else f"{was.id} ({was.what})"
+        place = f"{was.program} {was.id}" if was.what == "cell" else f"{was.id} ({was.what})"
         if key not in now:
             yield f"  gone     {place}: was {was.shown}" if kept(was) else f"  dropped  {place}: nothing quotes it"
             continue
@@ -111,18 +111,21 @@ def changes(locked, now, kept):
     for key in now:
         if key not in locked:
             f = now[key]
-            yield f"  new      {f.program} {f.id}: {f.shown}" if f.what in ("cell", "fact") else f"  new      {f.id} ({f.what}): {f.shown}"
+            yield f"  new      {f.program} {f.id}: {f.shown}" if f.what == "cell" else f"  new      {f.id} ({f.what}): {f.shown}"
 
 
-def fresh_values(root, data, names):
-    programs = programs_of(root)
-    return read_facts(data, programs) | read_cells(data, programs, names) | read_answers(root, Path(data).parent / "report")
+def fresh_values(root, data, locked):
+    """What the programs that have run wrote: answers, margins, and the cells that are quoted or marked."""
+    names = quoted(root) | {f.name for f in locked.values() if f.kind == "headline"}
+    ecsv.check_all_written(data)
+    return read_cells(data, programs_of(root), names) | read_answers(root, Path(data).parent / "report")
 
 
 def renew(root, data):
     """Writes the reference values and says what moved."""
     programs, names = programs_of(root), quoted(root)
-    locked, fresh = read_lock(root) if lock_of(root).exists() else {}, fresh_values(root, data, names)
+    locked = read_lock(root) if lock_of(root).exists() else {}
+    fresh = fresh_values(root, data, locked)
 
     def kept(finding):
         return is_kept(finding, names)
@@ -135,7 +138,8 @@ def renew(root, data):
 
 def check(root, data):
     """Says which locked values are gone, or farther than the sum of the errors, and returns how many."""
-    locked, fresh = read_lock(root), fresh_values(root, data, quoted(root))
+    locked = read_lock(root)
+    fresh = fresh_values(root, data, locked)
     moved = [line for line in changes(locked, {key: f for key, f in fresh.items() if key in locked}, lambda f: True)
              if "moved" not in line or "outside" in line]
     print(*moved, f"values     : {len(locked) - len(moved)} of {len(locked)} within the sum of the errors", sep="\n")

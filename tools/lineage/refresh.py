@@ -21,16 +21,11 @@ from .volumes import article, below, joined
 PAGES = "README.md", "CONTRIBUTING.md"
 
 
-def with_numbers(text, numbers, home="", is_prose=True):
+def with_numbers(text, numbers, home=""):
     """`text` with every link to a number of ours renewed; Fault for one that leads nowhere, so that a reference that dangles
     cannot be written."""
     def renewed(link, name):
-        _, kind, id, _ = link.groups()
-        shown = shown_at(link, name, numbers)
-        if kind == "num" and is_prose and shown == numbers[id].shown:
-            row = text[text.rfind("\n", 0, link.start()) + 1:].startswith("|")
-            shown = numbers[id].shown_in_table if row else numbers[id].shown_in_prose
-        return f"[{shown}]({kind}:{id})"
+        return f"[{shown_at(link, name, numbers)}]({link[2]}:{link[3]})"
 
     return with_links(text, renewed, home)
 
@@ -72,8 +67,7 @@ def discrepancy_rows(claims, numbers, verdicts):
     yield "|---|---|---|---|"
     for id, c in claims.items():
         if verdicts[id]["verdict"] == "discrepant":
-            ours = numbers[id].shown_in_table if id in numbers else verdicts[id]["found"]
-            yield f"| {c['quantity']} | {printed(c)} | {ours} | {c['cause']} |"
+            yield f"| {c['quantity']} | {printed(c)} | {here(id, c, numbers, verdicts)} | {c['cause']} |"
 
 
 def found_rows(findings, numbers):
@@ -176,7 +170,7 @@ def fresh_texts(root, measured):
         marked = told | {"statements": statement_rows(rows, numbers, verdicts)}
         yield fresh(path, lambda text: fresh_page(with_numbers(text, numbers, home), marked))
     if (root / "paper/findings.ecsv").exists():
-        yield fresh(root / "paper/findings.ecsv", lambda text: with_numbers(text, numbers, is_prose=False))
+        yield fresh(root / "paper/findings.ecsv", lambda text: with_numbers(text, numbers))
     yield root / "paper/costs.ecsv", costs_text(renewed_costs(root, measured))
     tables = generated_tables(root, claims, numbers)
     for page in (root / name for name in PAGES if (root / name).exists()):

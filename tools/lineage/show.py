@@ -7,7 +7,7 @@ import re
 from . import ecsv
 from .cells import read_cells
 from .chapters import chapter_of, explained_by, read_commands, read_costs, run_of, shown_cost
-from .claims import (agrees, by_name, in_plain, programs_of, read_answers, read_claims, read_facts, read_findings, read_second,
+from .claims import (agrees, by_name, in_plain, programs_of, read_answers, read_claims, read_findings, read_second,
                      read_statements, read_verdicts, runs_of, said)
 from .lock import read_lock
 from .refresh import command_of, read_figures
@@ -69,16 +69,16 @@ def show(root, data, name):
     """The verb: a line for each; the fresh value where the program has run, the reference value elsewhere."""
     all, claims = volumes(root), read_claims(root)
     programs = [program for volume in all for program in programs_of(volume)]
-    ran = {program for program, _ in runs_of(data, programs)}
-    locked = {key: f for key, f in joined(read_lock, all).items() if key[0] not in ran or f.what != "fact"}
-    fresh = read_facts(data, programs) | read_cells(data, programs, {name}) | joined(read_answers, all)
+    ecsv.check_all_written(data)
+    locked = joined(read_lock, all)
+    fresh = read_cells(data, programs, {name} | {f.name for f in locked.values()}) | joined(read_answers, all)
     numbers = by_name(locked | fresh)
     findings = joined(read_findings, all)
     names = sorted(numbers.keys() | claims.keys() | findings.keys())
     if name not in names:
-        near = difflib.get_close_matches(name, names, 3) or sorted(n for n in names if n.split(".")[-1] == name)
+        near = difflib.get_close_matches(name, names, 3) or sorted(n for n in names if re.split("[./]", n)[-1] == name)
         raise ecsv.Unknown(f"ID: there is no number '{name}'" + (f" (near it: {', '.join(near)})" if near else
-                          " (allowed: a claim such as pn.omega11, a fact such as sec31_dps_limit.tau_0_by_quadrature)"))
+                          " (allowed: a claim such as pn.omega11, a cell such as sec34_impact/shares/velocity=0.94/s=-0.7/packet)"))
     finding, verdict = numbers.get(name), joined(read_verdicts, all).get(name)
     print(name)
     told = of_finding(findings[name], numbers, verdict, root) if name in findings else of_number(name, finding, claims, numbers, verdict, root)

@@ -89,14 +89,6 @@ def sources_of(root, folders, order):
     return [chapters[name] for name in known], rest
 
 
-def named_at(name, sources):
-    """The line that names a number or a table, as (source, line): the first one with the longest piece of the name in
-    quotation marks."""
-    said = [(len(word), -i, -k) for i, source in enumerate(sources) for k, line in enumerate(source.text.split("\n"), 1)
-            for word in re.findall(r'"(\w+)"', line) if word == name or len(word) > 3 and word in name]
-    return (sources[-max(said)[1]], -max(said)[2]) if said else None
-
-
 def local_names(text):
     """Names that a source declares itself."""
     return set(re.findall(r"\b(?:auto|double|int|bool|size_t|string)&? (\w+)\b", text)) | set(definitions(text))

@@ -146,7 +146,7 @@ def omissions(paper, verdicts):
 
 
 MARKS = re.compile(r"\*\*(?P<bold>[^*]+)\*\*|\*(?P<emph>[^*]+)\*|`(?P<code>[^`]+)`"
-                   r"|\[[^]]*\]\(num:(?P<num>[^)]+)\)|\[(?P<shown>[^]]*)\]\((?:cell|statement):[^)]+\)|(?P<odd>[*`<|\]])")
+                   r"|\[(?P<shown>[^]]*)\]\((?:cell|statement):[^)]+\)|(?P<odd>[*`<|\]])")
 
 
 def marked(words):
@@ -154,8 +154,6 @@ def marked(words):
     def piece(m):
         if m["odd"]:
             raise ecsv.Fault(f"a mark that tools/lineage/tex.py does not know: {m.string[m.start():][:40]}")
-        if m["num"]:
-            return rf"\num{{{m['num']}}}"
         if m["shown"]:
             return as_shown(m["shown"])
         kind = "textbf" if m["bold"] else "emph" if m["emph"] else "texttt"

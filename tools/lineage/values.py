@@ -28,7 +28,7 @@ def without_zeros(text):
 
 @dataclass(frozen=True)
 class Finding:
-    """One value of one program: a fact, the answer to a statement, or the least margin of its comparisons. A `residue` is
+    """One value of one program: a cell of a table, the answer to a statement, or the least margin of its comparisons. A `residue` is
     made of rounding, so that only its size counts."""
     program: str
     id: str
@@ -36,7 +36,7 @@ class Finding:
     error: float = 0.0
     unit: str = ""
     kind: str = "value"
-    what: str = "fact"  # or cell, answer, margin
+    what: str = "cell"  # or answer, margin
 
     @property
     def key(self):
@@ -45,8 +45,7 @@ class Finding:
     @property
     def name(self):
         """What others call it: a statement has a name of its own."""
-        between = {"fact": ".", "cell": "/"}.get(self.what)
-        return f"{self.program}{between}{self.id}" if between else self.id
+        return f"{self.program}/{self.id}" if self.what == "cell" else self.id
 
     @property
     def shown(self):
@@ -87,24 +86,9 @@ class Finding:
         return f"{like(self.value, places + 1, typed) if places >= 0 else 0} ± {error}"
 
     @property
-    def shown_in_prose(self):
-        """Three digits at most, but for counts, and for what three digits would round to one."""
-        if not math.isfinite(self.value) or self.error == 0 and self.value == math.floor(self.value):
-            return self.shown
-        fewer = with_digits(self.value, 3)
-        digits = [len(re.sub(r"e.*|[^0-9]", "", text).lstrip("0")) for text in (fewer, self.shown)]
-        return self.shown if digits[0] >= digits[1] or abs(float(fewer)) == 1 else fewer
-
-    @property
     def shown_error(self):
         """One digit."""
         return "exact" if self.error == 0 else with_digits(self.error, 1)
-
-    @property
-    def shown_in_table(self):
-        """Value and error, where it has one that says more than the last digit."""
-        known = self.kind != "residue" and self.error != 0 and math.isfinite(self.value) and math.isfinite(self.error)
-        return f"{self.shown} ± {self.shown_error}" if known else self.shown
 
     @property
     def shown_as_interval(self):
