@@ -236,7 +236,7 @@ struct Accelerated {
   double v0, s;
   Leg leg = Leg::out;
 };
-const std::map<Leg, std::string> names = {
+const std::map<Leg, std::string> leg_names = {
     {Leg::out, "out"}, {Leg::between, "between"}, {Leg::back, "back"}};
 
 void report_force(Report& report) {
@@ -248,7 +248,7 @@ void report_force(Report& report) {
   const auto row = [&](const Accelerated& p) {
     const auto runs = two_runs({p.v0, p.s, p.leg == Leg::out ? 300.0 : 1000.0}, step);
     const Acceleration seen = acceleration_of(runs.coarse.path, runs.fine.path, p.leg);
-    return Cells{p.s, p.v0, names.at(p.leg), seen.mean, seen.bend};
+    return Cells{p.s, p.v0, leg_names.at(p.leg), seen.mean, seen.bend};
   };
   const std::string from = "from the fit, the time step and the smoothing; known to ";
   Table& table = report.table(
