@@ -21,7 +21,7 @@ KINDS = {"proved": "by an argument that is written out in the chapter",
          "observed": "seen in every run of a stated range, which the sentence names"}
 OBTAINED = {"text": "read in its text", "data": "read in its data", "abstract": "read in its abstract",
             "memory": "from memory, its source not read"}
-QUOTED = re.compile(r"\{(sec\w+/[^{}\s]+|[a-z]\w*\.\w+)\}")
+QUOTED = re.compile(r"\{(sec[0-9A-Z]\w*/[^{}\s]+|[a-z]\w*\.\w+)\}")
 STATEMENT = re.compile(r'^STATEMENT\("([\w.]+)"\)', re.M)
 MARKED = re.compile(r"<!-- ([\w.]+) -->\n.*?<!-- /\1 -->", re.S)
 
