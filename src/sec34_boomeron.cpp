@@ -550,11 +550,11 @@ void reproduce(Report& report) {
 <!-- statements -->
 | statement | printed | here | verdict |
 |---|---|---|---|
-| `boomeron.reversal`: s = 1 and v_0 = 1.9: deceleration; reversal; return; rebound | reverses | -0.0002931 < 0 (force.force (s = 1, velocity = 1.9, leg = back)) | holds |
-| `boomeron.moderate`: s = 1 and v_0 = 1.5 decelerates slowly | slow | 0.3697 < 0.5 (force.force (s = 1, velocity = 1.5), (s = 1, velocity = 1.9, leg = out)) | holds |
+| `boomeron.reversal`: s = 1 and v_0 = 1.9: deceleration; reversal; return; rebound | reverses | force.force (s = 1, velocity = 1.9, leg = out): -0.0004633 < 0; force.force (s = 1, velocity = 1.9, leg = back): -0.0002931 < 0; turns.return_time (s = 1, velocity = 1.9): 0.2216 < 10 | holds |
+| `boomeron.moderate`: s = 1 and v_0 = 1.5 decelerates slowly | slow | force.force (s = 1, velocity = 1.5), (s = 1, velocity = 1.9, leg = out): 0.3697 < 0.5 (the closest of 5) | holds |
 | `boomeron.turning_time`: close to direction reversal at v_0 = 1.87 | close at 238 and 241 | 2.46 site | quantified |
-| `boomeron.any_s`: reversal takes place for s >= 0.005 and not for s = 0 | s >= 0.005 | 2.566 < 8 (turns.return_site (s = 0.005)) | holds |
-| `boomeron.erratic`: after some rebounds the motion is trapped or erratic | erratic | 3 < 8.964 (spread.deviation (part = late)) | holds |
+| `boomeron.any_s`: reversal takes place for s >= 0.005 and not for s = 0 | s >= 0.005 | turns.return_site (s = 0.005): 2.566 < 8 (the closest of 4) | holds |
+| `boomeron.erratic`: after some rebounds the motion is trapped or erratic | erratic | spread.deviation (part = out_and_back): 0.000216 < 0.25; spread.deviation (part = late): 3 < 8.964 | holds |
 | `boomeron.constant_force`: during a few rebounds the centre moves like a particle in an almost constant force field | almost constant | 0.63 ± 0.08 | quantified |
 | `boomeron.force_grows`: the effective force increases with s and with the impact velocity | increases | force.force (s = 1, velocity = 1.1), (s = 1, velocity = 1.3): 0.0001564 <= 0.0001559 (the closest of 40) | holds |
 <!-- /statements -->
