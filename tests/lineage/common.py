@@ -75,14 +75,14 @@ class Scratch(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.root)
         self.addCleanup(os.chdir, os.getcwd())
         os.chdir(self.root)
-        self.write("src/sec1_demo.cpp", "/**\n# 1 A demonstration\n\nIt is [](statement:a.one). */\n")
+        self.write("src/sec1_demo.cpp", "/**\n# 1 A demonstration\n\nIt is [](statement:a.one), not [](cell:results/name=two/value). */\n")
         self.write("paper/claims.ecsv", table(CLAIMS, [
             ["a.one", "1", "Fig. demo", "one", "1.02", "", "rel 1e-2", "", "", "they erred", "their ruler", "discrepant"],
             ["a.two", "1", "text", "two", "yes", "", "", "of {a.one}, Section wells", "", "", "", "holds"]]))
         self.write("src/statements/sec1_demo.cpp", STATEMENTS)
         self.write("paper/converged.ecsv", table(LOCK, [
             ["sec1_demo", "answer", "a.one", 1.0000000000000002, 1e-3, "m", "value"],
-            ["sec1_demo", "margin", "a.two", 0.5, 0.05, "", "value"], ["sec1_demo", "cell", "results/name=two/value", 2.0, 0.1, "", "headline"]]))
+            ["sec1_demo", "margin", "a.two", 0.5, 0.05, "", "value"], ["sec1_demo", "cell", "results/name=two/value", 2.0, 0.1, "", "value"]]))
         self.write("figures/figures.ecsv", table(FIGURES, [
             ["01", "demo", "1", "sec1_demo", "fig01.gp", "ER", "results", "A line.", "(a–c) At $t = \\frac12$."]]))
         self.write("paper/costs.ecsv", table(["program", "seconds"], [["sec1_demo", 3.0]]))

@@ -64,7 +64,7 @@ class Here(unittest.TestCase):
             self.assertEqual(one["sentence"].count("$") % 2, 0, id)
             self.assertIn(one["kind"], claims.KINDS, id)
 
-    def test_a_second_route_agrees_and_is_as_sharp_as_a_headline_needs(self):
+    def test_a_second_route_agrees_and_is_sharp(self):
         second, locked = claims.read_second(VOLUME), claims.by_name(read_lock(VOLUME))
         self.assertGreaterEqual(len(second), 8)
         for name, (theirs, _) in second.items():

@@ -37,7 +37,7 @@ class Refreshing(Scratch):
     def test_only_what_is_stale_is_written(self):
         self.assertEqual(self.lineage("refresh", "--check")[0], 1)
         self.assertEqual(self.lineage("refresh")[0], 0)
-        self.assertIn("It is [1.00](statement:a.one).", self.read("src/sec1_demo.cpp"))
+        self.assertIn("It is [1.00](statement:a.one), not [2.0 ± 0.1](cell:results/name=two/value).", self.read("src/sec1_demo.cpp"))
         self.assertIn("| one | 1.02 | 1.00 m | their ruler |", self.read("README.md"))
         self.assertEqual(self.lineage("refresh", "--check"), (0, "", ""))
         self.write("build/report/cost/sec1_demo", "9.1\n")

@@ -1,8 +1,7 @@
 """The reference values, paper/converged.ecsv: what we found, with its error.
 
 It has the answer to every statement that is a number, the least margin of every other one, and the cells that prose, paper
-or book quote, or that somebody has marked as a `headline` in the last column. A fresh value has to agree with the locked
-one within the sum of the two errors.
+or book quote. A fresh value has to agree with the locked one within the sum of the two errors.
 
 The programs give the same bits on every machine, but another compiler or mathematical library may round a
 logarithm differently, so that a relative difference of 1e-12 is always allowed. A `residue` is itself made of
@@ -19,7 +18,7 @@ from .claims import programs_of, quoted_in, read_answers, read_every, read_secon
 from .values import Finding, distance
 from .volumes import joined, volumes
 
-KINDS = ("value", "residue", "headline")
+KINDS = ("value", "residue")
 COLUMNS = [
     ecsv.Column("program", "string", "program that computes it"),
     ecsv.Column("what", "string", "cell of a table; answer to a statement; margin: least one of its comparisons, relative to the larger side"),
@@ -27,8 +26,7 @@ COLUMNS = [
     ecsv.Column("value", "float64", "converged value"),
     ecsv.Column("error", "float64", "absolute error; 0 for an exact value"),
     ecsv.Column("unit", "string", "unit of value and error"),
-    ecsv.Column("kind", "string", "value; residue: made of rounding, so that only its size counts; "
-                                  "headline: locked although nothing quotes it"),
+    ecsv.Column("kind", "string", "value; residue: made of rounding, so that only its size counts"),
 ]
 
 
@@ -81,7 +79,7 @@ def quoted(root):
 
 
 def is_kept(finding, names):
-    return finding.what != "cell" or finding.kind == "headline" or finding.name in names
+    return finding.what != "cell" or finding.name in names
 
 
 # Locked and fresh
@@ -114,9 +112,8 @@ def changes(locked, now, kept):
             yield f"  new      {f.program} {f.id}: {f.shown}" if f.what == "cell" else f"  new      {f.id} ({f.what}): {f.shown}"
 
 
-def fresh_values(root, data, locked):
-    """What the programs that have run wrote: answers, margins, and the cells that are quoted or marked."""
-    names = quoted(root) | {f.name for f in locked.values() if f.kind == "headline"}
+def fresh_values(root, data, names):
+    """What the programs that have run wrote: answers, margins, and the cells of these names."""
     ecsv.check_all_written(data)
     return read_cells(data, programs_of(root), names) | read_answers(root, Path(data).parent / "report")
 
@@ -125,7 +122,7 @@ def renew(root, data):
     """Writes the reference values and says what moved."""
     programs, names = programs_of(root), quoted(root)
     locked = read_lock(root) if lock_of(root).exists() else {}
-    fresh = fresh_values(root, data, locked)
+    fresh = fresh_values(root, data, names)
 
     def kept(finding):
         return is_kept(finding, names)
@@ -139,7 +136,7 @@ def renew(root, data):
 def check(root, data):
     """Says which locked values are gone, or farther than the sum of the errors, and returns how many."""
     locked = read_lock(root)
-    fresh = fresh_values(root, data, locked)
+    fresh = fresh_values(root, data, quoted(root))
     moved = [line for line in changes(locked, {key: f for key, f in fresh.items() if key in locked}, lambda f: True)
              if "moved" not in line or "outside" in line]
     print(*moved, f"values     : {len(locked) - len(moved)} of {len(locked)} within the sum of the errors", sep="\n")
