@@ -26,7 +26,7 @@ TEST_CASE("a run lists its tables for sha256sum, without what differs between ma
     Table& speeds = output.add("speeds", {number("x", "number")});
     speeds.add({1.0});
     output.add("impacts", speeds);
-    output.finish({});
+    output.finish();
     const Table run = read(scratch.path / "run.ecsv");
     CHECK(run.texts("value")[0] == sha256_of("/proc/self/exe"));
     CHECK(run.texts("value")[1] == revision);
