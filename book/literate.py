@@ -29,7 +29,7 @@ from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective
 
 from lineage import ecsv, inventory, markdown as md
-from lineage.cells import cited, home_of, read_cells, with_links
+from lineage.cells import cited, home_of, in_full, read_cells
 from lineage.chapters import explained_by, read_commands, read_costs, run_of, shown_cost
 from lineage.claims import (KINDS, OBTAINED, agrees, by_name, in_plain, meanings, programs_of, read_answers, read_claims,
                             read_findings, read_literature, read_second, read_statements, read_verdicts, said as filled,
@@ -127,10 +127,11 @@ class Book:
         self.labels |= {row["label"]: f"Fig. {int(id)}" for id, row in self.figures.items() if row["label"]}
 
     def table_at(self, program, table):
-        """Where a chapter names a table first, as (source, line); nothing where its name is put together."""
+        """Where a chapter names a table first, as (source, line), or the longest piece of a name that it puts together."""
         chapter = self.by_page[program]
-        lines = [k for k, line in enumerate(chapter.text.split("\n"), 1) if f'"{table}"' in line]
-        return (chapter, lines[0]) if lines else None
+        said = [(len(word), -k) for k, line in enumerate(chapter.text.split("\n"), 1) for word in re.findall(r'"(\w{3,})"', line)
+                if table.startswith(word) or table.endswith(word)]
+        return (chapter, -max(said)[1]) if said else None
 
     # Links
 
@@ -193,8 +194,7 @@ class Book:
     def woven(self, text, home=""):
         """A block of prose as MyST: sentences of findings in their places, figures as directives, each formula on one
         line, since a line that begins with a minus would begin a list."""
-        text = with_links(text, lambda link, name: f"{link[1]}({link[2]}:{name})", home)
-        text = with_sentences(text, self.findings)
+        text = in_full(with_sentences(text, self.findings), home)
         text = re.sub(r"(```.*?```|`[^`]*`)|(\$\$?)(.+?)\2", lambda m: m[1] or m[0].replace("\n", " "), text, flags=re.S)
         return re.sub(r"!\[([^\]]*)\]\(fig:([^)]*)\)", lambda m: f"\n\n```{{fig}} {m[2]}\n{m[1]}\n```\n\n", text)
 
@@ -299,7 +299,7 @@ class Book:
         out = [md.table(["evidence", "meaning"], [[f'<span class="evidence">{k}</span>', text] for k, text in KINDS.items()])]
         for id, row in self.findings.items():
             figure = ", " + self.figure_link(row["figure"]) if row["figure"] in self.figures else ""
-            out += [f'\n{md.place(id)}\n\n## {id}\n\n<span class="evidence">{row["kind"]}</span> {row["sentence"]}\n',
+            out += [f'\n{md.place(id)}\n\n## {id}\n\n<span class="evidence">{row["kind"]}</span> {in_full(row["sentence"])}\n',
                     f"- **Shown over** {md.spelled(row['range'])}", f"- **Tried against it** {md.spelled(row['tried'])}",
                     "- **Carried by**", *(f"  - {comparison(text)}" for text in self.verdicts[id]["found"].split("; ")),
                     f"- **Second route** {md.spelled(row['second'])}",

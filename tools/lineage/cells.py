@@ -52,6 +52,11 @@ def with_links(text, change, home=""):
     return out + text[done:]
 
 
+def in_full(text, home=""):
+    """`text` with whole addresses."""
+    return with_links(text, lambda link, name: f"{link[1]}({link[2]}:{name})", home)
+
+
 def cited(text, home=""):
     """The names of all numbers that a text links to."""
     return {name for _, name in links(text, home) if name}
