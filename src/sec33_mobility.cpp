@@ -14,9 +14,9 @@ kicks breathers of frequency $\omega_b = 1.1$ with size $c$ and says that
 ![Energy density after a kick of the bond-centred and of the site-centred breather. Drawn by fig14_moving.py: `e` over
 `n` and `t`, from `map_bond` and `map_site`.](fig:14)
 
-We find the same speeds to 0.02 per cent, but no second pinning, and a lower threshold, $4.45\cdot10^{-6}$, which follows from the
-barrier at equal *action*. The experiment is delicate: the weak kick adds only $3\cdot10^{-8}$ of the breather's energy,
-and the integrator must conserve energy far better than that for $10^5$ units of time.
+We find the same speeds to 0.02 per cent, but no second pinning, and a lower threshold, $4.45\cdot10^{-6}$, which
+follows from the barrier at equal *action*. The experiment is delicate: the weak kick adds only $3\cdot10^{-8}$ of the
+breather's energy, and the integrator must conserve energy far better than that for $10^5$ units of time.
 
 ## Model
 
@@ -329,15 +329,15 @@ $\tilde E_{PN} = E_{\rm site}-E_{\rm bond}$ between breathers of one action (`se
 an oscillator of frequency one action and energy are equal, and nearly all of $c^2/2$ goes into a larger oscillation.
 The remainder at equal action, $\varphi\,c^2/2 = dE-\omega_b\,dI$, moves the centre. So
 $$|\varphi|\,\frac{c_c^2}2 = |\tilde E_{PN}|,\qquad\text{not}\qquad \frac{c_c^2}2 = E_{PN}.$$
-The flow, linearised over one period $T$, gives $\varphi$. Its slow plane is spanned by a shift $x$ of the positions and a
-push $z$ of the velocities. If $A$ and $B$ are the derivatives of the positions after a period with respect to the
+The flow, linearised over one period $T$, gives $\varphi$. Its slow plane is spanned by a shift $x$ of the positions and
+a push $z$ of the velocities. If $A$ and $B$ are the derivatives of the positions after a period with respect to the
 initial positions and velocities,
 $$A x = \cos\theta\,x,\qquad A^Tz = \cos\theta\,z,\qquad z\cdot Bz = b\,z\cdot x,\qquad
   \varphi = \frac{b\,(x\cdot g)^2}{T\,(x\cdot z)}$$
 is the fraction of $c^2/2$ that the part of a kick $c\,g$ in this plane has as kinetic energy, and about a stable centre
-the plane is an oscillator with $\Omega^2 = 2(1-\cos\theta)/T^2$ (`pinning_of`, kick_threshold.hpp). We find $\varphi < 0$:
-the moving breather has *less* energy than the resting one of the same action, its effective mass is negative, and the
-stable centre is the one of *higher* energy.
+the plane is an oscillator with $\Omega^2 = 2(1-\cos\theta)/T^2$ (`pinning_of`, kick_threshold.hpp). We find $\varphi <
+0$: the moving breather has *less* energy than the resting one of the same action, its effective mass is negative, and
+the stable centre is the one of *higher* energy.
 
 Sign and size follow at small amplitudes, with $\mu = \omega_b-1$. Without contacts a kick along a mode $v$ of length
 one changes action and energy by $c^2/2$ each, which leaves $-\mu\,c^2/2$. A velocity changes the complex amplitude of a
@@ -459,11 +459,11 @@ bond-centred breather is $c =$ 4.452e-6, and the chain has 4.452e-6. (computed)
 <!-- /depinning.law -->
 
 Chain and linearised flow agree within their errors, and a pendulum, whose potential is only assumed to be a sine, to
-$2\cdot10^{-4}$. A small oscillation about the bond takes $2\pi/\Omega \approx 1.7\cdot10^5$, as long as the middle run of
-figure 15. Neither phase, nor a kick along the mode, nor the
-printed norm gives the printed threshold; with that norm even $c = 3\cdot10^{-6}$ would depin every breather, so this is
-hardly what was computed. That short runs, or steps whose energy drifts, explain the printed value is a conjecture. The
-law was tested only for slow motion and kicks along $g$.
+$2\cdot10^{-4}$. A small oscillation about the bond takes $2\pi/\Omega \approx 1.7\cdot10^5$, as long as the middle run
+of figure 15. Neither phase, nor a kick along the mode, nor the printed norm gives the printed threshold; with that norm
+even $c = 3\cdot10^{-6}$ would depin every breather, so this is hardly what was computed. That short runs, or steps
+whose energy drifts, explain the printed value is a conjecture. The law was tested only for slow motion and kicks along
+$g$.
 
 ## Speed against kick (figure x15)
 

@@ -124,7 +124,8 @@ For each velocity of the sweep we compute three numbers of the packet: the speed
 least-squares line through $X(t)$ between sites 20 and 60; the largest maximum in time of $e_{n'}$ on the same stretch,
 from parabolas through three samples; and the energy within $m$ sites of the peak when the packet passes site 60. The
 error of the fit is added to that of the speed. The length of the run follows from the chapter before: at small
-$\epsilon = v_0/2$ the packet moves with the speed [0.361](cell:sec34_dps_impact/speeds/model=dps/per_slow_time) times $\epsilon^{1/2}$. */
+$\epsilon = v_0/2$ the packet moves with the speed [0.361](cell:sec34_dps_impact/speeds/model=dps/per_slow_time) times
+$\epsilon^{1/2}$. */
 // Three times what the slowest packets need to reach the end of the stretch
 double time_for(double velocity) {
   return 3 * fit_to / (0.36 * std::sqrt(velocity / 2));
@@ -180,12 +181,12 @@ void report_sweep(Report& report, const std::vector<double>& ends) {
 }
 
 /**
-As $v_0 \to 0$ the DpS equation takes over, in which $s$ does not occur, so the three curves must *meet* there and not only
-be close to each other. They do. At $v_0 = 0.05$ no two speeds differ by more than their errors, and the peaks by about
-half a per cent; at 0.5 the peaks are a third apart. For strong impacts, which we take to begin at $v_0 = 0.3$, a soft
-well lowers all three quantities at *every* velocity of the sweep. The ripple of the peak density is resolved: a packet
-passes a site in a time comparable to its internal period, so the largest density should depend on the phase between
-the two.
+As $v_0 \to 0$ the DpS equation takes over, in which $s$ does not occur, so the three curves must *meet* there and not
+only be close to each other. They do. At $v_0 = 0.05$ no two speeds differ by more than their errors, and the peaks by
+about half a per cent; at 0.5 the peaks are a third apart. For strong impacts, which we take to begin at $v_0 = 0.3$, a
+soft well lowers all three quantities at *every* velocity of the sweep. The ripple of the peak density is resolved: a
+packet passes a site in a time comparable to its internal period, so the largest density should depend on the phase
+between the two.
 
 | | $s = 0$ | $s = -\frac16$ | $s = -0.7$ |
 |---|---|---|---|
@@ -330,8 +331,8 @@ takes from the packet: the rest, slower waves behind the packet, is lower, too. 
 | 0.96, $-0.7$ | [0.722](cell:shares/velocity=0.96/s=-0.7/first_five) | [0.0651](cell:packet) | [0.213](cell:rest) | [0.128](cell:speed) |
 | 1.87, $-\frac16$ | [0.592](cell:shares/velocity=1.87/s=-1/6/first_five) | [0.129](cell:packet) | [0.279](cell:rest) | [0.194](cell:speed) |
 
-The impact of figure 20 is a special one. It lies in the last 0.05 before the first escape, where the outcome is erratic:
-at $v_0 = 0.95$ the first bead gives its energy away, and most of it goes into slow waves. */
+The impact of figure 20 is a special one. It lies in the last 0.05 before the first escape, where the outcome is
+erratic: at $v_0 = 0.95$ the first bead gives its energy away, and most of it goes into slow waves. */
 void report_shares(Report& report) {
   struct Share {
     double velocity, s;

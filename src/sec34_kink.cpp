@@ -280,8 +280,8 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** The well is `on_site`, the counts are `count_wells`, which needs the period of another well, as
-`report_examples` does; the wait is `patience`. The number of `beads` stands in the statement, too, and the velocities of
-the two examples in the script of the figure, which reads columns by name.
+`report_examples` does; the wait is `patience`. The number of `beads` stands in the statement, too, and the velocities
+of the two examples in the script of the figure, which reads columns by name.
 
 1. *Easy.* Does the kink need the whole chain? `build/bin/sec34_kink run --velocity 5 --sites 30` gives `moved` = 30.
    Hint: it forms within a few beads.

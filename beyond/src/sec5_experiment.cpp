@@ -156,8 +156,8 @@ Estimate error_of(const Estimate& predicted, const Estimate& found) {
 /**
 ## How far the packet travels (figure x26)
 
-We strike with three velocities and take seven lifetimes. With $T_E = 10$ ms the article expects 70 oscillations in 10 ms
-and moderate changes of the packet. The speed falls by a sixth, the frequency by two per cent.
+We strike with three velocities and take seven lifetimes. With $T_E = 10$ ms the article expects 70 oscillations in 10
+ms and moderate changes of the packet. The speed falls by a sixth, the frequency by two per cent.
 
 | impact of 1 m/s, after 10 ms | no losses | $T_E = 10$ ms | $T_E = 1$ ms |
 |---|---|---|---|
@@ -225,9 +225,9 @@ For impacts of 0.5 to 1 m/s and lifetimes of 1 to 100 ms it gives the distance t
 to within a fraction 0.0128 and, with the factor, that of the largest contact force to within 0.0305. (observed)
 <!-- /experiment.clock -->
 
-The clock never shows more than $4\,T_E$. Yet with $T_E = 1$ ms the strongest push travels farther than without losses in
-4 ms. A weak front runs ahead of the packet, and at a contact that the packet never reaches the push of the front is the
-strongest. There the clock alone, without the weight, is far off.
+The clock never shows more than $4\,T_E$. Yet with $T_E = 1$ ms the strongest push travels farther than without losses
+in 4 ms. A weak front runs ahead of the packet, and at a contact that the packet never reaches the push of the front is
+the strongest. There the clock alone, without the weight, is far off.
 
 | impact of 1 m/s | $T_E = 1$ ms | 2 ms | 10 ms |
 |---|---|---|---|
@@ -350,9 +350,10 @@ void report_instability(Report& report) {
 ## A piston at one end
 
 All beams have one frequency, 6.31 kHz, so that linear waves carry no energy. A piston with a higher frequency therefore
-moves the first few beads only. But contacts harden: breathers have a higher frequency than the beams. We drive 120 beads at 7000 Hz, with $T_E = 10$ ms, and count what passes bead 20
-(`drive_chain`, driven_array.hpp). A packet passes when the largest energy density of this bead in a period of the
-piston rises fourfold and above 0.03 $u_0^2$; it must fall to half before the next one counts. */
+moves the first few beads only. But contacts harden: breathers have a higher frequency than the beams. We drive 120
+beads at 7000 Hz, with $T_E = 10$ ms, and count what passes bead 20 (`drive_chain`, driven_array.hpp). A packet passes
+when the largest energy density of this bead in a period of the piston rises fourfold and above 0.03 $u_0^2$; it must
+fall to half before the next one counts. */
 constexpr std::size_t detector = 20;
 
 /// Beams at rest with the lifetime in ms (0: no losses). A piston is {by, Omega, u_0, u_0 at first, time to change}.
