@@ -51,11 +51,11 @@ $$\frac{m_n}{T}\bigl[\dot x_n\bigr]_0^T = \bar F_{n-1}-\bar F_n-\overline{W'(x_n
 
 ## The experiment
 
-We find a periodic motion and average the force of every contact over its period $2\pi$. Beads start from rest,
-neighbours displaced in opposite directions. Newton's method corrects the start until all velocities vanish after half a
-period; the motion then retraces its path and closes. The guess is the amplitude $A$ on a uniform ring with only the
-first harmonic of each of the two forces on a bead, $0.457\,(2A)^{3/2}$. From there masses, stiffnesses and exponents
-become uneven in stages: `part` of 15 per cent, or of the way to $\alpha$. */
+We find a periodic motion and average the force of every contact over its period, $2\pi$ for what follows. Beads start
+from rest, neighbours displaced in opposite directions. Newton's method corrects the start until all velocities vanish
+after half a period; the motion then retraces its path and closes. The guess is the amplitude $A$ on a uniform ring with
+only the first harmonic of each of the two forces on a bead, $0.458\,(2A)^{3/2}$. From there masses, stiffnesses and
+exponents become uneven in stages: `part` of 15 per cent, or of the way to $\alpha$. */
 constexpr double period = 2 * std::numbers::pi;
 
 Chain uneven_chain(std::size_t sites, Ends ends, double alpha, double part) {
@@ -162,8 +162,8 @@ Orbit<double> wave_on_ring(double q) {
 }
 
 /**
-The means of all three agree within the errors, which are a billionth of the largest. If one bead of the uneven ring
-starts a thousandth off, the ring does not return, and its means differ in the fourth digit.
+The means of all three agree within the errors, which are two billionths of the largest at most. If one bead of the
+uneven ring starts a thousandth off, the ring does not return, and its means differ by almost a thousandth.
 
 | mean force over the largest one, at contact | 1 | 2 | 4 |
 |---|---|---|---|
@@ -203,7 +203,8 @@ For contrast we take breathers: periodic motions of a few beads in wells $W = \f
 out of phase and the other beads are nearly at rest. There are two kinds, one symmetric about a bead (*site*) and one
 about a contact (*bond*); section 3.2 computes them by the same method (sec32_newton_breathers.cpp). We take both at the
 frequency $\omega_b = 2\pi/T = 1.5$, on free chains long enough for their tails. Here the means differ as much as they
-can, since the outermost contacts carry nothing, and its well balances each bead: the program stops if it does not.
+can, since the outermost contacts carry nothing, and each bead is balanced by its well: the program stops if it does
+not.
 
 | mean force over the largest one, contacts from the middle | 0 | 1 | 2 | 4 |
 |---|---|---|---|---|

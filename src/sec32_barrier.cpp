@@ -85,8 +85,8 @@ Measured<T> compare_breathers(const BreatherPair& pair, int coarser) {
 }
 
 /**
-In the soft and the linear well the two energies differ by two parts in a million at most, so each must be known to
-twelve digits if the barrier is to have six. The error is the difference of the two tolerances plus 2048 roundings of
+In the soft and the linear well the two energies differ by 2.05 parts in a million at most, so each must be known to
+nine digits if the barrier is to have three. The error is the difference of the two tolerances plus 2048 roundings of
 the energy (`assess`), since the difference alone may be small by chance. Where it exceeds three parts in a thousand of
 a barrier, we repeat the computation with 64-bit mantissas. */
 template <class T>
@@ -227,9 +227,10 @@ the soft barrier, as at 1.05, the ratio of the soft well is smaller, and towards
 ## The printed numbers
 
 The article's numbers belong to single frequencies, so these pairs are computed in extended precision throughout. At
-$1.1$ the stable breather is the one around the bond (section 3.3), although at equal area its energy is higher: the
-effective mass is negative (`sec33_mobility`), so breathers rest where the potential is high. Near a zero of the barrier
-at equal frequency the one at equal area is not the smaller one.
+$1.1$ the stable breather of the linear and the soft well is the one around the bond (section 3.3), although at equal
+area its energy is higher; in the hard well both signs are the other way round. The effective mass is negative
+(`sec33_mobility`), so breathers rest where the potential is high. Near a zero of the barrier at equal frequency the one
+at equal area is not the smaller one.
 
 <!-- barrier.equal_area -->
 As $\omega_b \to 1$ the barrier between the site- and bond-centred breathers at equal area ($2\pi$ times the action) is
@@ -300,18 +301,20 @@ BreatherPairs report_key(Report& report, const Families& families) {
 /**
 Close to $\omega_b = 1$ the ratio of the two barriers can be predicted. With $\delta = \omega_b-1$ the amplitude goes
 like $\delta^2$ (Eq. (20)) and all energies follow the DpS scaling $\mathcal H = e\,\delta^4$, with an $e$ that differs
-slightly from one breather to the other. Then $d\mathcal H = \omega_b\,d\mathcal A/2\pi$ gives
-$\mathcal A/2\pi = e\,\delta^4-\frac45e\,\delta^5$, hence $\mathcal H = \mathcal A/2\pi+\frac45e\,\delta^5$. At equal
-area $e\,\delta^4$ is the same for both breathers, and the one with the larger $e$ has a $\delta$ that is smaller by a
-quarter of the relative difference: the barrier at equal area is $-\delta/5$ times the one at equal frequency, smaller
-by orders of magnitude, and of the opposite sign. At $\omega_b = 1.001$ the computed ratio divided by this prediction is
-[1.02](cell:key_pairs/s=0/omega=1.001/over_law).
+slightly from one breather to the other. Then $d\mathcal H = \omega_b\,d\mathcal A/2\pi$ gives $\mathcal A/2\pi =
+e\,\delta^4-\frac45e\,\delta^5$, hence $\mathcal H = \mathcal A/2\pi+\frac45e\,\delta^5$. At equal area $e\,\delta^4$ is
+the same for both breathers, and the one with the larger $e$ has a $\delta$ that is smaller by a quarter of the relative
+difference: the barrier at equal area is $-\delta/5$ times the one at equal frequency, smaller by orders of magnitude,
+and of the opposite sign. At $\omega_b = 1.001$ the computed ratio divided by this prediction is
+[1.02](cell:key_pairs/s=0/omega=1.001/over_law); at 1.01, close to the first zero, it is
+[1.48](cell:key_pairs/s=0/omega=1.01/over_law).
 
 ## The ratio at $\omega_b = 1.3$
 
-At $1.3$ the barriers of the soft and the hard well exceed that of the linear well by roughly as much as printed. But
-the linear barrier has its fifth zero at [1.2997](cell:sign_changes/s=0/kind=1/zero=5/omega), where the ratio diverges.
-A sixtieth below and above 1.3, the soft barrier is only some ten and twenty times larger.
+At $1.3$ the barriers of the soft and the hard well exceed that of the linear well by 2.9 and 4.4 orders of magnitude,
+on either side of what is printed. But the linear barrier has its fifth zero at
+[1.2997](cell:sign_changes/s=0/kind=1/zero=5/omega), where the ratio diverges. A sixtieth below and above 1.3 the ratios
+are smaller by one to two orders.
 
 | barrier over that of the linear well | article | soft well | hard well |
 |---|---|---|---|
@@ -329,7 +332,7 @@ residual: [1.60e-12](cell:accuracy/energy). The printed barrier exceeds ours by 
 [1.46e-12](cell:accuracy/excess), so the two agree within the accuracy of the article. This is a generous
 bound: if the errors of both breathers were alike, the difference would be known better. Double precision and a 64-bit
 mantissa differ from one of 113 bits by less than their errors (tests/lattice/orbits/breather.cpp), and an independent
-program (`tests/second`), with another integrator and the area by quadrature, finds both barriers at 1.1 to five digits.
+program (`tests/second`), with another integrator, finds the barrier at equal frequency at 1.1 to eight digits.
 */
 double hidden_energy(double residual, double detuning) {
   auto problem = problem_of(Centre::site, 1.1);
@@ -381,9 +384,9 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** For other soft and hard wells edit the array `wells`, the values in the script of figure 7 and at the
-top of the statements; the middle one stays linear, and the addresses of numbers in the prose follow. For a comparison
-at equal energy both lines of `missing` have energies, `area_omega` is `moved.energy_omega`, and `equal_area`
-is `(bond.area - moved.area) / shifted.period() - missing`.
+top of the statements; the middle one stays linear, and `s` changes in the addresses of the numbers here and in the
+lists of `paper`. For a comparison at equal energy both lines of `missing` have energies, `area_omega` is
+`moved.energy_omega`, and `equal_area` is `(bond.area - moved.area) / shifted.period() - missing`.
 
 1. *Easy.* Next to a zero: `build/bin/sec32_barrier barrier --omega 1.01462` gives `equal_area` = -1.86531e-17, some two
    hundred times the modulus of `equal_frequency`. Which of the two decides where the breather rests? Hint: a breather

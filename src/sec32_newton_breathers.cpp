@@ -237,8 +237,8 @@ limit, and the breathers of the chain at $\omega_b = 1.01$ and $1.1$, each with 
 
 There are two errors. The quasi-continuum profile differs from the DpS breather even in the limit, and the DpS equation
 differs from the chain. At 1.01 the second reduces the first; at 1.1 the sum is twice the first around a site and more
-than one and a half times the first around a bond. So the approximation is accurate to a twentieth where the article
-calls it excellent, and worse at 1.1, as the article says.
+than one and a half times the first around a bond. So the approximation is accurate to about a twentieth where the
+article calls it excellent, and worse at 1.1, as the article says.
 
 | largest difference over the amplitude | around a site | around a bond |
 |---|---|---|
@@ -385,9 +385,10 @@ void report_tail(Report& report) {
 
 Both families are followed by arclength from $\omega_b = 1.001$ to $2$ (continuation.hpp). Amplitude and energy grow
 from each frequency of the figure to the next, and so does the asymmetry around a site, where the breather is its own
-mirror image only in the limit of small amplitude. The energies of both kinds differ by a millionth at most, at the
-lowest frequency. Towards $\omega_b = 1$ the fraction must tend to that of the DpS norms, of which the one around the
-bond is lower by [-1.331e-6](cell:sec32_dps_profiles/norms/gap); at 1.001 it is nine tenths of it.
+mirror image only in the limit of small amplitude. The energies of both kinds differ by 1.2 millionths at most, at the
+lowest frequency. Towards $\omega_b = 1$ the fraction must tend to that of the DpS norms, which is
+[-1.331e-6](cell:sec32_dps_profiles/norms/gap) from site to bond, with the other sign; at 1.001 its modulus is nine
+tenths of this.
 
 ![Amplitude and energy of both families. Drawn by fig06_branches.gp: amplitudes and energies of `branches` against
 `omega`.](fig:06)
@@ -515,7 +516,7 @@ void report_other_wells(Report& report) {
 We impose both symmetries, so finding them in the result proves nothing. We therefore search without them: all positions
 are unknown, the start is perturbed at random by a thousandth, and the only condition is that the chain is at rest at
 $T_b/2$. An asymmetric breather would keep an asymmetry of a thousandth. In extended precision (a 64-bit mantissa) the
-symmetries $y_{1-n} = -y_n$ and $y_n(t) = -y_{-n}(t+T_b/2)$ are restored to far below $10^{-9}$ of the amplitude
+symmetries $y_{1-n} = -y_n$ and $y_n(t) = -y_{-n}(t+T_b/2)$ are restored to $10^{-10}$ of the amplitude
 (`newton.symmetry`). */
 double broken_symmetry(Centre centre) {
   auto problem = in_precision<Wide>(problem_of(centre, omega_b, s));
@@ -569,7 +570,7 @@ families of anharmonic wells.
 
 ## Try it
 
-**To change it.** Another anharmonicity of all wells is `s`, another breather of the first listing `omega_b`, up to 1.1.
+**To change it.** Another anharmonicity of all wells is `s` (below zero the branches end before 2, and the last row of their table goes), another breather of the first listing `omega_b`, up to 1.1.
 Other wells and contacts are options of the command `breather`.
 
 1. *Easy.* How does the amplitude grow with $\omega_b - 1$?

@@ -142,9 +142,9 @@ since a young packet still sheds its tail. What stays behind has more than half 
 sites: it is weak in the sense that no window of eleven sites holds half as much as the packet.
 
 The article says that the residue at the boundary is no surface mode, because it is extended and not periodic. We find
-both. The participation number $(\sum|A_n|^2)^2/\sum|A_n|^4$, from the boundary to ten sites behind the packet's peak,
-counts the sites that share it. In a stationary mode $|A_1|$ would be constant: we quote its variation in the last fifth
-of the run.
+it extended, and not stationary: in a stationary mode $|A_1|$ would be constant, and here it still falls. The
+participation number $(\sum|A_n|^2)^2/\sum|A_n|^4$, from the boundary to ten sites behind the packet's peak, counts the
+sites that share it; of $|A_1|^2$ we quote the variation in the last fifth of the run.
 
 | in the DpS equation | article | here |
 |---|---|---|
@@ -274,7 +274,7 @@ void report_figures(Report& report, const TwoRuns<DpsRun>& dps, const Refined<Ch
 }
 
 /**
-How fast is the packet, and how many sites carry it? By this definition of the speed the DpS packet is a few per cent
+How fast is the packet, and how many sites carry it? By this definition of the speed the DpS packet is 2.5 per cent
 faster. Behind the peak the packet merges into the wave train, but ahead of it nothing has moved yet, and the amplitude
 falls super-exponentially. With a limit of one per cent, which a drawing still shows, the peak and three sites on either
 side make seven. Measured by energy the packet is narrower.
@@ -333,17 +333,19 @@ the run, $\tau = 250$, is $t = 8090.7$. But the height changes within an oscilla
 function for chain and approximation, at [201](cell:instants/all) instants between $t = 8085$ and 8095, a little more
 than one and a half oscillations (table `heights`). The chain is within five per cent of the printed number at
 [18](cell:instants/chain_near) of them, and at [18](cell:instants/both_near) of these the approximation is within five
-per cent of its own. These are the instants about which the chain's height is least.
+per cent of its own. They lie about the minima of the chain's height. At the printed $t = 8090$ itself the order is the
+other way round.
 
 | | article | chain | DpS equation |
 |---|---|---|---|
 | height at $t = 8091.0$ | $9\cdot10^{-4}$, $13\cdot10^{-4}$ | [0.0008996](statement:impact.amp_full) | [0.001331](statement:impact.amp_dps) |
+| at $t = 8090.0$ | | [0.00125](cell:heights/t=8090/chain) | [0.000971](cell:dps) |
 | at $\tau = 250$ | | [0.001000](cell:readings/reading=height_at_the_end/chain) | [0.001326](cell:dps) |
-| at $t = 8091.1$, when that of the chain is least | | [0.000853](cell:heights/t=8091.1/chain) | [0.001302](cell:dps) |
-| at $t = 8086.5$, when it is largest | | [0.001396](cell:heights/t=8086.5/chain) | [0.001023](cell:dps) |
+| at $t = 8091.1$, the least of the chain's 201 | | [0.000853](cell:heights/t=8091.1/chain) | [0.001302](cell:dps) |
+| at $t = 8086.5$, the largest | | [0.001396](cell:heights/t=8086.5/chain) | [0.001023](cell:dps) |
 | largest displacement, over the last site | | [0.0009180 ± 6e-7](cell:readings/reading=largest_displacement/chain) | [0.000950](cell:dps) |
 
-By the largest displacement the approximation overestimates the chain by a few per cent; by the height, at
+By the largest displacement the approximation overestimates the chain by 3.5 per cent; by the height, at
 $\tau = 250$, by a third, and at another phase it underestimates it.
 
 The largest displacement, while the centre moves over the last site, does not depend on the phase of the oscillation. A
@@ -436,7 +438,7 @@ void report_readings(Report& report, const TwoRuns<DpsRun>& dps, const Refined<C
 ## Accuracy and checks
 
 Every number has an error from two resolutions, and that of a speed includes the error of its fit. The tolerance only
-says when two runs of the chain agree; they agree better, as the errors of the heights show. As an independent check GSL
+says when two runs of the chain agree; they agree better. As an independent check GSL
 also solves the equation of motion of the chain, without event detection. The program stops with an error if the two
 states differ at the end of the run by more than $10^{-5}$ of the largest entry. */
 void report_check(const State<double>& ours) {
@@ -466,9 +468,9 @@ void report_check(const State<double>& ours) {
 ## Try it
 
 **To change it.** The size of the impact and the end of the run are `eps` and `tau_end`, with the time `one_site` and
-the instants from `instants_from` to `instants_to`, of which the printed amplitudes are counted in `report_heights`;
-`sites` must grow with the time. Other wells or contacts are further members of `beads`, another power also of every
-`Dps{sites}` (dps.hpp); the DpS equation then has another $\tau_0$. The figures read columns by name.
+the instants from `instants_from` to `instants_to`, and the printed amplitudes, with which the heights are compared, in
+`report_heights`; `sites` must grow with the time. Other wells or contacts are further members of `beads`, another power
+also of every `Dps{sites}` (dps.hpp); the DpS equation then has another $\tau_0$. The figures read columns by name.
 
 1. *Easy.* What if the chain is held at its first contact? `build/bin/sec31_dps_limit impact --end fixed` gives
    `amplitude` = 0.6587 and `speed` = 0.4142. Hint: an end that cannot recoil gives the packet more.

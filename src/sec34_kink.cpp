@@ -128,10 +128,10 @@ Counted counted(double v0) {
 
 We scan the impact velocity from 1 to 8 in steps of 0.02 (table `kink_transition`). There are three regimes. A weak
 impact leaves every bead in its well; below $v_0 = 2$ nothing else is possible, since the maximum is $W(\pi) = 2$. From
-2.48 on the recoil throws beads back at the near end at most velocities, while the breather still travels: beads that
-swing back push each other apart, and no contact behind the first bead holds it. At 4.7 a kink replaces the breather: in
-the scan no impact below sends a kink through the chain, and every one above does. The two velocities between them are
-undecided.
+2.48 on the recoil throws beads back at the near end, at all but four velocities, while the breather still travels:
+beads that swing back push each other apart, and no contact behind the first bead holds it. Between 4.66 and 4.72 a kink
+replaces the breather: up to 4.66 no impact of the scan sends a kink through the chain, and from 4.72 on every one does.
+The two velocities between, 4.68 and 4.70, are undecided.
 
 | impact velocity | beads that moved on | ejected at the far end | at the near end | decided |
 |---|---|---|---|---|
@@ -143,8 +143,7 @@ undecided.
 | 4.72 | [50](cell:kink_transition/velocity=4.72/advanced) | [2](cell:ejected_far) | [0](cell:ejected_near) | [1](cell:decided) |
 | 8 | [50](cell:kink_transition/velocity=8/advanced) | [1](cell:ejected_far) | [0](cell:ejected_near) | [1](cell:decided) |
 
-A count that has settled may still change: at $v_0 = 4.28$ the breather throws the last bead off when it arrives at the
-far end. So *no bead moves on* means until the counts have settled.
+*No bead moves on* means until the counts have settled.
 
 Why so far above 2? The first bead pushes on the second all the way up, and loses energy to it. In a kink *every* bead
 passes its maximum; each needs the energy 2 on the way up and regains it on the way down, so a kink, once formed, can go

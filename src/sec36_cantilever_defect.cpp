@@ -187,9 +187,9 @@ map from 1.6 radii on, and larger ones up to 2.5.
 
 The radius varies by a factor of four, and with it the mass of the beads by a factor of 64. The shares change smoothly,
 and both heavy and light defects reflect. A large difference between the frequency of the defect, $\mu^{-1/2}$, and that
-of the packet is not the only cause: at 0.8 radii the two agree to about one per cent, and
-[0.945](cell:defect_map/ratio=0.8/net_reflected) of the arriving energy is reflected. We do not know the reason. At 0.8
-radii the defect alone has already the frequency of the packet, so that with amplitude it is above it.
+of the packet is not the only cause: at 0.8 radii the defect alone has a frequency one per cent above the packet's, and
+[0.945](cell:defect_map/ratio=0.8/net_reflected) of the arriving energy is reflected. With amplitude its frequency moves
+farther away; we do not know whether that suffices.
 
 <!-- defect.map -->
 After an impact of 1 m/s a defect of heavier beads reflects the packet: at 1.6 times the radius of the other beads,
@@ -246,8 +246,9 @@ void report_map(Report& report, const ScatteringSetup& setup) {
 The article sees a small part of the energy loosely trapped at 1.6 radii. A reflected packet leaves it on the incoming
 side, so we take the nine sites that end at the defect, 75 ms after the impact, and compare them with the same sites in
 an array without a defect, where the packet has left only a wake. We find some energy, loosely trapped: part of it is
-gone 25 ms later. A heavy defect holds almost no energy around it (sites 96 to 104), while one of 0.925 radii keeps its
-energy. By 100 ms the transmitted packet would reach the end of the article's array, so ours has a hundred beams more.
+gone 25 ms later. A heavy defect holds less energy around it (sites 96 to 104) than the wake leaves there without a
+defect, while one of 0.925 radii keeps its energy. By 100 ms the transmitted packet would reach the end of the article's
+array, so ours has a hundred beams more.
 
 In which motion does a light defect keep it? Alone, it has the frequency $\mu^{-1/2}$, above the 1 of its neighbours.
 Its contacts only push it back, so with amplitude its frequency rises further, away from theirs. At 0.925 radii it can
@@ -257,7 +258,7 @@ reach the frequency of the packet, [1.10](statement:cantilever.frequency), and i
 |---|---|---|---|---|
 | before the defect at 75 ms | small | [0.00389](statement:cantilever.trapped) | [0.00148](cell:trapped/ratio=1/before) | |
 | left of it at 100 ms | loosely trapped | [0.866](cell:trapped/ratio=1.6/before_left) | | |
-| around the defect at 75 ms | | [0.000768](cell:trapped/ratio=1.6/near) | | [0.0470](cell:trapped/ratio=0.925/near) |
+| around the defect at 75 ms | | [0.000768](cell:trapped/ratio=1.6/near) | [0.00138](cell:ratio=1/near) | [0.0470](cell:trapped/ratio=0.925/near) |
 | left of it at 100 ms | | [0.727](cell:trapped/ratio=1.6/near_left) | | [0.997](cell:trapped/ratio=0.925/near_left) |
 
 | frequency of the light defect, 0.925 radii | in units of that of its neighbours |
@@ -481,9 +482,9 @@ changes (`sec5_experiment`).
 
 | quantity | article | here |
 |---|---|---|
-| diameter of beads | 1 cm | a factor of [2.1](cell:experiment/diameter) |
-| load, the strongest push at $n = 80$ | 1 N | a factor of [2.86](statement:outlook.ranges) |
-| width of a beam | 1 cm | a factor of [2](cell:experiment/width) |
+| diameter of beads | 1 cm | smaller by a factor of [2.1](cell:experiment/diameter) |
+| load, the strongest push at $n = 80$ | 1 N | larger by a factor of [2.86](statement:outlook.ranges) |
+| width of a beam | 1 cm | smaller by a factor of [2](cell:experiment/width) |
 | period of weak breathers, ms | 0.15 | [0.158](statement:outlook.small_period) |
 | sites in 10 ms | 20 | [19.3](statement:outlook.travel_10ms) |
 | oscillations in 10 ms | 70 | [69.5](statement:outlook.periods_10ms) | */
@@ -496,7 +497,7 @@ void report_experiment(Report& report, const Passage& at) {
     return run.path.travelled(80, scales.time(10));
   };
   report.table("experiment")
-      .add({{"diameter", "of the beads, over 1 cm", apart(exact(2 * at.blow.array.radius), 1e-2),
+      .add({{"diameter", "1 cm over that of the beads", apart(exact(2 * at.blow.array.radius), 1e-2),
              "", "exact"},
             {"width", "of the beams, 1 cm over it", apart(exact(at.blow.array.width), 1e-2), "",
              "exact"},
@@ -573,8 +574,8 @@ void reproduce(Report& report) {
 
 **To change it.** Two changed beams instead of one are two masses and three contacts in `cantilever_chain`
 (cantilever.cpp, with which its tests fail); the three windows are the sums in `shares`, which the legend of figure x09
-names, the time is `defect_passed`. A new quantity is one more entry of a row; the scripts in `figures/` read
-columns by name.
+names, the times are `defect_passed` and those in `stay`. A new quantity is one more entry of a row; the scripts in
+`figures/` read columns by name.
 
 1. *Easy.* How much does a slightly heavier defect transmit? `build/bin/sec36_cantilever_defect run --ratio 1.1` gives
    `net_transmitted` = 0.29443. Hint: its mass differs by an eighth, its own frequency only by six per cent.

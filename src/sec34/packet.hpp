@@ -23,8 +23,7 @@ double energy_change(const Path& path);
 double residue(const std::vector<double>& e, std::size_t peak);
 
 /**
-Ahead of a compact packet nothing has moved yet, and the amplitude falls super-exponentially, by a factor of five, then
-fifteen, then two hundred from site to site. We therefore look at the *largest* amplitude that a site reaches at a given
+Ahead of a compact packet nothing has moved yet, and the amplitude falls super-exponentially, from site to site by a factor of two, then six, then thirty. We therefore look at the *largest* amplitude that a site reaches at a given
 distance ahead of the peak, relative to the peak. */
 class Front {
  public:
