@@ -16,10 +16,10 @@ that the breathers are almost free to move. It says that
 ![Arguments and moduli of the four multipliers near one, bond-centred. Drawn by fig11_bond_quadruplet.gp: `argument`
 and `excess`, and those of the partner, against `s`, from `bond_against_s`.](fig:11)
 
-At $\omega_b = 1.1$ and in the linear well all of this holds except the two values of $s_0$: we find both at
-$s = 0.1525$. These numbers are hard to compute. Two multipliers are exactly $+1$ for every breather, and share one
-eigenvector, so an error $\delta$ of the matrix splits them by $\sqrt\delta$: an error of $10^{-8}$ becomes $10^{-4}$,
-as large as the instability itself.
+At $\omega_b = 1.1$ and in the linear well all of this holds except the two values of $s_0$: we find both at $s =
+0.1525$. These numbers are hard to compute. Two multipliers are exactly $+1$ for every breather, and share one
+eigenvector, so an error $\delta$ of the matrix splits them by about $\sqrt\delta$: an error of $10^{-7}$ becomes
+$10^{-4}$, half of the instability itself.
 
 ## Model
 
@@ -170,9 +170,9 @@ std::array<std::vector<StabilityAt>, 2> report_wells(Report& report) {
 
 /**
 The article's conclusion says that the stability depends on the strength and the sign of the anharmonicity. It does:
-strong anharmonicity reverses the stability found in the linear well if it is hard, but not if it is soft, down to
-$s = -1$. In each well the two values are opposite and nearly equal, like the curvatures of a sine at its maximum and
-minimum. All largest moduli are below 1.001, as the article's conclusion says.
+strong anharmonicity reverses the stability found in the linear well if it is hard, but not if it is soft, down to $s =
+-1$. In each well the two values are opposite and, to a few parts in $10^5$, equal, like the curvatures of a sine at its
+maximum and minimum. All largest moduli are below 1.001, as the article's conclusion says.
 
 | | $\kappa$ around a site | around a bond | largest modulus of the unstable one |
 |---|---|---|---|
@@ -190,8 +190,8 @@ $s_0$ need $\kappa$ to $4\cdot10^{-10}$.
 
 <!-- exchange.equal -->
 At $\omega_b = 1.1$ the site- and bond-centred breathers exchange stability at almost the same anharmonicity, and not at
-$s = 0.05$ and $0.26$: the stability of the former changes at $s =$ 0.152519, that of the latter at $s =$ 0.152520. The
-two values are 3.2e-7 apart, and in between both breathers are stable. (computed)
+$s = 0.05$ and $0.26$: the stability of the former changes at $s =$ 0.1525195, that of the latter at $s =$ 0.1525198.
+The two values are 3.2e-7 apart, and in between both breathers are stable. (computed)
 <!-- /exchange.equal -->
 
 Why do the two exchange their stability at all? Both are extrema of one potential of the breather's centre, which has
@@ -240,8 +240,8 @@ values. The article names no threshold, so this is only a possible cause. Errors
 
 | quantity | article | here |
 |---|---|---|
-| $s_0^b$, around a bond | 0.26 | [0.15252](statement:floquet.s0_bond) |
-| $s_0^s$, around a site | 0.05 | [0.15252](statement:floquet.s0_site) |
+| $s_0^b$, around a bond | 0.26 | [0.1525198](statement:floquet.s0_bond) |
+| $s_0^s$, around a site | 0.05 | [0.1525195](statement:floquet.s0_site) |
 | their distance | 0.21 | [3.2e-7](cell:exchange/gap) |
 | slope of $\kappa$ there, per unit of $s$ | | [7.55e-8](cell:exchange/slope) |
 
@@ -316,11 +316,12 @@ Displaced by_noise(const Matrix<double>& M, double delta, double kappa) {
 | $10^{-7}$ | [8.62e-5](cell:matrix_errors/source=noise/delta=1e-7/displacement) | [0.000158](cell:excess) | [3.10e-9](cell:kappa_change) | [0.0412](cell:in_s) |
 | $10^{-8}$ | [3.17e-5](cell:matrix_errors/source=noise/delta=1e-8/displacement) | [5.01e-5](cell:excess) | [3.1e-10](cell:kappa_change) | [0.0041](cell:in_s) |
 
-The four move by $\delta^{1/2}$ and $\kappa$ by $\delta$. Matrices from a flow at looser tolerances, with the largest
-error of an entry as $\delta$, follow both laws with factors that scatter (table `matrix_errors`). Noise of $10^{-6}$
-makes the stable breather look more than twice as unstable as the other one is. And a $\delta$ between $10^{-7}$ and
-$10^{-6}$ changes $\kappa$ by as much as 0.1 in $s$ does, which is as far as either printed exchange is from ours. Why
-one is too low and the other too high, we do not know: this is a mechanism, not necessarily the cause. */
+The distance from the circle goes like $\delta^{1/2}$ and the change of $\kappa$ like $\delta$; the displacement goes
+like $\delta^{1/2}$ only below $10^{-8}$. Matrices from a flow at looser tolerances, with the largest error of an entry
+as $\delta$, follow these laws with factors that scatter (table `matrix_errors`). Noise of $10^{-6}$ makes the stable
+breather look more than twice as unstable as the other one is. And a $\delta$ between $10^{-7}$ and $10^{-6}$ changes
+$\kappa$ by as much as 0.1 in $s$ does, which is as far as either printed exchange is from ours. Why one is too low and
+the other too high, we do not know: this is a mechanism, not necessarily the cause. */
 void report_matrix_errors(Report& report, double slope) {
   const auto problem = problem_at(Centre::bond, {});
   const Orbit<double> orbit = find_breather(problem);
@@ -431,7 +432,7 @@ and both $s_0$ to six.
 
 The breather starts from rest, so the eigenvectors of $\lambda$ and $1/\lambda$ have the same displacements at $t = 0$
 and opposite velocities. We compare these displacements with $y_{n+1}(0)-y_{n-1}(0)$, both of length one. The article
-calls the two very close; the angle between them is about ten degrees.
+calls the two very close; the angle between them is nine degrees around a site and twelve around a bond.
 
 ![Pinning mode and discrete gradient. Drawn by fig13_pinning_mode.gp: `mode` and `gradient` against `n`, from
 `mode_bond` and `mode_site`.](fig:13)
@@ -579,6 +580,7 @@ exchange between $s = 0.1$ and 0.2 and stops if there is none.
    `build/bin/sec32_barrier barrier --omega 1.1 --s 0.26` gives `equal_area` = 1.66492e-13. Hint: at equal action the
    breather of higher energy is the stable one here, because the effective mass is negative (`sec33_mobility`). Does
    this agree with $\kappa$, and with the printed exchanges?
+
 `sec33_floquet multipliers` prints all multipliers of one breather (multipliers.hpp), `sec33_floquet exchange` the wells
 in which its pinning pair passes $+1$ (exchanges.hpp). */
 int main(int argc, char** argv) {

@@ -212,8 +212,7 @@ nobody has measured. So the acceleration is the force but for a factor whose sig
 | $s=1$, $v_0=1.9$ | [-0.00046 ± 2e-5](cell:force/s=1/velocity=1.9/leg=out/force) | [-7.8e-5 ± 7e-6](cell:leg=between/force) | [-0.00029 ± 3e-5](cell:leg=back/force) |
 | second half minus first half, relative | [0.3 ± 0.2](cell:force/s=1/velocity=1.9/leg=out/change) | [-0.9 ± 0.4](cell:leg=between/change) | [-1.2 ± 0.3](cell:leg=back/change) |
 
-The article does not quantify *almost constant*. On the way back the force is [0.63 ±
-0.08](statement:boomeron.constant_force) of that on the way out. So the mean forces out and back are equal within a
+The article does not quantify *almost constant*. On the way back the force is [0.63 ± 0.08](statement:boomeron.constant_force) of that on the way out. So the mean forces out and back are equal within a
 factor of two, and no better. On the way back the force falls to a fraction of itself; on the way out a change is hardly
 resolved. Around the turning point it is much weaker.
 

@@ -194,8 +194,8 @@ farther away; we do not know whether that suffices.
 <!-- defect.map -->
 After an impact of 1 m/s a defect of heavier beads reflects the packet: at 1.6 times the radius of the other beads,
 0.9965 of the arriving energy. Slightly smaller beads trap energy: the nine sites around them hold at most 0.0497 of the
-total energy 75 ms after the impact, at a relative radius near 0.94. At 0.925 this energy stays, 0.997 of it for 25 ms
-more; at 1.6 there is little, and 0.727 of it stays. (computed)
+total energy 75 ms after the impact, at a relative radius near 0.94. At 0.925 what they hold stays, 0.997 of it for 25
+ms more; at 1.6 there is little, and 0.727 of it stays. (computed)
 <!-- /defect.map -->
 
 ![Reflected, remaining and transmitted energy against the radius of the defect. Drawn by x09_defect_map.py: the net
@@ -497,8 +497,8 @@ void report_experiment(Report& report, const Passage& at) {
     return run.path.travelled(80, scales.time(10));
   };
   report.table("experiment")
-      .add({{"diameter", "1 cm over that of the beads", apart(exact(2 * at.blow.array.radius), 1e-2),
-             "", "exact"},
+      .add({{"diameter", "1 cm over that of the beads",
+             apart(exact(2 * at.blow.array.radius), 1e-2), "", "exact"},
             {"width", "of the beams, 1 cm over it", apart(exact(at.blow.array.width), 1e-2), "",
              "exact"},
             {"load", "the strongest push at n = 80, over 1 N",

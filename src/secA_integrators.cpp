@@ -103,7 +103,7 @@ receives, at each contact event, the impulse that it really exerts. (computed)
 
 The orders four and six are lost. That of the event-corrected integrator is below the expected 5, and we do not know
 why. As a control the same impacts strike a chain compressed by $d = 5$, Eq. (33). Opening one of its contacts needs the
-energy $\frac35d^{5/2} = 33.5$, and no impact brings more than 1.8; there both splittings have their full order.
+energy $\frac35d^{5/2} = 33.5$, and no impact brings more than 1.81; there both splittings have their full order.
 
 | power of the step with which the error falls | smooth forces | expected here | here |
 |---|---|---|---|
@@ -241,7 +241,7 @@ error of the tangent vector stands against the number of force evaluations in on
 six falls with about the power $-\frac32$ of this number. Verlet's falls faster in this range, on the whole with a power
 between that and the $-2$ of its order, whose error dominates as long as the steps are long. With fewer than five
 thousand evaluations the event-driven integrator has an error below $10^{-12}$; the splitting of order six, with more
-than twice as many, still has an error above $10^{-7}$. */
+than four times as many, still has an error of $10^{-7}$. */
 void report_tangents(Report& report) {
   Table& table = report.table(
       "error_tangent", {label("method", "integrator"), number("evaluations", "force evaluations"),

@@ -237,7 +237,7 @@ is left behind, and the disturbance with it.
 
 | $k = 1$, sign | plus | minus |
 |---|---|---|
-| $\kappa$ of the internal phase | [-8.888e-11](cell:stability/sign=1/kappa) | [8.9e-11](cell:sign=-1/kappa) |
+| $\kappa$ of the internal phase | [-8.89e-11](cell:stability/sign=1/kappa) | [8.9e-11](cell:sign=-1/kappa) |
 | its growth per shift | none: pinned | [1.89e-5](cell:stability/sign=-1/growth) |
 | largest modulus of the others | [0.8706](cell:stability/sign=1/others) | [0.8706](cell:sign=-1/others) |
 
@@ -310,7 +310,7 @@ std::vector<Family> families(bool quick) {
 
 /**
 We release each member in a chain at rest and measure the beads that it has passed. A member that radiates loses energy,
-so its pulses do not quite repeat themselves, and $|1-e^{-iT}|\,|V|$ gives the order of magnitude of its tail only. The
+so its pulses do not quite repeat themselves, and $|1-e^{-iT}|\,|V|$ gives its tail to a factor of 2.5 only. The
 members drawn lie beside the exact orbits, so the figure shows dips and no zeros. Near $T/2\pi = 0.95$ there is a dip
 without an exact orbit: at the members that we computed $V$ becomes small and keeps its sign. */
 double beads_behind(const Orbit<double>& member, double step) {
@@ -349,8 +349,8 @@ a family the energy grows as the shift time falls.
 
 | orbits of type II, $T/2\pi$ | first | second | third | fourth |
 |---|---|---|---|---|
-| $k = 1$, sign plus | [0.8974](cell:orbits/type=2/k=1/sign=1/number=1/turns) | [0.8329](cell:number=2/turns) | [0.7993](cell:number=3/turns) | [0.7258](cell:number=4/turns) |
-| $k = 1$, sign minus | [0.8974](cell:orbits/type=2/k=1/sign=-1/number=1/turns) | [0.8328](cell:number=2/turns) | [0.7951](cell:number=3/turns) | [0.7289](cell:number=4/turns) |
+| $k = 1$, sign plus | [0.897407](cell:orbits/type=2/k=1/sign=1/number=1/turns) | [0.8329](cell:number=2/turns) | [0.7993](cell:number=3/turns) | [0.7258](cell:number=4/turns) |
+| $k = 1$, sign minus | [0.897413](cell:orbits/type=2/k=1/sign=-1/number=1/turns) | [0.8328](cell:number=2/turns) | [0.7951](cell:number=3/turns) | [0.7289](cell:number=4/turns) |
 | $k = 2$, sign plus | [1.940](cell:orbits/type=2/k=2/sign=1/number=1/turns) | [1.869](cell:number=2/turns) | [1.779](cell:number=3/turns) | [1.658](cell:number=4/turns) |
 | energy, $k = 1$, plus | [1.31](cell:orbits/type=2/k=1/sign=1/number=1/energy) | [4.36](cell:number=2/energy) | [8.12](cell:number=3/energy) | [32.4](cell:number=4/energy) | */
 void report_orbits(Report& report, const std::vector<Exact>& type_one,
@@ -551,7 +551,7 @@ but at shift times that are no multiples of $2\pi$. (The orbits of type II near 
 some ten times the energy, figure x19b.) Could an exact breather still capture the phase farther out? The orbit $k = 1$
 pins it like a very weak pendulum: displaced a little, the phase swings by $2|\kappa|^{1/2}$ per shift, some $10^{-5}$,
 and only a phase that turns not much faster could be captured. That of the weaker packet turns by $T-\vartheta$, modulo
-$2\pi$, which at the end is more than ten thousand times as much.
+$2\pi$, which at the end is nearly fifty thousand times as much.
 
 | at the end | after $v_0 = 0.66$ | after $v_0 = 1.5$ |
 |---|---|---|
@@ -712,8 +712,7 @@ Letters in Mathematical Physics 106, 2016, arXiv:1502.01995); here the well itse
 travelling breathers were computed by James (Philosophical Transactions A 376, 20170138, 2018), who finds tails except
 at particular parameters.
 
-**To change it.** Families are the list in `families`, impacts that in `report_packets`, with frames in `frames`. The
-wells of the packets are the second member of `Chain` in `follow`; in others than linear ones the frequency of a passed
+**To change it.** Families are the list in `families`, impacts that in `report_packets`, with frames in `frames`. The packets get wells as a second member of `Chain` in the `follow` that has a `Frame`; in others than linear ones the frequency of a passed
 bead depends on its amplitude, and $\vartheta$ means less. */
 void reproduce(Report& report) {
   std::vector<std::size_t> from_five{5, 6, 8};

@@ -132,11 +132,11 @@ struct OneThreshold : KickedBreather {
     });
     // What the runs find, and what was predicted
     Answers q;
-    q.add("c_threshold", c, "site per unit of time",
+    q.add("c_threshold", c, "",
           "least size c of a kick after which the breather passes the barrier, from runs");
     q.add("barrier", {c.value * c.value / 2, c.value * c.error}, "",
           "energy c^2/2 of the threshold kick");
-    q.add("predicted", p.threshold, "site per unit of time",
+    q.add("predicted", p.threshold, "",
           "threshold predicted from the barrier and the pinning mode");
     q.add_small("effective_barrier", p.barrier, "",
                 "E_site - E_bond at equal area (2 pi times the action), the barrier for the moving "
