@@ -41,6 +41,8 @@ Table table_of(const Cases& rows) {
          {"margin", "least difference of the two sides of a comparison, relative to the larger one",
           closest ? closest->margin().value : none.value},
          {"margin_error", "error of the margin", closest ? closest->margin().error : none.error},
+         {"comparisons", "how many there are", std::int64_t(found.comparisons.size())},
+         {"failures", "how many of them fail", std::int64_t(found.failures())},
          {"verdict", "verdict, as explained in paper/verdicts.ecsv", verdict(one, rows)},
          {"found", "the value, or the comparisons, of many the closest one", found.text()},
          {"short", "the value, or up to three comparisons, of more the closest one",
@@ -51,6 +53,28 @@ Table table_of(const Cases& rows) {
                                  : "judged"},
          {"program", "program whose tables decide", found.program}});
   }
+  out.meta = {{"program", "verdicts"}};
+  return out;
+}
+
+/// What other choices give where the article prints none, and half and twice of each bound of ours.
+Table table_of_readings(const Cases& rows, const Choices& choices) {
+  Table out;
+  for (const auto& [claim, found] : rows)
+    for (const OtherReading& other : found.readings) {
+      const Estimate value = other.value ? Estimate(*other.value) : undefined;
+      out.add(
+          {{"id", "statement", claim.id},
+           {"reading", "name of the choice, or a bound of ours that is halved or doubled",
+            other.name},
+           {"choice", "what is chosen, and why it is natural",
+            other.is_bound ? "a bound of ours" : choices.at({claim.id, other.name})},
+           {"value", "value of a number; nan of an assertion", value.value},
+           {"error", "error of the value", value.error},
+           {"unit", "unit of value and error", other.value ? other.value->unit : ""},
+           {"outcome", "a number is met, missed or undecided; an assertion holds, fails or both",
+            outcome(other, claim)}});
+    }
   out.meta = {{"program", "verdicts"}};
   return out;
 }
@@ -78,7 +102,8 @@ void print(const std::string& list, const std::string& title, const Cases& rows)
 }
 
 /// Judges the lists of the volume in `root`.
-void judge_all(const fs::path& root, const fs::path& data, const fs::path& to) {
+void judge_all(const fs::path& root, const fs::path& data, const fs::path& to,
+               const fs::path& readings) {
   if (!fs::is_directory(data))
     throw UsageError("--data: '" + data.string() +
                      "' is not a folder (allowed: one that holds a folder of tables per program)");
@@ -97,6 +122,8 @@ void judge_all(const fs::path& root, const fs::path& data, const fs::path& to) {
   for (const std::string& program : absent) std::printf(" %s", program.c_str());
   if (!absent.empty()) std::printf("\n");
   write(to, table_of(rows));
+  if (const Table others = table_of_readings(rows, read_choices(root)); !others.rows.empty())
+    write(readings, others);
 }
 
 }  // namespace
@@ -104,7 +131,8 @@ void judge_all(const fs::path& root, const fs::path& data, const fs::path& to) {
 /// Reads the line, judges, and answers bad input with one line.
 int main(int argc, char** argv) {
   return exit_code("verdicts", [&] {
-    std::string root = ".", data = "build/data", output = "build/report/claims.ecsv";
+    std::string root = ".", data = "build/data", output = "build/report/claims.ecsv",
+                readings = "build/report/readings.ecsv";
     std::deque<Offer> offers(1);
     offers[0].meaning = "compares published with reproduced values: one verdict per statement";
     offers[0].note =
@@ -113,10 +141,11 @@ int main(int argc, char** argv) {
     Parameters& p = offers[0].parameters;
     p.add("root", root, "folder of the volume, with its paper/claims.ecsv", not_empty());
     p.add("data", data, "folder that holds one folder of tables per program", not_empty());
-    p.add("output", output, "table to write", not_empty());
+    p.add("output", output, "table of the verdicts to write", not_empty());
+    p.add("readings", readings, "table of other readings to write", not_empty());
     const Asked asked = read_line(offers, {argv + 1, argv + argc});
     if (asked.what == Asked::What::run)
-      judge_all(root, data, output);
+      judge_all(root, data, output, readings);
     else if (asked.what == Asked::What::version)
       std::cout << "verdicts " LATTICE_VERSION "\n";
     else if (asked.what == Asked::What::describe)
