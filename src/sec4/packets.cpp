@@ -24,8 +24,9 @@ static double largest_in(const std::vector<double>& a, Window range) {
   return double(std::max_element(first, last) - a.begin() + 1);
 }
 
+// A window's energy is the difference of two sums
 std::size_t richest(const std::vector<double>& e, std::size_t half_width) {
-  std::vector<double> before(e.size() + 1, 0.0);  // the energy before each site
+  std::vector<double> before(e.size() + 1, 0.0);
   std::partial_sum(e.begin(), e.end(), before.begin() + 1);
   double best = 0;
   std::size_t at = 0;
@@ -163,6 +164,7 @@ double rms_of_fit(const Snapshot& shot) {
   return std::sqrt(squares / double(range.last - range.first));
 }
 
+// What is left of the wave beside the packet
 double tail_amplitude(const Snapshot& shot, int side, long near, long far) {
   double squares = 0;
   for (long k = near; k <= far; ++k) {
@@ -185,6 +187,7 @@ static double peak_over_mean(const std::vector<double>& e) {
   return *std::max_element(e.begin(), e.end()) / (total(e) / double(e.size()));
 }
 
+// Because the carrier makes the density oscillate
 static std::vector<double> averaged_over_five(const std::vector<double>& a) {
   const std::size_t n = a.size();
   std::vector<double> mean(n, 0.0);
