@@ -267,6 +267,32 @@ void report_compressions(Report& report) {
 }
 
 /**
+So an interval of unstable wavenumbers begins or ends at $q_c$, as the article says: *at one side of* $q_c$. It may reach
+an edge of the band or not. That does not exclude another one on the other side, where $\beta$ changes its sign too. At
+$d = 4$ and $s = 0$ waves are unstable on both sides (`band --d 4 --s 0`; table `sides`). */
+void report_sides(Report& report) {
+  Table& table = report.table("sides");
+  for (double at : {0.1, 0.5, 1.0, 4.0})
+    for (double s : {-1.0 / 6, 0.0, 1.0, 4.0}) {
+      const std::vector<double> edges = edges_of_instability(at, s);
+      const double q_c = inflection(contact_series(at).v1);
+      int below = 0, above = 0, beside = 0, reach = 0;
+      for (std::size_t i = 0; i + 1 < edges.size(); i += 2) {
+        const bool ends = std::abs(edges[i + 1] - q_c) < 1e-9,
+                   begins = std::abs(edges[i] - q_c) < 1e-9;
+        ++(ends || edges[i + 1] < q_c ? below : above);
+        beside += ends + begins, reach += (edges[i] == 0) + (edges[i + 1] == pi);
+      }
+      table.add({{"d", "compression of the contacts", at},
+                 {"s", "anharmonicity of the well", s},
+                 {"below", "intervals of unstable wavenumbers below q_c", below},
+                 {"above", "those above q_c", above},
+                 {"beside", "those that begin or end at q_c", beside},
+                 {"reach", "edges of the band that unstable wavenumbers reach", reach}});
+    }
+}
+
+/**
 ## A modulated phonon becomes a travelling breather (figure 26)
 
 The ring of the article starts from $q = \pi/4$ in soft wells, $s = -\frac16$. At $t = 6619$ the energy has localized in
@@ -988,6 +1014,7 @@ not established. All runs have $d = \frac12$. */
 void reproduce(Report& report) {
   report_instability(report);
   report_compressions(report);
+  report_sides(report);
   report_modulated_ring(report);
   report_rings(report);
   report_impacts(report);
@@ -1009,6 +1036,7 @@ void reproduce(Report& report) {
 | `pre.edges`: MI at q = 0 iff s < 0 and at q = pi iff 16 v_3 + s > 0 | conditions | edge_waves.growth_over_nls (q = 3.142, s = 2.878) away from 1: 0.007192 < 0.02 (the closest of 84) | holds |
 | `pre.inflection`: q_c solves cos q = v_1 (1 - cos q)^2 and Phi changes sign there | identity | compressions.q_c (d = 1e-08), compressions.v1 (d = 1e-08) away from 1: 5.956e-13 < 1e-08 (the closest of 40) | holds |
 | `pre.inflection_unique`: the frequency has a unique inflection in (0; pi) and it lies in (0; pi/2) | unique | compressions.q_c (d = 1e-08): 1.571 < 1.571 (the closest of 40) | holds |
+| `pre.one_side`: phonons are generically unstable in an interval at one side of q_c that may extend or not to an edge of the band | interval | sides.beside (d = 0.1, s = -0.1667): 1 < 2 (the closest of 34) | holds, assuming |
 | `pre.band_width`: order in d of the width of the phonon band for small d | 0.5 | 0.4997 | reproduced |
 | `pre.beta`: NLS coefficient beta | formula | measured_coefficient.beta (q = 0.1309, s = 0), measured_coefficient.measured_beta (q = 0.1309, s = 0) away from -7.576e-05 1.6e-09 < 7.576e-08 (the closest of 174) | holds |
 | `pre.phi`: bands of instability for s = -1/6; 0; 1 and Phi much smaller for s = 0 | bands | instability.phi (q = 0, s = -0.1667) and 401 other values: 0.01287 < 0.025 (the closest of 5) | holds, assuming |

@@ -58,6 +58,17 @@ STATEMENT("pre.inflection_unique") {
   }
 }
 
+STATEMENT("pre.one_side") {
+  // An interval on one side of q_c, which in some cases reaches an edge and in others does not
+  const Data sides = table("sides").where("d", 0.1, 4).where("s", -1.0 / 6, 4);
+  for (const auto& at : sides) within(at["beside"], exact(0), exact(2));
+  less(least(sides, "reach"), exact(0.5));
+  less(exact(0.5), largest(sides, "reach"));
+  reading("no other", [&] {
+    for (const auto& at : sides) less(at["below"] * at["above"], exact(0.5));
+  });
+}
+
 STATEMENT("pre.band_width") {
   answer(table("compressions").at("d", 1e-6)["order"]);
 }
