@@ -89,8 +89,8 @@ TEST_CASE("a parabola that is fitted to a path has its acceleration", "[unit][bo
   check_close(part.acceleration, -0.02, 1e-10);
   CHECK(all.deviation < 1e-11);
   // The wedge |u|, u from -1 to 1, has the variance 1/12; its part along P_2 is 5/8 P_2, whose square has the mean 5/64
-  check_close(fit_parabola(wedge, stretch(wedge, 0, 200)).deviation,
-              std::sqrt(1.0 / 12 - 5.0 / 64), 2e-3);
+  check_close(fit_parabola(wedge, stretch(wedge, 0, 200)).deviation, std::sqrt(1.0 / 12 - 5.0 / 64),
+              2e-3);
 }
 
 TEST_CASE("runs decorrelate the later the less they differ", "[unit][boomeron]") {

@@ -51,7 +51,7 @@ STATEMENT("boomeron.turning_time") {
   reading("in time", [&] {
     for (double t : {238.0, 241.0}) less(turn["apex_time"] - exact(t), part * turn["apex_time"]);
   });
-  const Estimate stop = least(table("printed_range"), "stop_time");
+  const Estimate stop = least(table("printed_range").where("velocity", 1.865, 1.875), "stop_time");
   reading("first stop", [&] {
     for (double t : {238.0, 241.0}) less(stop - exact(t), part * stop);
   });
