@@ -236,12 +236,12 @@ particle with no force but at its tip, is off by 0.072.
 
 | way out, $s=1$ | $v_0 = 1.1$ | 1.3 | 1.5 | 1.9 | 2 |
 |---|---|---|---|---|---|
-| $100 < t < 220$ | [-0.00015](cell:acceleration/s=1/velocity=1.1/leg=out/acceleration) | [-0.000149](cell:velocity=1.3/leg=out/acceleration) | [-0.000163](cell:velocity=1.5/leg=out/acceleration) | [-0.00044](cell:velocity=1.9/leg=out/acceleration) | [-0.00057](cell:velocity=2/leg=out/acceleration) |
+| $100 < t < 220$ | [-0.0001454 ± 8e-7](cell:acceleration/s=1/velocity=1.1/leg=out/acceleration) | [-0.000149](cell:velocity=1.3/leg=out/acceleration) | [-0.000163](cell:velocity=1.5/leg=out/acceleration) | [-0.00044](cell:velocity=1.9/leg=out/acceleration) | [-0.00057](cell:velocity=2/leg=out/acceleration) |
 | $60 < t < 180$ | [-0.000238 ± 2e-6](cell:acceleration/s=1/velocity=1.1/leg=earlier/acceleration) | [-0.000233](cell:velocity=1.3/leg=earlier/acceleration) | [-0.000254](cell:velocity=1.5/leg=earlier/acceleration) | [-0.00054](cell:velocity=1.9/leg=earlier/acceleration) | [-0.00066](cell:velocity=2/leg=earlier/acceleration) |
 
 | way out, $v_0=1.9$ | $s=0$ | 0.005 | 0.05 | 0.25 | 0.5 | 1 |
 |---|---|---|---|---|---|---|
-| $100 < t < 220$ | [-8.73e-5 ± 7e-7](cell:acceleration/s=0/leg=out/acceleration) | [-8.75e-5 ± 7e-7](cell:s=0.005/leg=out/acceleration) | [-9.2e-5 ± 1e-6](cell:s=0.05/leg=out/acceleration) | [-0.00015](cell:s=0.25/leg=out/acceleration) | [-0.00015](cell:s=0.5/leg=out/acceleration) | [-0.00044](cell:s=1/velocity=1.9/leg=out/acceleration) |
+| $100 < t < 220$ | [-8.73e-5 ± 7e-7](cell:acceleration/s=0/leg=out/acceleration) | [-8.75e-5 ± 7e-7](cell:s=0.005/leg=out/acceleration) | [-9.2e-5 ± 1e-6](cell:s=0.05/leg=out/acceleration) | [-0.0001459 ± 7e-7](cell:s=0.25/leg=out/acceleration) | [-0.0001539 ± 5e-7](cell:s=0.5/leg=out/acceleration) | [-0.00044](cell:s=1/velocity=1.9/leg=out/acceleration) |
 | $60 < t < 180$ | [-0.000175](cell:acceleration/s=0/leg=earlier/acceleration) | [-0.000174](cell:s=0.005/leg=earlier/acceleration) | [-0.000167](cell:s=0.05/leg=earlier/acceleration) | [-0.000226 ± 2e-6](cell:s=0.25/leg=earlier/acceleration) | [-0.000237](cell:s=0.5/leg=earlier/acceleration) | [-0.00054](cell:s=1/velocity=1.9/leg=earlier/acceleration) |
 
 In the window from 100 to 220 the modulus grows from each value of both lists to the next (table `acceleration`), and by
