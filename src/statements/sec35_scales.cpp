@@ -73,7 +73,8 @@ STATEMENT("cantilever.gamma") {
 }
 
 STATEMENT("cantilever.eta") {
-  for (const auto& pair : table("hertz")) near(pair["printed"], 1, bound(1e-6));
+  for (const auto& pair : table("hertz").where("first", 0.5, 2.5).where("second", 0.5, 2.5))
+    near(pair["printed"], 1, bound(1e-6));
 }
 
 STATEMENT("beam.stiffness") {
