@@ -209,10 +209,11 @@ void report_array(Report& report, const CantileverArray& array) {
 
 The coefficient $\gamma_n$ of a contact follows from the theory of elasticity. A pressure $p$ on the surface of a half
 space presses it in by $\frac{1-\nu^2}{\pi\mathcal E}\int p\,d^2r'/|r-r'|$, with the Young modulus $\mathcal E$ and
-Poisson's ratio $\nu$ of the beads. Hertz's pressure on a disc of radius $a$, $p_0(1-r^2/a^2)^{1/2}$, makes a hollow that
-is a paraboloid. We integrate along all chords through a point of the disc, on which the pressure is half an ellipse. */
-double pressed_in(double r,
-                  std::size_t points) {  // in units of a, for p_0 = 1 and without (1-nu^2)/(pi E)
+Poisson's ratio $\nu$ of the beads. Hertz's pressure on a disc of radius $a$, $p_0(1-r^2/a^2)^{1/2}$, makes a hollow
+that is a paraboloid. We integrate along all chords through a point of the disc, on which the pressure is half an
+ellipse. */
+/// How far, in units of a and of p_0 (1 - nu^2)/(pi E).
+double pressed_in(double r, std::size_t points) {
   const auto weight = std::numbers::pi / double(points);
   double sum = 0;
   for (std::size_t i = 0; i < points; ++i)
@@ -239,9 +240,10 @@ double hertz(const CantileverArray& array, double first, double second, std::siz
 
 /**
 The article gives the result in closed form,
-$$\gamma_n = \frac{E\sqrt{2R}}{3(1-\nu^2)}\,\Bigl[\frac{2\tilde R_n\tilde R_{n+1}}{\tilde R_n+\tilde R_{n+1}}\Bigr]^{1/2}.$$
-With the beads' modulus it is right for all pairs of radii. It prints $E$, the modulus of the beams in that section; its $\lambda$
-has the modulus of the beads.
+$$\gamma_n = \frac{E\sqrt{2R}}{3(1-\nu^2)}\,
+\Bigl[\frac{2\tilde R_n\tilde R_{n+1}}{\tilde R_n+\tilde R_{n+1}}\Bigr]^{1/2}.$$
+With the beads' modulus it is right for all pairs of radii. It prints $E$, the modulus of the beams in that section; its
+$\lambda$ has the modulus of the beads.
 
 | coefficient of the article over ours | with the beads' modulus | with the beams' |
 |---|---|---|
@@ -273,8 +275,9 @@ When $\lambda^{5/2}$ is small, says the article. We strike chains of harmonic we
 Eq. (25), with $\epsilon = \lambda^{5/2}/2$, and compare their packets: the largest deflection $2\epsilon\,|A_{80}|$ of
 bead 80, and the speed between sites 20 and 60. The run of the chain ends when the packet is at site 95 of 150. */
 struct Packet {
-  double deflection, half_way, velocity, push, speed;  // half_way: deflection of bead 40
-  double share;  // of the energy, around the packet at bead 80
+  double deflection, velocity, push;  // the largest ones of bead 80
+  double half_way;                    // deflection of bead 40
+  double speed, share;                // share of the energy, when the packet is at bead 80
 };
 
 Packet packet_of(double impact, double step) {
@@ -289,8 +292,8 @@ Packet packet_of(double impact, double step) {
     push.push_back(contact_push(blow.chain, now.y.data(), 80));
   };
   const ImpactRun run = strike(EventCorrected{step}, blow, watch);
-  return {largest_modulus(t, y),        largest_modulus(t, half),
-          largest_modulus(t, v),        largest_modulus(t, push),
+  return {largest_modulus(t, y),        largest_modulus(t, v),
+          largest_modulus(t, push),     largest_modulus(t, half),
           run.path.line(20, 60)->slope, run.path.energy_at(80) / (impact * impact / 2)};
 }
 
@@ -335,10 +338,10 @@ Compared compared(double impact, const TwoRuns<Packet>& dps, bool quick) {
 }
 
 /**
-The packet of the DpS equation is too high and too fast, by a fraction that falls nearly like $\lambda^{5/4}$, the order of the
-terms that the equation leaves out (`sec31_dps_limit`). It is a few per cent at $10^{-3}$, a half at one. The array of
-section 3.6 is in between. The article calls the approximation valid there and gives no accuracy. The largest velocity
-of the bead agrees far better than its deflection.
+The packet of the DpS equation is too high and too fast, by a fraction that falls nearly like $\lambda^{5/4}$, the order
+of the terms that the equation leaves out (`sec31_dps_limit`). It is a few per cent at $10^{-3}$, a half at one. The
+array of section 3.6 is in between. The article calls the approximation valid there and gives no accuracy. The largest
+velocity of the bead agrees far better than its deflection.
 
 | $\lambda^{5/2}$ | excess of the deflection | at bead 40 | of the speed | of the bead's velocity |
 |---|---|---|---|---|

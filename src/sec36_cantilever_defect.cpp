@@ -26,12 +26,12 @@ spring, and neighbouring beads push on each other by Hertz's law. The unit of le
 contact are equally strong, that of time $\tau_c$, the free period over $2\pi$. The array then obeys Eq. (32),
 $$\mu_n\,\ddot y_n + y_n = -\eta_n\,(y_n-y_{n+1})_+^{3/2} + \eta_{n-1}\,(y_{n-1}-y_n)_+^{3/2},
   \qquad \dot y_n(0) = \lambda^{5/2}\,\delta_{n,1},$$
-with free ends. At the defect, $n = 100$, the beads have $\tilde R$ times the radius of the others. It is heavier,
-$\mu = (m_{\rm beam} + 2\tilde R^3 m_{\rm bead})/(m_{\rm beam} + 2m_{\rm bead})$, and its two contacts are stiffer,
-$\eta = [2\tilde R/(1+\tilde R)]^{1/2}$; elsewhere both are one. The impact $V$ in m/s enters only through $\lambda$,
-Eqs. (28) to (30), which is 0.29 at the article's 1 m/s. How well the DpS equation describes this impact, `sec35_scales`
-says. In the program $\mu$, $\eta$ and the units are those of
-`CantileverArray` and `Scales` (cantilever.hpp derives them), $\tilde R$ is `ratio`, $V$ is `velocity`. */
+with free ends. At the defect, $n = 100$, the beads have $\tilde R$ times the radius of the others. It is heavier, $\mu
+= (m_{\rm beam} + 2\tilde R^3 m_{\rm bead})/(m_{\rm beam} + 2m_{\rm bead})$, and its two contacts are stiffer, $\eta =
+[2\tilde R/(1+\tilde R)]^{1/2}$; elsewhere both are one. The impact $V$ in m/s enters only through $\lambda$, Eqs. (28)
+to (30), which is 0.29 at the article's 1 m/s. How well the DpS equation describes this impact, `sec35_scales` says. In
+the program $\mu$, $\eta$ and the units are those of `CantileverArray` and `Scales` (cantilever.hpp derives them),
+$\tilde R$ is `ratio`, $V$ is `velocity`. */
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -312,8 +312,8 @@ The article sees a small part of the energy loosely trapped at 1.6 radii. A refl
 side, so we take the nine sites that end at the defect, 75 ms after the impact, and compare them with the same sites in
 an array without a defect, where the packet has left only a wake. We find some energy, loosely trapped: part of it is
 gone 25 ms later, when the nine sites before these hold more than they do. A heavy defect holds less energy around it
-(sites 96 to 104) than the wake leaves there without a defect, while one of 0.925 radii keeps its energy. By 100 ms the transmitted packet would reach the end of the article's
-array, so ours has a hundred beams more.
+(sites 96 to 104) than the wake leaves there without a defect, while one of 0.925 radii keeps its energy. By 100 ms the
+transmitted packet would reach the end of the article's array, so ours has a hundred beams more.
 
 In which motion does a light defect keep it? Alone, it has the frequency $\mu^{-1/2}$, above the 1 of its neighbours.
 Its contacts only push it back, so with amplitude its frequency rises further, away from theirs. At 0.925 radii it can
@@ -596,8 +596,8 @@ void check_by_gsl(const StruckArray& blow) {
 /**
 The article prints neither the path over which it measures the speed nor the threshold of the duration. We choose those
 that give the printed numbers; equally natural choices give other numbers. The article gives no energies for its
-reflections. Replacing a beam with beads by a point mass costs a tenth of a per cent of its frequency; torsion of the beams,
-their higher modes and dissipation in the contacts are neglected. */
+reflections. Replacing a beam with beads by a point mass costs a tenth of a per cent of its frequency; torsion of the
+beams, their higher modes and dissipation in the contacts are neglected. */
 void reproduce(Report& report) {
   const StruckArray blow;
   const Passage homogeneous(blow);
