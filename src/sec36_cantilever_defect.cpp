@@ -26,12 +26,12 @@ spring, and neighbouring beads push on each other by Hertz's law. The unit of le
 contact are equally strong, that of time $\tau_c$, the free period over $2\pi$. The array then obeys Eq. (32),
 $$\mu_n\,\ddot y_n + y_n = -\eta_n\,(y_n-y_{n+1})_+^{3/2} + \eta_{n-1}\,(y_{n-1}-y_n)_+^{3/2},
   \qquad \dot y_n(0) = \lambda^{5/2}\,\delta_{n,1},$$
-with free ends. At the defect, $n = 100$, the beads have $\tilde R$ times the radius of the others. It is heavier, $\mu
-= (m_{\rm beam} + 2\tilde R^3 m_{\rm bead})/(m_{\rm beam} + 2m_{\rm bead})$, and its two contacts are stiffer, $\eta =
-[2\tilde R/(1+\tilde R)]^{1/2}$; elsewhere both are one. The impact $V$ in m/s enters only through $\lambda$, Eqs. (28)
-to (30), which is 0.29 at the article's 1 m/s. How well the DpS equation describes this impact, `sec35_scales` says. In
-the program $\mu$, $\eta$ and the units are those of `CantileverArray` and `Scales` (cantilever.hpp derives them),
-$\tilde R$ is `ratio`, $V$ is `velocity`. */
+with free ends. At the defect, $n = 100$, the beads have $\tilde R$ times the radius of the others. It is heavier,
+$\mu = (m_{\rm beam} + 2\tilde R^3 m_{\rm bead})/(m_{\rm beam} + 2m_{\rm bead})$, and its two contacts are stiffer,
+$\eta = [2\tilde R/(1+\tilde R)]^{1/2}$; elsewhere both are one. The impact $V$ in m/s enters only through $\lambda$,
+Eqs. (28) to (30), which is 0.29 at the article's 1 m/s. How well the DpS equation describes this impact, `sec35_scales`
+says. In the program $\mu$, $\eta$ and the units are those of `CantileverArray` and `Scales` (cantilever.hpp derives
+them), $\tilde R$ is `ratio`, $V$ is `velocity`. */
 #include <algorithm>
 #include <array>
 #include <cmath>
