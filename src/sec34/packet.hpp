@@ -24,8 +24,9 @@ double residue(const std::vector<double>& e, std::size_t peak);
 
 /**
 Ahead of a compact packet nothing has moved yet, and the amplitude falls super-exponentially. We look at the *largest*
-amplitude that a site reaches at a given distance ahead, relative to the peak. For the width the distance is counted from
-the peak's site, and for the decay from the centre $X$, since the peak jumps from site to site and the centre does not. */
+amplitude that a site reaches at a given distance ahead, relative to the peak. For the width the distance is counted
+from the peak's site, and for the decay from the centre $X$, since the peak jumps from site to site and the centre does
+not. */
 class Front {
  public:
   /// Takes the density `e` of a packet whose largest site is `peak`.
