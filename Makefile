@@ -64,8 +64,7 @@ rows_of = $(shell [ ! -f $(1)figures/figures.ecsv ] || awk -F, '!/^\#/ && $$1 !=
             print $$1 "|" $$4 "|$(1)figures/" $$5 "|" $$7 }' $(1)figures/figures.ecsv)
 all_rows := $(call rows_of) $(call rows_of,beyond/)
 rows := $(call rows_of,$(home))
-judge = $(B)/bin/verdicts$(if $(home),_beyond) --root ./$(home) --data $(D)/data --output $(D)/report/claims$(if $(home),_beyond).ecsv \
-        --readings $(D)/report/readings$(if $(home),_beyond).ecsv
+judge = $(B)/bin/verdicts$(if $(home),_beyond) --root ./$(home) --data $(D)/data --output $(D)/report/claims$(if $(home),_beyond).ecsv
 field = $(word $(2),$(subst |, ,$(1)))
 tables = $(foreach t,$(subst :, ,$(2)),$(D)/data/$(1)/$(t).ecsv)
 drawn = $(D)/figures/$(basename $(notdir $(1)))

@@ -431,7 +431,7 @@ void Statement::reading(const std::string& name, const Quantity& value) {
 void Statement::answer(const Quantity& found) {
   if (judged_.answer) throw std::logic_error("a statement has two answers");
   judged_.answer = found;
-  reading_.latest.clear();
+  judged_.answered_by = cells_read();
 }
 
 // What a statement reads
