@@ -142,8 +142,9 @@ Why are the article's numbers larger? We also solve its equations, the return of
 whole period: twice as many equations as unknowns, solved by least squares. They are ill-conditioned. Their least
 singular vector is nearly a shift along the chain, the *pinning mode* of section 3.3, along which the method still steps
 to and fro when the residual is at rounding. If steps along this mode are forbidden, the method cannot correct a
-slightly shifted guess, and stops at a larger residual with a small last step. Each of the printed numbers lies between
-those of these two iterations. The article does not say how it treated this mode, or how accurately it integrated.
+slightly shifted guess, and stops at a larger residual with a small last step. The printed residual lies between those
+of these two iterations, which differ by a factor below six. So does the printed step, but there this says nothing: the
+two are more than nine orders apart. The article does not say how it treated this mode, or how accurately it integrated.
 
 | at $\omega_b = 1.1$, relative to the amplitude | residual | last step | next step | condition of $DR$ |
 |---|---|---|---|---|
@@ -238,7 +239,7 @@ limit, and the breathers of the chain at $\omega_b = 1.01$ and $1.1$, each with 
 There are two errors. The quasi-continuum profile differs from the DpS breather even in the limit, and the DpS equation
 differs from the chain. At 1.01 the second reduces the first; at 1.1 the sum is twice the first around a site and more
 than one and a half times the first around a bond. So the approximation is accurate to about a twentieth where the
-article calls it excellent, and worse at 1.1, as the article says.
+article calls it excellent (`newton.qc_small`), and worse at 1.1, as the article says (`newton.qc_worse`).
 
 | largest difference over the amplitude | around a site | around a bond |
 |---|---|---|
@@ -294,7 +295,7 @@ void report_profiles(Report& report) {
 
 The site-centred breather is weakly unstable (section 3.3), so rounding errors must grow; the error is the difference
 from a second run with another tolerance. The article finds the positions visually equal after a hundred periods; they
-have moved by [3e-12 ± 2e-12](statement:newton.persistence) of the amplitude.
+have moved by [3e-12 ± 2e-12](cell:hundred_periods/moved) of the amplitude.
 
 ![The breather at the start and after a hundred periods. Drawn by fig04_hundred_periods.gp: `y_start` and `y_end` of
 `persistence` against `n`.](fig:04) */
@@ -331,9 +332,10 @@ relative to its own size (`scaled_rule`). Where both exist their difference is t
 ![The tail of the site-centred breather. Drawn by fig05_tail.gp: `size`, `double_log` and `law` of `tail` against
 `n`.](fig:05)
 
-The law demands a straight line of $\ln(-\ln|y_n|)$. At the last site where it can be computed the exponent is
-[1.500](cell:tail/n=20/exponent), with its change from the site before as its error. An exponential tail would have the
-exponent one. */
+Outwards from the centre the ratio of neighbouring displacements falls from each pair to the next, on both sides and to
+the end of double precision (`newton.decay`). The law demands a straight line of $\ln(-\ln|y_n|)$. At the last site
+where it can be computed the exponent is [1.500](cell:tail/n=20/exponent), with its change from the site before as its
+error. An exponential tail would have a constant ratio and the exponent one. */
 /// |y_n(0)| of a breather on so many sites, at index n + 51; zero beyond the end of the chain.
 template <class T>
 std::vector<T> sizes_of_tail(std::size_t sites) {
@@ -451,9 +453,10 @@ void report_branches(Report& report) {
 
 A breather of the DpS equation keeps its width when its amplitude goes to zero, and section 1 of the article says that
 those of the chain nearly do. As width we take the participation number of the displacements,
-$(\sum y_n^2)^2/\sum y_n^4$ at $t = 0$. From 1.001 to 1.05 the amplitude grows about 2600-fold and the width by a
-twentieth at most; a width like $(\omega_b-1)^{-1/2}$, as in the discrete nonlinear Schrödinger equation, would change
-by a factor of seven.
+$(\sum y_n^2)^2/\sum y_n^4$ at $t = 0$. Up to 1.01, which the article calls small amplitude, the amplitude grows a
+hundredfold and the width by less than a hundredth; a width like $(\omega_b-1)^{-1/2}$, as in the discrete nonlinear
+Schrödinger equation, would shrink to a third. Up to 1.05 the width grows by a twentieth at most, so what *nearly*
+means decides how far one may go (`chain.width_constant`).
 
 | width in sites, $\omega_b$ | 1.001 | 1.01 | 1.05 |
 |---|---|---|---|
@@ -468,25 +471,34 @@ void report_width(Report& report) {
   for (Centre centre : both_centres)
     for (double omega : {1.001, 1.002, 1.005, 1.01, 1.02, 1.03, 1.04, 1.05})
       all.push_back({centre, omega});
-  const auto width = [](const Wanted& at, int coarser) {
+  report.table("widths").fill(all, [](const Wanted& at) {
     const auto problem = problem_of(at.centre, at.omega, s);
-    auto y = find_breather(problem, Phase::compressed, rule<double>(coarser)).start.y;
-    for (double& y_n : y) y_n *= y_n;
-    return participation(y);
-  };
-  report.table("widths").fill(all, [&](const Wanted& at) {
+    const auto start = [&](int coarser) {
+      return find_breather(problem, Phase::compressed, rule<double>(coarser)).start;
+    };
+    const TwoRuns<State<double>> starts{start(1), start(0)};
+    const auto of_positions = [](const State<double>& state) {
+      auto squares = state.y;
+      for (double& y_n : squares) y_n *= y_n;
+      return participation(squares);
+    };
+    const auto of_energies = [&](const State<double>& state) {
+      return participation(energy_density(problem.chain, state));
+    };
     return Row{{"centre", "site or bond", name_of(at.centre)},
                {"omega", "frequency", at.omega},
-               {"width", "participation number of the displacements",
-                compare(width(at, 1), width(at, 0)), "site"}};
+               {"width", "participation number of the displacements, (sum y^2)^2 / sum y^4",
+                starts.of(of_positions), "site"},
+               {"width_energy", "participation number of the energy densities, (sum e)^2 / sum e^2",
+                starts.of(of_energies), "site"}};
   });
 }
 
 /**
 ## Other wells
 
-For $s \in [-1, 1]$ the article finds both families, without showing them. We find them in four more wells, $s = \pm1$
-and $\pm\frac12$. In all of them both families bifurcate from rest: the exponent of the amplitude in $\omega_b-1$,
+For $s \in [-1, 1]$ the article finds both families, without showing them. We find them in nine wells, in steps of a
+quarter of $s$. In all of them both families bifurcate from rest: the exponent of the amplitude in $\omega_b-1$,
 between 1.0005 and 1.001, is two within its change from the next pair of frequencies, around a site
 [2.001 ± 0.004](cell:other_wells/s=-1/centre=site/exponent) at $s = -1$ and [2.001 ± 0.004](cell:s=1/exponent) at
 $s = 1$. */
@@ -496,8 +508,8 @@ void report_other_wells(Report& report) {
     Centre centre;
   };
   std::vector<Wanted> all;
-  for (double s : report.quick ? std::vector{1.0} : std::vector{-1.0, -0.5, 0.5, 1.0})
-    for (Centre centre : both_centres) all.push_back({s, centre});
+  for (int quarters = -4; quarters <= 4; quarters += report.quick ? 8 : 1)
+    for (Centre centre : both_centres) all.push_back({quarters / 4.0, centre});
   const auto row = [](const Wanted& in) {
     const auto orbits = breathers_at(in.centre, in.s, {1.0005, 1.001, 1.01});
     return Row{{"s", "anharmonicity of the well", in.s},
@@ -515,9 +527,10 @@ void report_other_wells(Report& report) {
 
 We impose both symmetries, so finding them in the result proves nothing. We therefore search without them: all positions
 are unknown, the start is perturbed at random by a thousandth, and the only condition is that the chain is at rest at
-$T_b/2$. An asymmetric breather would keep an asymmetry of a thousandth. In extended precision (a 64-bit mantissa) the
-symmetries $y_{1-n} = -y_n$ and $y_n(t) = -y_{-n}(t+T_b/2)$ are restored to $10^{-10}$ of the amplitude
-(`newton.symmetry`). */
+$T_b/2$. In a continuous family of asymmetric breathers through ours the result would keep an asymmetry of about a
+thousandth. In extended precision (a 64-bit mantissa) the symmetries $y_{1-n} = -y_n$ and $y_n(t) = -y_{-n}(t+T_b/2)$
+are restored to $10^{-10}$ of the amplitude (`newton.symmetry`). So ours is symmetric and isolated; an asymmetric
+breather elsewhere is not excluded. */
 double broken_symmetry(Centre centre) {
   auto problem = in_precision<Wide>(problem_of(centre, omega_b, s));
   State<Wide> start(problem.chain.sites);
@@ -570,8 +583,9 @@ families of anharmonic wells.
 
 ## Try it
 
-**To change it.** Another anharmonicity of all wells is `s` (below zero the branches end before 2, and the last row of their table goes), another breather of the first listing `omega_b`, up to 1.1.
-Other wells and contacts are options of the command `breather`.
+**To change it.** Another anharmonicity of all wells is `s` (below zero the branches end before 2, and the last row of
+their table goes), another breather of the first listing `omega_b`, up to 1.1. Other wells and contacts are options of
+the command `breather`.
 
 1. *Easy.* How does the amplitude grow with $\omega_b - 1$?
    `build/bin/sec32_newton_breathers breather --centre bond --omega 1.002` gives `amplitude` = 3.53917e-6. Hint: at
