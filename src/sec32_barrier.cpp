@@ -212,7 +212,7 @@ zero and falls from the top of each arch towards it (`pn.grows`). In the hard we
 The article also says that $E_{PN}$ remains very small. Against the energy it stays below a hundredth in the soft and in
 the linear well, and in the hard one up to 1.667 (`pn.remains_small`). If the hard branch is followed to
 $\omega_b = 2$, it does not: there the ratio is [0.178](cell:barriers/s=1/omega=2/relative) and $E_{PN}$ is
-[-1.02](cell:equal_frequency). The article does not say how far its curve goes.
+[-1.02](cell:barriers/s=1/omega=2/equal_frequency). The article does not say how far its curve goes.
 
 Is the barrier of the linear well the smallest relative to the energy, as the article says about a figure that shows the
 whole curves? It is at 50 of the 55 frequencies that all three wells have in common (`pn.ratio_smallest`). It is not at
@@ -394,12 +394,12 @@ void reproduce(Report& report) {
 | statement | printed | here | verdict |
 |---|---|---|---|
 | `pn.omega11`: E_PN at equal frequency for s = 0 and omega_b = 1.1 | 1.77e-11 | 1.624e-11 | within its own accuracy |
-| `pn.small`: E_PN near omega_b = 1.01 for s = -1/6; 0; 1 | 1e-14 to 1e-15 | 2.705e-15 | reproduced |
+| `pn.small`: E_PN near omega_b = 1.01 for s = -1/6; 0; 1: of three wells the farthest from the printed range | 1e-14 to 1e-15 | 2.682e-15 | reproduced |
 | `pn.omega15`: E_PN for omega_b = 1.5 and s = -1/6 | 1e-4 | 7.571e-8 | discrepant |
-| `pn.harmonic_ratio`: factor by which the harmonic barrier is smaller than the anharmonic ones at omega_b = 1.3 | 3 to 4 orders | 857.5 | reproduced, assuming |
-| `pn.grows`: E_PN increases with the breather amplitude | increases | barriers.amplitude_bond (s = -0.1667, omega = 1.8), (s = -0.1667, omega = 1.803): 1.45 < 1.473 (the closest of 418) | holds |
-| `pn.remains_small`: E_PN remains very small in the parameter range | very small | 0.1782 relative | quantified |
-| `pn.ratio_smallest`: E_PN over the breather's energy is smallest for the harmonic well | smallest | barriers.energy_bond (s = -0.1667, omega = 1.005) and 219 other values: 4.596e-08 < 2.27e-07; barriers.energy_bond (s = 0, omega = 1.005) and 219 other values: 4.596e-08 < 0.01514 | holds |
+| `pn.harmonic_ratio`: factor by which the harmonic barrier is smaller than the anharmonic ones at omega_b = 1.3: of two wells the farthest from the printed range | 3 to 4 orders | 2.493e4 | reproduced |
+| `pn.grows`: E_PN increases with the breather amplitude | increases | fails 57 of 220 comparisons, the first one barriers.equal_frequency (s = -0.1667, omega = 1.005), (s = -0.1667, omega = 1.017): 4.364e-16 < 0, and by most barriers.equal_frequency (s = 0, omega = 1.133), (s = 0, omega = 1.15): 3.888e-13 < 0 | in part |
+| `pn.remains_small`: E_PN remains very small in the parameter range | very small | fails 20 of 201 comparisons, the first one barriers.relative (s = 1, omega = 1.683): 0.01085 < 0.01, and by most barriers.relative (s = 1, omega = 2): 0.1782 < 0.01 | in part |
+| `pn.ratio_smallest`: E_PN over the breather's energy is smallest for the harmonic well | smallest | fails 5 of 116 comparisons, the first one barriers.relative (s = -0.1667, omega = 1.017), (s = 0, omega = 1.017): 8.349e-08 < 8.189e-08 and by most barriers.relative (s = -0.1667, omega = 1.05), (s = 0, omega = 1.05): 1.235e-07 < 9.28e-08 | in part |
 <!-- /statements -->
 
 ## Try it
