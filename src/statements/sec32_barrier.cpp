@@ -69,6 +69,18 @@ STATEMENT("pn.harmonic_ratio") {
   answer(farthest(all, 1e3, 1e4), "");
 }
 
+// Much is an order of magnitude; beyond small amplitude, which ends at 1.1 in the article
+STATEMENT("pn.harmonic_smaller") {
+  const Data harmonic = table("barriers").where("s", linear);
+  const auto below = [&](double s, double last) {
+    const Data other = table("barriers").where("s", s);
+    for (const auto& pair : harmonic.where("omega", 1.1, last))
+      less(barrier(pair), bound(0.1) * barrier(other.at("omega", pair("omega"))));
+  };
+  below(soft, 1.9);
+  below(hard, 2);
+}
+
 // From each frequency to the next; between two of opposite sign it vanishes
 STATEMENT("pn.grows") {
   for (double s : {soft, linear, hard}) {
