@@ -160,7 +160,7 @@ bead to the next. We take the mean energy of each bead over 6.2 units of time, a
 the logarithm of this factor from the bead with the most energy outwards. Ahead of it, it grows at every bead, from
 [0.10](cell:decay/side=ahead/beads=0/energy) to [214](cell:decay/side=ahead/beads=13/energy) thirteen beads on, after
 which the energy underflows (`chain.travelling_decay`). At a single instant, and for the largest displacements, it grows
-just so but for one step back. Behind the packet it grows over two beads only: then come the waves that the impact
+likewise, with one step back. Behind the packet it grows over two beads only: then come the waves that the impact
 leaves behind. */
 struct Sizes {
   VectorXd energy, instant, displacement;  // mean, at the end of the interval, largest modulus
