@@ -161,7 +161,9 @@ std::string verdict(const Case& one, const Cases& all) {
 
 std::string outcome(const OtherReading& reading, const Claim& claim) {
   if (!reading.outcome) {
-    const std::string word = on_answer(claim, *reading.value);
+    Claim plain = claim;
+    plain.covered_by.clear();
+    const std::string word = on_answer(plain, *reading.value);
     return word == "discrepant" ? "missed" : word == "unresolved" ? "undecided" : "met";
   }
   switch (*reading.outcome) {
