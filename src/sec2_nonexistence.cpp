@@ -15,9 +15,9 @@ mean is zero. A force that is never negative and has zero mean vanishes: the bea
 motion of free beads is rest, in which no contact overlaps, $x_n \ge x_{n-1}$ (`thm.equilibria`).
 
 No computation proves a theorem, but ours could have refuted it, by a localized state that stays together or returns to
-its start. (By Newton's law the means are equal on every periodic motion; that part tests our motions and averages.) Each
-test has a control in the wells of section 3. Their mean force can balance unequal contact forces on the two sides of a
-bead. So the proof does not forbid breathers there, and section 3 computes some.
+its start. (By Newton's law the means are equal on every periodic motion; that part tests our motions and averages.)
+Each test has a control in the wells of section 3. Their mean force can balance unequal contact forces on the two sides
+of a bead. So the proof does not forbid breathers there, and section 3 computes some.
 
 ![Mean contact forces are the same at every contact of free chains (a) and not in wells (b); energy and mean force of a
 localized state (c, d). Drawn by x16_mean_force.py from the tables `mean_forces` (against `n`) and `dispersal` (against
@@ -319,12 +319,12 @@ void report_dispersal(Report& report) {
 /**
 ## No localized state returns
 
-A periodic motion returns to its start. So we start localized motions in a free chain and ask how near they come to their
-starts again: one bead that is displaced, one that is kicked, two neighbours pushed together, and the breather. Each
-starts once among equal beads with $\alpha = \frac32$ and once in the uneven chain with $\alpha = 2$. The distance is the
-largest change of a displacement or velocity. A motion first goes away; we divide the distance by the largest one until
-then, and take the least such ratio, at 168 instants in each of 24 periods of the breather. It is one for a motion that
-only goes away and zero for a periodic one, unless its period is longer than that.
+A periodic motion returns to its start. So we start localized motions in a free chain and ask how near they come to
+their starts again: one bead that is displaced, one that is kicked, two neighbours pushed together, and the breather.
+Each starts once among equal beads with $\alpha = \frac32$ and once in the uneven chain with $\alpha = 2$. The distance
+is the largest change of a displacement or velocity. A motion first goes away; we divide the distance by the largest one
+until then, and take the least such ratio, at 168 instants in each of 24 periods of the breather. It is one for a motion
+that only goes away and zero for a periodic one, unless its period is longer than that.
 
 The theorem leaves states of rest in which no contact overlaps. So a sequence of displacements that increases, with
 random steps, must stay, and must not if one step is reversed.
@@ -425,7 +425,8 @@ void reproduce(Report& report) {
 <!-- statements -->
 | statement | printed | here | verdict |
 |---|---|---|---|
-| `thm.mean_force`: period-averaged contact force is the same at every bond and zero for a localized periodic motion |  | dispersal.core (chain = wells, t = 200): 0.99 < 1 (the closest of 55) | holds |
+| `thm.mean_force`: period-averaged contact force is the same at every bond and zero for a localized periodic motion |  | mean_forces.force (motion = ring_wave, n = 5): 9.412e-12 < 1e-08 (the closest of 27) | holds |
+| `thm.equilibria`: all time-periodic solutions that are localized to the right are independent of t and increasing with n (in the proof x_n >= x_(n-1)) |  | returns.back (start = displaced, chain = equal): 0.1 < 0.5121 (the closest of 12) | holds |
 <!-- /statements -->
 
 ## Try it

@@ -155,9 +155,9 @@ With $F = z^3$ this is Euler's beta integral,
 $$\int_0^{3/10}\frac{3\,dz}{\sqrt{z(\frac65-4z)}} = \frac32\,B(\tfrac12,\tfrac12) = \frac{3\pi}2.$$
 
 Substitution shows that the printed $g$ is that solution. We let GSL integrate Eq. (17) from $F(0) = (\frac3{10})^3$,
-$F'(0) = 0$, and record the largest difference from $g$, over the height of it, up to a twentieth before the edge. (There
-$F$ is nearly zero, and an error grows with the inverse fourth power of what is left.) The same with a height that is one
-per cent larger tells how sharp that is. */
+$F'(0) = 0$, and record the largest difference from $g$, over the height of it, up to a twentieth before the edge.
+(There $F$ is nearly zero, and an error grows with the inverse fourth power of what is left.) The same with a height
+that is one per cent larger tells how sharp that is. */
 Estimate distance_from_solution(double factor) {
   const auto apart = [&](double tolerance) {
     const auto equation = [](double, const double* x, double* rate) {
@@ -313,6 +313,7 @@ void reproduce(Report& report) {
 |---|---|---|---|
 | `dps.scaling`: breather amplitude is proportional to mu^2 at unchanged width | 2 | 2.000 | reproduced |
 | `dps.qc_support`: half-width of the compact quasi-continuum profile g(x) = (3/10)^3 cos^6(x/3) | 3 pi/2 | 4.712 | reproduced |
+| `dps.qc_solution`: g with the amplitude (3/10)^3 solves Eq. (17) |  | support.distance: 1.06e-12 < 1e-06 | holds |
 | `dps.qc_site`: site-centred stationary DpS breather agrees with its quasi-continuum profile | excellent | 0.05745 share of the amplitude | quantified |
 | `dps.qc_bond`: bond-centred stationary DpS breather agrees with its quasi-continuum profile | excellent | 0.06143 share of the amplitude | quantified |
 <!-- /statements -->
@@ -322,10 +323,10 @@ void reproduce(Report& report) {
 `sec32_dps_profiles profile` prints one profile beside its approximation, for any $\mu$ and any exponent of the contacts
 (commands/one_profile.hpp).
 
-**To change it.** The first listing takes another exponent $\alpha$ of the contacts (the other sections compare with formulas for spheres): `root` is $|d|^{\alpha-1}$ in `newton`, $\alpha$ stands
-for 1.5 in its derivative and in `tail_line`, the force `w` of `assert_solution` has the power $\alpha$, `approximate`
-is `quasi_continuum(centre, n, alpha)` (model/quasi_continuum.hpp), and $\alpha$ is the last argument of `stationary`
-and `stationary_from`.
+**To change it.** The first listing takes another exponent $\alpha$ of the contacts (the other sections compare with
+formulas for spheres): `root` is $|d|^{\alpha-1}$ in `newton`, $\alpha$ stands for 1.5 in its derivative and in
+`tail_line`, the force `w` of `assert_solution` has the power $\alpha$, `approximate` is
+`quasi_continuum(centre, n, alpha)` (model/quasi_continuum.hpp), and $\alpha$ is the last argument of `stationary` and `stationary_from`.
 
 1. *Easy.* How good is $y_n = 2\epsilon u_n\cos\omega_bt$ for a small breather of the chain?
    `build/bin/sec32_newton_breathers breather --omega 1.001` gives `amplitude` = 9.63900e-7. Hint: Eq. (20) gives
