@@ -54,9 +54,9 @@ $h^2 \sum_j a_{ij} F_j$ of the same force and err by $O(h^{7/2})$. The other for
 stiffness $K$, pass this on to its velocity. Summed over the stages the error is a second moment of $F$,
 which the same quadrature gives. So we subtract
 $$\frac{K h^3}{\mu}\Bigl[\int_0^1 \tfrac12 (1-s)^2 F\,ds
- - \sum_j \Bigl(\sum_i b_i a_{ij}\Bigr) F_j\Bigr] = O(h^{9/2}).$$ What remains are errors in $h^5$ per switching, mostly
-from the quintic, and those of the steps beyond the reach, where a sum of order six errs by $h^{5/2}k^{-9/2}$ at a
-distance of $k$ steps. With two steps they prevail once $h$ is below 0.01 or so, with six only near rounding. A contact
+ - \sum_j \Bigl(\sum_i b_i a_{ij}\Bigr) F_j\Bigr] = O(h^{9/2}).$$
+What remains are errors in $h^5$ per switching, mostly from the quintic, and those of the steps beyond the reach, where
+a sum of order six errs by $h^{5/2}k^{-9/2}$ at a distance of $k$ steps. With two steps they prevail once $h$ is below 0.01 or so, with six only near rounding. A contact
 that is corrected is left out of $K$, so a longer reach also makes the $O(h^{9/2})$ terms of neighbours return. The
 scheme is neither symplectic nor reversible; its energy drifts by as much as its error.
 
