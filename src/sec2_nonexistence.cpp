@@ -358,6 +358,7 @@ State<double> localized(const std::string& name, const State<double>& breather) 
   return state;
 }
 
+// How a motion comes back, looked at after every step
 struct Return {
   double away = 0, back = std::nan("");  // the largest distance, and the least ratio
 };
@@ -379,6 +380,7 @@ Return closest_return(const Chain& chain, const State<double>& start, double ste
   return out;
 }
 
+// The breather in wells is the control
 void report_returns(Report& report) {
   const auto breather = find_breather(breather_problem(Centre::site, 1.5, 0, 23)).start;
   struct Case {

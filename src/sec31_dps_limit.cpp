@@ -410,6 +410,7 @@ Distances distances(std::size_t beads, double eps) {
   const auto late = [&](const Wave& wave) {
     return std::max(largest(wave, 0), largest(wave, wave.drift / std::sqrt(eps)));
   };
+  // Of one wave each, with two resolutions
   const auto both = [&](Equal equal, const auto& of) {
     return compare(of(exact_wave(equal, beads, eps, 1536, 24)),
                    of(exact_wave(equal, beads, eps, 3072, 48)));
@@ -418,6 +419,7 @@ Distances distances(std::size_t beads, double eps) {
   return {both(Equal::frequency, now), both(Equal::frequency, rms), both(Equal::amplitude, late)};
 }
 
+// Three wavelengths at two sizes
 void report_waves(Report& report) {
   Table& table = report.table("travelling_waves");
   for (const std::size_t beads : {2U, 3U, 4U}) {
