@@ -182,7 +182,7 @@ void report_support(Report& report) {
       {"half_width", "of the quasi-continuum profile", compare(half_width(0.5), half_width(0.5L)),
        "", "difference of double and extended precision"},
       {"distance", "of g from the solution of Eq. (17) with its height, over it",
-       distance_from_solution(1), "", "difference of two tolerances, against the height"},
+       distance_from_solution(1), "", "difference of two tolerances, relative to the height"},
       {"control", "the same from the solution that is one per cent higher, over that height",
        distance_from_solution(1.01), "", "difference of two tolerances"}});
 }

@@ -45,3 +45,11 @@ STATEMENT("thm.equilibria") {
   }
   control([&] { less(returns.at("chain", "wells")["back"], bound(0.01)); });
 }
+
+STATEMENT("thm.wells") {
+  // In wells the mean force falls from contact to contact, outwards from the centre of a breather
+  for (const char* breather : {"breather_bond", "breather_site"}) {
+    const Data means = table("mean_forces").where("motion", breather);
+    for (int n = 13; n < 18; ++n) less(means.at("n", n + 1)["force"], means.at("n", n)["force"]);
+  }
+}
