@@ -17,9 +17,10 @@ set xlabel 'time step  {/:Italic h}'; set ylabel 'error of displacements  {/:Ita
 plot orbit using 'step':'verlet' with linespoints ls 4 title 'velocity Verlet', \
      '' using 'step':'blanes_moan_4' with linespoints ls 3 title 'splitting, order 4', \
      '' using 'step':'blanes_moan_6' with linespoints ls 1 title 'splitting, order 6', \
-     '' using 'step':'contact_aware' with linespoints ls 2 title 'event-corrected', \
-     [0.003:0.05] 2e-3*x**2.5 lc rgb grey dt (1,2) title '{/:Italic h}^{5/2}', \
-     [0.01:0.2] 1e-2*x**5 lc rgb grey dt (4,2) title '{/:Italic h}^5'
+     '' using 'step':'contact_aware' with linespoints ls 2 title 'events, 2 steps', \
+     '' using 'step':'six_steps' with linespoints ls 2 dt 1 pt 6 ps 0.6 title 'events, 6 steps', \
+     [0.003:0.05] 2e-3*x**2.5 lc rgb grey dt (1,2) notitle, \
+     [0.01:0.2] 1e-2*x**5 lc rgb grey dt (4,2) notitle
 set key bottom left samplen 1.6 maxrows auto width 0
 set yrange [1e-16:1]
 set xrange [3:1e6]

@@ -8,15 +8,16 @@ space. We check the identity behind the proof and watch a localized state disper
 The proof is one integral. Bead $n$ obeys $m_n\ddot x_n = F_{n-1} - F_n$ with the force $F_n \ge 0$ of contact $n$, and
 over a period $T$
 $$0 = m_n\bigl[\dot x_n(T)-\dot x_n(0)\bigr] = \int_0^T F_{n-1}\,dt - \int_0^T F_n\,dt :$$
-the mean force $\bar F_n$ is the same at every contact (`thm.mean_force`). Far away from a localized motion the forces
-tend to zero, so this mean is zero. A force that is never negative and has zero mean vanishes: the beads are free, and
-the only periodic motion of free beads is rest.
+the mean force $\bar F_n$ is the same at every contact (`thm.mean_force`). Far to the right of a localized motion, Eq.
+(5), the overlaps tend to zero, and so do the forces: by hypothesis (2) all contacts there obey one bound $F_n \le f$ of
+the overlap with $f(0) = 0$. Without it ever stiffer contacts could carry the same mean at ever smaller overlaps. So the
+mean is zero. A force that is never negative and has zero mean vanishes: the beads are free, and the only periodic
+motion of free beads is rest, in which no contact overlaps, $x_n \ge x_{n-1}$ (`thm.equilibria`).
 
-No computation proves a theorem, but ours could have refuted it, by a localized state that stays together. (By Newton's
-law the means are equal on every periodic motion; that part tests our motions and averages.) A search for localized
-periodic motions would add nothing: the outermost contact of a free chain does not exist, so the same law makes every
-mean zero. Each test has a control in the wells of section 3, whose mean force balances unequal contact forces on the
-two sides of a bead, so breathers exist.
+No computation proves a theorem, but ours could have refuted it, by a localized state that stays together or returns to
+its start. (By Newton's law the means are equal on every periodic motion; that part tests our motions and averages.)
+Each test has a control in the wells of section 3. Their mean force can balance unequal contact forces on the two sides
+of a bead. So the proof does not forbid breathers there, and section 3 computes some.
 
 ![Mean contact forces are the same at every contact of free chains (a) and not in wells (b); energy and mean force of a
 localized state (c, d). Drawn by x16_mean_force.py from the tables `mean_forces` (against `n`) and `dispersal` (against
@@ -199,12 +200,12 @@ std::vector<Motion> of_free_chains() {
 /**
 ## Unequal means in wells (figure x16 b)
 
-For contrast we take breathers: periodic motions of a few beads in wells $W = \frac12y^2$, in which neighbours oscillate
-out of phase and the other beads are nearly at rest. There are two kinds, one symmetric about a bead (*site*) and one
-about a contact (*bond*); section 3.2 computes them by the same method (sec32_newton_breathers.cpp). We take both at the
-frequency $\omega_b = 2\pi/T = 1.5$, on free chains long enough for their tails. Here the means differ as much as they
-can, since the outermost contacts carry nothing, and each bead is balanced by its well: the program stops if it does
-not.
+The article remarks that the proof fails with an on-site potential, since the means then depend on $n$ (`thm.wells`). We
+take breathers: periodic motions of a few beads in wells $W = \frac12y^2$, in which neighbours oscillate out of phase
+and the other beads are nearly at rest. There are two kinds, one symmetric about a bead (*site*) and one about a contact
+(*bond*); section 3.2 computes them by the same method (sec32_newton_breathers.cpp). We take both at the frequency
+$\omega_b = 2\pi/T = 1.5$, on free chains long enough for their tails. Here the means differ as much as they can, since
+the outermost contacts carry nothing, and each bead is balanced by its well: the program stops if it does not.
 
 | mean force over the largest one, contacts from the middle | 0 | 1 | 2 | 4 |
 |---|---|---|---|---|
@@ -316,6 +317,99 @@ void report_dispersal(Report& report) {
 }
 
 /**
+## No localized state returns
+
+A periodic motion returns to its start. So we start localized motions in a free chain and ask how near they come to
+their starts again: one bead that is displaced, one that is kicked, two neighbours pushed together, and the breather.
+Each starts once among equal beads with $\alpha = \frac32$ and once in the uneven chain with $\alpha = 2$. The distance
+is the largest change of a displacement or velocity. A motion first goes away; we divide the distance by the largest one
+until then, and take the least such ratio, at 168 instants in each of 24 periods of the breather. It is one for a motion
+that only goes away and zero for a periodic one, unless its period is longer than that.
+
+The theorem leaves states of rest in which no contact overlaps. So a sequence of displacements that increases, with
+random steps, must stay, and must not if one step is reversed.
+
+| least distance over the largest one before | equal beads | uneven beads |
+|---|---|---|
+| displaced bead | [0.512](cell:returns/start=displaced/chain=equal/back) | [0.630](cell:chain=uneven/back) |
+| kicked bead | [0.97](cell:returns/start=kicked/chain=equal/back) | [0.902](cell:chain=uneven/back) |
+| pair pushed together | [0.698](cell:returns/start=pair/chain=equal/back) | [0.755](cell:chain=uneven/back) |
+| breather | [0.67](cell:returns/start=breather/chain=equal/back) | [0.659](cell:chain=uneven/back) |
+| one step down | [0.997](cell:returns/start=step_down/chain=equal/back) | [0.978](cell:chain=uneven/back) |
+
+The increasing sequence does not move at all, and in wells the breather returns to its start. */
+constexpr std::size_t middle = 100;  // of 201 beads
+
+State<double> localized(const std::string& name, const State<double>& breather) {
+  State<double> state(201);
+  const std::vector<double> random = shaken(std::vector<double>(20, 0.05), 0.8, 13);
+  if (name == "displaced") state.y[middle] = 1;
+  if (name == "kicked") state.v[middle] = 1;
+  if (name == "pair") state.y[middle] = 0.5, state.y[middle + 1] = -0.5;
+  if (name == "breather")
+    std::copy(breather.y.begin(), breather.y.end(),
+              state.y.begin() + long(middle - breather.y.size() / 2));
+  // Twenty steps upwards, between two ends at rest
+  if (name == "increasing" || name == "step_down")
+    for (std::size_t n = middle; n < 201; ++n)
+      state.y[n] = state.y[n - 1] + (n < middle + 20 ? random[n - middle] : 0);
+  if (name == "step_down")
+    for (std::size_t n = middle + 10; n < 201; ++n) state.y[n] -= 2 * random[10];
+  return state;
+}
+
+// How a motion comes back, looked at after every step
+struct Return {
+  double away = 0, back = std::nan("");  // the largest distance, and the least ratio
+};
+
+Return closest_return(const Chain& chain, const State<double>& start, double step, double time) {
+  Return out;
+  const auto look = [&](const State<double>& now) {
+    double apart = 0;
+    for (std::size_t n = 0; n < chain.sites; ++n)
+      apart = std::max({apart, std::abs(now.y[n] - start.y[n]), std::abs(now.v[n] - start.v[n])});
+    out.away = std::max(out.away, apart);
+    if (out.away > 1e-3 && !(apart / out.away > out.back)) out.back = apart / out.away;
+  };
+  State<double> state = start;
+  const Run run = evolve(EventCorrected{step}, chain, state, time, step, look);
+  if (state.v.front() != 0 || state.v.back() != 0)
+    throw Failure("the ends of the chain have moved");
+  if (energy(chain, start) > 0 && !(run.energy_drift < 1e-8)) throw Failure("the energy drifts");
+  return out;
+}
+
+// The breather in wells is the control
+void report_returns(Report& report) {
+  const auto breather = find_breather(breather_problem(Centre::site, 1.5, 0, 23)).start;
+  struct Case {
+    const char *start, *chain;
+  };
+  std::vector<Case> cases{{"breather", "wells"}};
+  for (const char* chain : {"equal", "uneven"})
+    for (const char* start : {"displaced", "kicked", "pair", "breather", "increasing", "step_down"})
+      cases.push_back({start, chain});
+  const auto row = [&](const Case& one) {
+    const std::string name = one.chain;
+    const Chain chain = name == "wells" ? Chain{201, Harmonic{}}
+                                        : uneven_chain(201, Ends::free, 2, name == "uneven");
+    const State<double> start = localized(one.start, breather);
+    const double step = period / 1.5 / 168, time = (report.quick ? 5 : 24) * 168 * step;
+    const Return coarse = closest_return(chain, start, step, time),
+                 fine = closest_return(chain, start, step / 2, time);
+    return Row{
+        {"start", "motion at the start", one.start},
+        {"chain", "free chain of equal or uneven beads, or chain with wells", name},
+        {"away", "largest distance from the start", compare(coarse.away, fine.away)},
+        {"back", "least distance from the start over the largest one before; nan if it stays",
+         compare(coarse.back, fine.back), "",
+         "difference of two steps, against the largest ratio; nan if it stays"}};
+  };
+  report.table("returns").fill(cases, row, "starts");
+}
+
+/**
 ## Differences and limits
 
 The article gives a proof and no computation, so every parameter here is ours. Without wells contacts in the core still
@@ -324,6 +418,7 @@ void reproduce(Report& report) {
   std::vector<Motion> means = of_free_chains();
   of_wells(means);
   report_dispersal(report);
+  report_returns(report);
   report_means(report, means);
 }
 
@@ -333,7 +428,9 @@ void reproduce(Report& report) {
 <!-- statements -->
 | statement | printed | here | verdict |
 |---|---|---|---|
-| `thm.mean_force`: period-averaged contact force is the same at every bond and zero for a localized periodic motion |  | dispersal.core (chain = wells, t = 200): 0.99 < 1 (the closest of 55) | holds |
+| `thm.mean_force`: period-averaged contact force is the same at every bond and zero for a localized periodic motion |  | mean_forces.force (motion = ring_wave, n = 5): 9.412e-12 < 1e-08 (the closest of 27) | holds |
+| `thm.equilibria`: all time-periodic solutions that are localized to the right are independent of t and increasing with n (in the proof x_n >= x_(n-1)) |  | returns.back (start = displaced, chain = equal): 0.1 < 0.5121 (the closest of 12) | holds |
+| `thm.wells`: with an on-site potential the average interaction forces are no more independent of n |  | mean_forces.force (motion = breather_site, n = 13), (motion = breather_site, n = 14): 0.0958 < 0.1449 (the closest of 10) | holds |
 <!-- /statements -->
 
 ## Try it

@@ -23,6 +23,7 @@ itself follow in `sec32_newton_breathers`. */
 #include <vector>
 
 #include "commands/one_profile.hpp"
+#include "lattice/gsl/reference.hpp"
 #include "lattice/quadruple/extended.hpp"
 #include "report/program.hpp"
 #include "sec3/continuum.hpp"
@@ -47,11 +48,14 @@ method starts from the article's approximation, and every step adds one more str
 $g(x) = (\frac3{10})^3\cos^6(x/3)$ for $|x| \le 3\pi/2$ and zero elsewhere, the approximation is
 $$u_n = (-1)^n[g(n+\tfrac12)+g(n-\tfrac12)] \text{ (site, Eq. (19))},\qquad
   u_n = (-1)^n[g(n)+g(n-1)] \text{ (bond, Eq. (18))}.$$ */
+constexpr double top = 0.027, edge = 3 * std::numbers::pi / 2;  // (3/10)^3, and where g ends
+
+double g(double x) {
+  const double c = std::abs(x) < edge ? std::cos(x / 3) : 0, c3 = c * c * c;
+  return top * c3 * c3;
+}
+
 double approximate(Centre centre, long n) {
-  const auto g = [](double x) {
-    const double c = std::abs(x) < 3 * std::numbers::pi / 2 ? std::cos(x / 3) : 0, c3 = c * c * c;
-    return 0.027 * c3 * c3;
-  };
   const double x = double(n) + (centre == Centre::bond ? 0 : 0.5), u = g(x) + g(x - 1);
   return n % 2 == 0 ? u : 0 - u;
 }
@@ -139,21 +143,48 @@ void report_profile(Report& report, Centre centre, const std::string& name) {
 }
 
 /**
-## The support of the approximation
+## The approximation solves its equation
 
 The forces of both breathers alternate in sign with a smooth envelope, $w_n = (-1)^n f(n)$. Replacing $f(n\pm1)$ by
 three terms of a Taylor series gives Eq. (17), $F'' = -4F + F|F|^{-1/3}$. Its last term has an infinite slope at
 $F = 0$, which lets a solution reach zero and stay there. Multiplied by $F'$ and integrated with $F = F' = 0$ at the
 edge it becomes $F'^2 = \frac65F^{5/3} - 4F^2$. So $F$ is largest at $F^{1/3} = \frac3{10}$, and the half-width of the
-support is the integral of $dF/|F'|$ from zero to there. The printed $g$ is that solution, as substitution shows.
+support is the integral of $dF/|F'|$ from zero to there.
 
 With $F = z^3$ this is Euler's beta integral,
-$$\int_0^{3/10}\frac{3\,dz}{\sqrt{z(\frac65-4z)}} = \frac32\,B(\tfrac12,\tfrac12) = \frac{3\pi}2.$$ */
+$$\int_0^{3/10}\frac{3\,dz}{\sqrt{z(\frac65-4z)}} = \frac32\,B(\tfrac12,\tfrac12) = \frac{3\pi}2.$$
+
+Substitution shows that the printed $g$ is that solution. We let GSL integrate Eq. (17) from $F(0) = (\frac3{10})^3$,
+$F'(0) = 0$, and record the largest difference from $g$, over the height of it, up to a twentieth before the edge.
+(There $F$ is nearly zero, and an error grows with the inverse fourth power of what is left.) The same with a height
+that is one per cent larger tells how sharp that is. */
+Estimate distance_from_solution(double factor) {
+  const auto apart = [&](double tolerance) {
+    const auto equation = [](double, const double* x, double* rate) {
+      rate[0] = x[1];
+      rate[1] = -4 * x[0] + std::cbrt(x[0] * x[0]);
+    };
+    Reference method(equation, 2, {tolerance * top, tolerance, gsl_odeiv2_step_rk8pd});
+    std::vector<double> F{factor * top, 0};
+    double x = 0, most = 0;
+    for (int k = 1; k <= 95; ++k) {
+      method.advance(x, k * edge / 100, F);
+      most = std::max(most, std::abs(F[0] / factor - g(x)) / top);
+    }
+    return most;
+  };
+  return compare(apart(1e-11), apart(1e-13));
+}
+
 void report_support(Report& report) {
   const auto half_width = []<class T>(T half) { return double(T(1.5) * std::beta(half, half)); };
-  report.table("support").add(Row{{"half_width", "of the quasi-continuum profile",
-                                   compare(half_width(0.5), half_width(0.5L)), "",
-                                   "difference of double and extended precision"}});
+  report.table("support").add(Row{
+      {"half_width", "of the quasi-continuum profile", compare(half_width(0.5), half_width(0.5L)),
+       "", "difference of double and extended precision"},
+      {"distance", "of g from the solution of Eq. (17) with its height, over it",
+       distance_from_solution(1), "", "difference of two tolerances, relative to the height"},
+      {"control", "the same from the solution that is one per cent higher, over that height",
+       distance_from_solution(1.01), "", "difference of two tolerances"}});
 }
 
 /**
@@ -282,6 +313,7 @@ void reproduce(Report& report) {
 |---|---|---|---|
 | `dps.scaling`: breather amplitude is proportional to mu^2 at unchanged width | 2 | 2.000 | reproduced |
 | `dps.qc_support`: half-width of the compact quasi-continuum profile g(x) = (3/10)^3 cos^6(x/3) | 3 pi/2 | 4.712 | reproduced |
+| `dps.qc_solution`: g with the amplitude (3/10)^3 solves Eq. (17) |  | support.distance: 1.06e-12 < 1e-06 | holds |
 | `dps.qc_site`: site-centred stationary DpS breather agrees with its quasi-continuum profile | excellent | 0.05745 share of the amplitude | quantified |
 | `dps.qc_bond`: bond-centred stationary DpS breather agrees with its quasi-continuum profile | excellent | 0.06143 share of the amplitude | quantified |
 <!-- /statements -->
@@ -291,10 +323,10 @@ void reproduce(Report& report) {
 `sec32_dps_profiles profile` prints one profile beside its approximation, for any $\mu$ and any exponent of the contacts
 (commands/one_profile.hpp).
 
-**To change it.** The first listing takes another exponent $\alpha$ of the contacts (the other sections compare with formulas for spheres): `root` is $|d|^{\alpha-1}$ in `newton`, $\alpha$ stands
-for 1.5 in its derivative and in `tail_line`, the force `w` of `assert_solution` has the power $\alpha$, `approximate`
-is `quasi_continuum(centre, n, alpha)` (model/quasi_continuum.hpp), and $\alpha$ is the last argument of `stationary`
-and `stationary_from`.
+**To change it.** The first listing takes another exponent $\alpha$ of the contacts (the other sections compare with
+formulas for spheres): `root` is $|d|^{\alpha-1}$ in `newton`, $\alpha$ stands for 1.5 in its derivative and in
+`tail_line`, the force `w` of `assert_solution` has the power $\alpha$, `approximate` is
+`quasi_continuum(centre, n, alpha)` (model/quasi_continuum.hpp), and $\alpha$ is the last argument of `stationary` and `stationary_from`.
 
 1. *Easy.* How good is $y_n = 2\epsilon u_n\cos\omega_bt$ for a small breather of the chain?
    `build/bin/sec32_newton_breathers breather --omega 1.001` gives `amplitude` = 9.63900e-7. Hint: Eq. (20) gives

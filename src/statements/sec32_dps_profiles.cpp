@@ -19,6 +19,11 @@ STATEMENT("dps.qc_support") {
   answer(table("support")["half_width"]);
 }
 
+STATEMENT("dps.qc_solution") {
+  less(table("support")["distance"], bound(1e-6));
+  control([&] { less(1e-3, table("support")["control"]); });
+}
+
 STATEMENT("dps.qc_site") {
   answer(table("breathers").at("centre", "site")["difference"], "share of the amplitude");
 }

@@ -62,15 +62,15 @@ void sweep_stage(const std::vector<double>& y, const std::vector<double>& v, dou
 A contact needs a correction in the step in which it switches and in the neighbouring steps. There the
 force is smooth but close to its singular point: $k$ steps from $t^*$ a sixth-order sum errs by about
 $h^{\alpha+1} k^{\alpha-6}$. At $k = 1$ this still hides the order of the scheme, at $k = 2$ it is twenty
-times less, and beyond that it shows only near $10^{-11}$.
+times less, and beyond that it shows only near $10^{-11}$. So `reach` is two.
 
 The overlaps $x_0, x_1$ and their rates $w_0, w_1$ (per step) at the two ends of the step tell where the contact was two
 steps before and will be two steps after. It is singular if any of these four overlaps is not positive, or if it dips to
 zero between positive ends. It matters only if it pushes at an end, or bulges above `small` between open ends. The
 tangents at the ends bound a dip and a bulge. */
 inline __attribute__((always_inline)) bool is_singular(double x0, double w0, double x1, double w1,
-                                                       double small) {
-  const double reach = 2, ahead = x0 + w0, behind = x1 - w1;
+                                                       double small, double reach) {
+  const double ahead = x0 + w0, behind = x1 - w1;
   const double outer = std::min(x0 - reach * w0, x1 + reach * w1),
                least = std::min(outer, std::min(x0, x1));
   const bool bulge = (w0 > 0) & (w1 < 0) & (std::min(ahead, behind) > small);
@@ -82,12 +82,12 @@ inline __attribute__((always_inline)) bool is_singular(double x0, double w0, dou
 /// that of sites i and i + 1. A flag is as wide as a number, so that the loop vectorises without packing.
 LATTICE_WIDE void sweep_singular(const double* __restrict__ y0, const double* __restrict__ v0,
                                  const double* __restrict__ y1, const double* __restrict__ v1,
-                                 double opening, double h, double small, double tight,
+                                 double opening, double h, double small, double reach, double tight,
                                  std::uint64_t* __restrict__ flag, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) {
     const double x0 = opening - (y0[i + 1] - y0[i]), x1 = opening - (y1[i + 1] - y1[i]);
-    flag[i] = std::uint64_t(
-                  is_singular(x0, -h * (v0[i + 1] - v0[i]), x1, -h * (v1[i + 1] - v1[i]), small)) |
+    flag[i] = std::uint64_t(is_singular(x0, -h * (v0[i + 1] - v0[i]), x1, -h * (v1[i + 1] - v1[i]),
+                                        small, reach)) |
               std::uint64_t(std::max(x0, x1) > tight) << 1;
   }
 }
@@ -127,6 +127,7 @@ struct NystromStep {
   const Chain& chain;
   const C& contact;
   const int finer;
+  const double reach;
   const Accelerate<double> accelerate = accelerator<double>(chain);
 
   /// The overlap of contact `i` in the step that has just been tried.
@@ -184,13 +185,13 @@ struct NystromStep {
     };
     const auto try_end = [&](std::size_t i) {
       const Quintic x = overlap_during(state, i, h, at);
-      enter(i, is_singular(x.x0, x.w0, x.x1, x.w1, at.small) ? 3 : 2);
+      enter(i, is_singular(x.x0, x.w0, x.x1, x.w1, at.small, reach) ? 3 : 2);
     };
     at.contacts.clear();
     if (chain.pushes(0) && window.first == 0) try_end(0);
     sweep_singular(state.y.data() + left, state.v.data() + left, at.y[base.last()].data() + left,
-                   at.v.data() + left, contact.opening(), h, at.small, now.tight, at.flag.data(),
-                   inner);
+                   at.v.data() + left, contact.opening(), h, at.small, reach, now.tight,
+                   at.flag.data(), inner);
     for (std::size_t k = 0; k < inner; ++k)
       if (at.flag[k]) enter(left + 1 + k, at.flag[k]);
     if (chain.pushes(n) && window.last == n) try_end(n);
@@ -342,7 +343,8 @@ double EventCorrected::advance(const Chain& chain, State<double>& state, Window&
                                std::size_t count, NystromMemory& at) const {
   double work = 0;
   detail::with_kind(chain.contact, [&]<class C>(const C& contact) {
-    work = detail::NystromStep<C>{base, chain, contact, finer}.run(state, window, h, count, at);
+    work =
+        detail::NystromStep<C>{base, chain, contact, finer, reach}.run(state, window, h, count, at);
   });
   return work;
 }

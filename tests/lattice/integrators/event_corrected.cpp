@@ -112,6 +112,29 @@ TEST_CASE("the correction restores the order across switching contacts", "[conve
   CHECK(impact_error(0.05, corrected) < 1e-3 * impact_error(0.05, uncorrected));
 }
 
+TEST_CASE("beyond the reach of the correction short steps see the event",
+          "[convergence][contact]") {
+  // Two beads whose only contact closes near t = 0.5, at another place of a step for each start
+  const Chain chain{2, Quartic{1}};
+  const auto error = [&](double h, double reach) {
+    double squares = 0;
+    for (int k = 0; k < 40; ++k) {
+      State<double> start(2);
+      start.y = {-0.1, 0.3 + 0.0037 * k}, start.v = {0.5, -0.2};
+      const auto there = after(EventCorrected{.step = h, .reach = reach}, chain, start, 1);
+      squares += std::pow(distance(there, event_driven(chain, start, 1)), 2);
+    }
+    return std::sqrt(squares / 40);
+  };
+  const auto slope = [&](double reach, double h, double k) {
+    return std::log(error(h, reach) / error(k, reach)) / std::log(h / k);
+  };
+  CHECK(slope(2, 0.2, 0.05) > 4);
+  check_close(slope(2, 0.0125, 0.003125), 2.5, 0.3);
+  CHECK(slope(6, 0.05, 0.0125) > 4.4);
+  CHECK(error(0.0125, 6) < error(0.0125, 2) / 2);
+}
+
 TEST_CASE("any exponent is corrected", "[property][contact]") {
   for (double alpha : {1.25, 1.4, 2.0, 2.5}) {
     const Chain chain{20, Quartic{0.5}, PowerContact{alpha, 0}};
