@@ -4,6 +4,7 @@
 #include "report/statement.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -285,6 +286,33 @@ std::string Comparison::text() const {
   return what + ": " + text_of(small) + (may_be_equal ? " <= " : " < ") + text_of(large);
 }
 
+bool Comparison::fails() const {
+  return is_decided() && !holds();
+}
+
+Outcome outcome_of(const std::vector<Comparison>& all) {
+  const auto hold = std::ranges::count_if(all, &Comparison::holds),
+             fail = std::ranges::count_if(all, &Comparison::fails);
+  if (hold > 0 && fail > 0) return Outcome::in_part;
+  if (hold + fail < std::ssize(all)) return Outcome::undecided;
+  return fail > 0 ? Outcome::fails : Outcome::holds;
+}
+
+int Judged::failures() const {
+  return int(std::ranges::count_if(comparisons, &Comparison::fails));
+}
+
+const Comparison* Judged::lost_control() const {
+  const auto at = std::ranges::find_if_not(controls, &Comparison::holds);
+  return at == controls.end() ? nullptr : &*at;
+}
+
+bool Judged::is_sensitive() const {
+  const Outcome ours = outcome_of(comparisons);
+  return std::ranges::any_of(
+      readings, [&](const OtherReading& other) { return other.outcome && *other.outcome != ours; });
+}
+
 const Comparison* Judged::closest() const {
   const auto slack = [](const Comparison& c) {
     const Estimate m = c.margin();
@@ -296,6 +324,7 @@ const Comparison* Judged::closest() const {
 }
 
 std::string Judged::short_text() const {
+  if (outcome_of(comparisons) == Outcome::in_part) return text();
   if (comparisons.size() < 4 || !lost.empty() || !not_run.empty()) return text();
   return closest()->text() + " (the closest of " + std::to_string(comparisons.size()) + ")";
 }
@@ -303,7 +332,12 @@ std::string Judged::short_text() const {
 std::string Judged::text() const {
   if (!lost.empty()) return lost;
   if (!not_run.empty()) return "not run";
+  if (lost_control()) return "a control fails: " + lost_control()->text();
   if (answer) return text_of(*answer) + (answer->unit.empty() ? "" : " " + answer->unit);
+  const auto failed = std::ranges::find_if(comparisons, &Comparison::fails);
+  if (outcome_of(comparisons) == Outcome::in_part)
+    return "fails " + std::to_string(failures()) + " of " + std::to_string(comparisons.size()) +
+           " comparisons, the first one " + failed->text() + ", and by most " + closest()->text();
   if (comparisons.size() > 8)
     return closest()->text() + " (the closest of " + std::to_string(comparisons.size()) +
            " comparisons)";
@@ -364,10 +398,40 @@ void Statement::within(const Estimate& a, const Estimate& low, const Estimate& h
   less(a, high);
 }
 
+/**
+## Choices of ours
+
+A bound is known by its place in the source, so that one in a loop is one bound. */
+Estimate Statement::bound(double ours, std::source_location at) {
+  const Place place{at.line(), at.column()};
+  bounds_.emplace(place, ours);
+  return ours * (place == changed_ ? factor_ : 1);
+}
+
+std::vector<Comparison> Statement::apart(const std::function<void()>& compare) {
+  std::vector<Comparison> ours = std::exchange(judged_.comparisons, {});
+  compare();
+  if (judged_.comparisons.empty()) throw Unresolved{"nothing is compared"};
+  return std::exchange(judged_.comparisons, std::move(ours));
+}
+
+void Statement::control(const std::function<void()>& compare) {
+  std::ranges::move(apart(compare), std::back_inserter(judged_.controls));
+}
+
+void Statement::reading(const std::string& name, const std::function<void()>& compare) {
+  judged_.readings.push_back({name, {}, outcome_of(apart(compare))});
+}
+
+void Statement::reading(const std::string& name, const Quantity& value) {
+  judged_.readings.push_back({name, value, {}});
+  reading_.latest.clear();
+}
+
 void Statement::answer(const Quantity& found) {
   if (judged_.answer) throw std::logic_error("a statement has two answers");
   judged_.answer = found;
-  reading_.latest.clear();
+  judged_.answered_by = cells_read();
 }
 
 // What a statement reads
@@ -381,7 +445,7 @@ Data Statement::table(const std::string& name) {
 }
 
 // How it is judged, and how it comes to be known
-Judged Statement::judged(Tables& tables, const std::string& program) {
+Judged Statement::judged_once(Tables& tables, const std::string& program) {
   judged_ = {}, reading_ = {&tables}, program_ = program;
   judged_.program = program;
   try {
@@ -395,6 +459,24 @@ Judged Statement::judged(Tables& tables, const std::string& program) {
   }
   judged_.cells = std::move(reading_.all);
   return judged_;
+}
+
+// Once with our bounds, and once more with each of them halved and doubled
+Judged Statement::judged(Tables& tables, const std::string& program) {
+  bounds_.clear(), factor_ = 1;
+  Judged ours = judged_once(tables, program);
+  for (const auto& [place, value] : bounds_)
+    for (const double factor : {0.5, 2.0}) {
+      changed_ = place, factor_ = factor;
+      const Judged other = judged_once(tables, program);
+      std::ostringstream name;
+      name << factor * value << " in the place of " << value;
+      const bool is_lost = !other.lost.empty() || !other.not_run.empty() || other.lost_control();
+      if (!ours.answer)
+        ours.readings.push_back(
+            {name.str(), {}, is_lost ? Outcome::undecided : outcome_of(other.comparisons), true});
+    }
+  return ours;
 }
 
 static std::map<std::string, Registered>& registered() {

@@ -13,7 +13,9 @@ from, and compares.
           less(soft["speed"], sweep.at("s", 0, "velocity", soft("velocity"))["speed"]);
     }
 
-A statement holds if each of its comparisons holds by more than the errors. One that is a number gives its `answer`
+A statement holds if each of its comparisons holds by more than the errors, and holds in part if some of them do: a
+comparison stands for each point of the range that the article prints. Bounds that the article does not print are written
+`bound(0.01)`, other natural choices are each a `reading`. A statement that is a number gives its `answer`
 instead, which verdict.hpp compares with what is printed. A selection without a row, a row that is not the only one, a
 column that is missing and a value without an error leave a statement unresolved. Nothing passes by having nothing to
 compare. */
@@ -27,6 +29,7 @@ compare. */
 #include <memory>
 #include <optional>
 #include <set>
+#include <source_location>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -221,23 +224,45 @@ struct Comparison {
   /// What is left to the limit: negative on the wrong side.
   Estimate left() const;
   bool holds() const;
+  bool fails() const;
   bool is_decided() const;
   /// The same as a fraction of the larger side.
   Estimate margin() const;
   std::string text() const;
 };
 
+/// How far the comparisons of a statement hold. A part that is not decided decides nothing.
+enum class Outcome { holds, in_part, fails, undecided };
+Outcome outcome_of(const std::vector<Comparison>& all);
+
+/// The same statement with another choice where the article prints none: a value of a number, an outcome of an assertion.
+struct OtherReading {
+  std::string name;
+  std::optional<Quantity> value{};
+  std::optional<Outcome> outcome{};
+  bool is_bound = false;  ///< a bound of ours, halved or doubled
+};
+
 /// What a statement found.
 struct Judged {
   std::string program{},
       place{};  ///< the program whose tables decide, and where the statement stands
-  std::vector<Comparison> comparisons{};
+  std::vector<Comparison> comparisons{},
+      controls{};  ///< of the measure: where one fails there is no verdict
+  std::vector<OtherReading> readings{};
   std::optional<Quantity> answer{}, accuracy{};
-  std::string lost{};     ///< why there is no verdict
-  std::string not_run{};  ///< the program that has not run
-  bool is_quick = false;  ///< whether a table is of a coarse run
+  std::string answered_by{};  ///< the cells from which the answer was read
+  std::string lost{};         ///< why there is no verdict
+  std::string not_run{};      ///< the program that has not run
+  bool is_quick = false;      ///< whether a table is of a coarse run
   std::set<CellRead> cells{};
 
+  /// Whether a reading, or a bound of ours halved or doubled, has another outcome than the comparisons.
+  bool is_sensitive() const;
+  /// How many comparisons fail.
+  int failures() const;
+  /// The first control that fails.
+  const Comparison* lost_control() const;
   /// The comparison with the smallest margin.
   const Comparison* closest() const;
   /// What was found, in a line: the answer, or the comparisons, of many only the closest one.
@@ -269,6 +294,16 @@ class Statement {
   void increases(const Data& rows, const std::string& along, const std::string& column);
   /// low < a < high.
   void within(const Estimate& a, const Estimate& low, const Estimate& high);
+
+  /// A bound that is ours and not the article's. The statement is judged again with half and with twice of it; if its outcome
+  /// changes, the verdict assumes this bound. One near one is written `1 - bound(0.05)`.
+  Estimate bound(double ours, std::source_location at = std::source_location::current());
+  /// Comparisons that make sure of the measure and claim nothing: two resolutions agree, a control run does what it must.
+  void control(const std::function<void()>& compare);
+  /// What another choice gives where the article prints none. Each is a row of `paper/readings.ecsv`.
+  void reading(const std::string& name, const Quantity& value);
+  void reading(const std::string& name, const Estimate& value) { reading(name, Quantity{value}); }
+  void reading(const std::string& name, const std::function<void()>& compare);
   /// What is printed is compared with this number.
   void answer(const Quantity& found);
   void answer(const Estimate& found, const std::string& unit) { answer({{found}, unit}); }
@@ -276,12 +311,18 @@ class Statement {
   void accuracy(const Quantity& known) { judged_.accuracy = known; }
 
  private:
+  using Place = std::pair<unsigned, unsigned>;  // line and column
   void note(const Estimate& a, const Estimate& b, bool may_be_equal);
+  std::vector<Comparison> apart(const std::function<void()>& compare);
+  Judged judged_once(Tables& tables, const std::string& program);
   std::string cells_read();
 
   Judged judged_{};
   Reading reading_{};
   std::string program_{};
+  std::map<Place, double> bounds_{};  ///< those that were asked for
+  Place changed_{};                   ///< the one that is halved or doubled
+  double factor_ = 1;
 };
 
 /// All statements that are linked, by their ids.

@@ -4,10 +4,12 @@
 #include "report/verdict.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <optional>
 #include <regex>
 #include <set>
+#include <string_view>
 
 #include "report/table.hpp"
 
@@ -15,14 +17,18 @@ namespace lattice {
 
 static const std::string number_pattern = R"((-?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?))";
 static const double nan = std::nan("");
+/// A number that is printed as about so much, or that is cut instead of rounded, agrees within one unit of its last digit.
+static constexpr std::string_view hedges[] = {"",        "about", "cut", "order of magnitude",
+                                              "at most", "exact"};
 
 /**
 ## What is printed
 
 It is a number, a range (`238 to 241`), a count of orders of magnitude (`3 to 4 orders`), a multiple of pi (`3 pi/2`), or words.
-A number without a tolerance agrees within half a unit of its last digit. */
+A number agrees within half a unit of its last digit, one with a hedge within what the hedge allows. */
 struct Print {
-  double low, high, half_digit;
+  double low, high, unit;  // of the last digit
+  int digits;
 };
 
 static std::optional<Print> print_of(const std::string& text) {
@@ -37,28 +43,29 @@ static std::optional<Print> print_of(const std::string& text) {
   double a = std::stod(first) * (m[2].matched ? std::acos(-1.0) / std::stod(m[2]) : 1);
   double b = m[3].matched ? std::stod(m[3]) : a;
   if (m[4].matched) a = std::pow(10, a), b = std::pow(10, b);
-  return Print{std::min(a, b), std::max(a, b), 0.5 * std::pow(10, power - decimals)};
+  const std::string plain = first.substr(0, e);
+  const auto begin = plain.find_first_of("123456789");
+  const auto digits = begin == std::string::npos
+                          ? 0
+                          : std::count_if(plain.begin() + std::ptrdiff_t(begin), plain.end(),
+                                          [](unsigned char c) { return std::isdigit(c) != 0; });
+  return Print{std::min(a, b), std::max(a, b), std::pow(10, power - decimals), int(digits)};
 }
 
-// Throws std::invalid_argument for a tolerance that is none
+// Throws std::invalid_argument for a hedge that is none
 Range allowed(const Claim& claim) {
-  static const std::regex form("(rel|abs) " + number_pattern);
+  const std::string& hedge = claim.tolerance;
+  if (std::ranges::find(hedges, hedge) == std::end(hedges))
+    throw std::invalid_argument("the tolerance '" + hedge +
+                                "' is unknown (allowed: the name of a hedge: about, cut, order of "
+                                "magnitude, at most, exact, or nothing)");
   const auto print = print_of(claim.printed);
   if (!print) return {nan, nan};
   const double size = std::max(std::abs(print->low), std::abs(print->high));
-  const std::string& tolerance = claim.tolerance;
-  if (tolerance == "at most") return {-HUGE_VAL, print->high};
-  if (tolerance == "order of magnitude") return {print->low / 10, 10 * print->high};
-  std::smatch m;
-  double by = print->half_digit;
-  if (tolerance == "exact")
-    by = 1e-12 * size;
-  else if (std::regex_match(tolerance, m, form))
-    by = std::stod(m[2]) * (m[1] == "rel" ? size : 1);
-  if (by < 0 || (!tolerance.empty() && tolerance != "exact" && m.empty()))
-    throw std::invalid_argument("the tolerance '" + tolerance +
-                                "' is unknown (allowed: rel 1e-3, abs 1e-3, at most, exact, order "
-                                "of magnitude, or nothing)");
+  if (hedge == "at most") return {-HUGE_VAL, print->high};
+  if (hedge == "order of magnitude")
+    return {print->low / std::sqrt(10.0), print->high * std::sqrt(10.0)};
+  const double by = hedge == "exact" ? 1e-12 * size : (hedge.empty() ? 0.5 : 1) * print->unit;
   return {print->low - by, print->high + by};
 }
 
@@ -78,53 +85,104 @@ static std::string on_answer(const Claim& claim, const Estimate& ours) {
 }
 
 /**
-A number that is missed is covered in two cases: if the article's own `accuracy` is not better than the distance, or if the
+A number of three digits or more that is missed by no more than two units of the last one is reproduced *in part*. It is covered
+in two cases: if the article's own `accuracy` is not better than the distance, or if the
 number is a power of another printed one (`moving.c_threshold^2`) that is missed too, and ours is what is printed with that
-number in the place of our own. `method` and `memory` say what is not known, so that no verdict is passed at all. */
-static std::string on_missed(const Case& one, const Cases& all) {
+number in the place of our own. `method` and `memory` say what is not known, so that no verdict is passed at all. And where
+other readings spread as far as the number is missed, what is not printed decides. */
+static bool is_near(const Print& print, double apart) {
+  return print.digits >= 3 && apart <= 2 * print.unit;
+}
+
+static bool follows(const Case& one, const Cases& all) {
   const auto& [claim, found] = one;
-  const Estimate ours = *found.answer;
-  const Print print = *print_of(claim.printed);
-  if (found.accuracy) {
-    const double apart = std::max(print.low - ours.value, ours.value - print.high) + ours.error;
-    return apart <= found.accuracy->value - found.accuracy->error ? "within its own accuracy"
-                                                                  : "discrepant";
-  }
   const auto hat = claim.covered_by.find('^');
   const auto other = std::find_if(all.begin(), all.end(), [&](const Case& c) {
     return c.claim.id == claim.covered_by.substr(0, hat);
   });
-  if (other == all.end() || !other->found.answer) return "discrepant";
-  const Estimate theirs = *other->found.answer;
+  if (other == all.end() || !other->found.answer) return false;
+  const Estimate theirs = *other->found.answer, ours = *found.answer;
   const double power = hat == std::string::npos ? 1 : std::stod(claim.covered_by.substr(hat + 1));
   const double scale = std::pow(print_of(other->claim.printed)->low / theirs.value, power);
   const std::string then = on_answer(claim, {scale * ours.value, scale * ours.error});
-  const bool follows =
-      on_answer(other->claim, theirs) == "discrepant" && then.rfind("repro", 0) == 0;
-  return follows ? "follows" : "discrepant";
+  return on_answer(other->claim, theirs) == "discrepant" && then.rfind("repro", 0) == 0;
 }
 
-static std::string on_comparisons(const std::vector<Comparison>& all) {
-  const auto fails = [](const Comparison& c) { return c.is_decided() && !c.holds(); };
-  if (std::ranges::all_of(all, &Comparison::holds)) return "holds";
-  return std::ranges::any_of(all, fails) ? "discrepant" : "unresolved";
+/// How far the readings are from each other and from the answer.
+static double spread(const Judged& found) {
+  double low = found.answer->value, high = low;
+  for (const OtherReading& other : found.readings)
+    if (other.value)
+      low = std::min(low, other.value->value), high = std::max(high, other.value->value);
+  return high - low;
+}
+
+static std::string on_missed(const Case& one, const Cases& all) {
+  const auto& [claim, found] = one;
+  const Estimate ours = *found.answer;
+  const Print print = *print_of(claim.printed);
+  const double apart = std::max(print.low - ours.value, ours.value - print.high) + ours.error;
+  if (found.accuracy && apart <= found.accuracy->value - found.accuracy->error)
+    return "within its own accuracy";
+  if (claim.tolerance != "order of magnitude" && is_near(print, apart)) return "in part";
+  if (follows(one, all)) return "follows";
+  const auto [low, high] = allowed(claim);
+  const double missed_by = std::max(low - ours.value, ours.value - high) + ours.error;
+  return missed_by <= spread(found) ? "quantified" : "discrepant";
+}
+
+/**
+## The verdict on comparisons
+
+An assertion that holds assumes something if another reading, or half or twice a bound of ours, has another outcome. One that fails
+is discrepant only if it fails in every reading. */
+static std::string on_comparisons(const Judged& found) {
+  const bool assumes = found.is_sensitive();
+  switch (outcome_of(found.comparisons)) {
+    case Outcome::holds:
+      return assumes ? "holds, assuming" : "holds";
+    case Outcome::in_part:
+      return "in part";
+    case Outcome::fails:
+      return assumes ? "quantified" : "discrepant";
+    default:
+      return "unresolved";
+  }
 }
 
 std::string verdict(const Case& one, const Cases& all) {
   const auto& [claim, found] = one;
   if (!found.not_run.empty()) return claim.status;
-  if (!found.lost.empty()) return "unresolved";
-  if (!found.answer) return on_comparisons(found.comparisons);
+  if (!found.lost.empty() || found.lost_control()) return "unresolved";
+  if (!found.answer) return on_comparisons(found);
   const std::string plain = on_answer(claim, *found.answer);
   return plain == "discrepant" ? on_missed(one, all) : plain;
+}
+
+std::string outcome(const OtherReading& reading, const Claim& claim) {
+  if (!reading.outcome) {
+    const std::string word = on_answer(claim, *reading.value);
+    return word == "discrepant" ? "missed" : word == "unresolved" ? "undecided" : "met";
+  }
+  switch (*reading.outcome) {
+    case Outcome::holds:
+      return "holds";
+    case Outcome::in_part:
+      return "in part";
+    case Outcome::fails:
+      return "fails";
+    default:
+      return "undecided";
+  }
 }
 
 /**
 ## Reading
 
 A list has the columns of its own kind. */
-static const std::set<std::string> missed{"within its own accuracy", "follows", "discrepant"},
-    met{"reproduced", "reproduced, assuming", "holds", "quantified"};
+static const std::set<std::string> missed{"in part", "within its own accuracy", "follows",
+                                          "discrepant"},
+    met{"reproduced", "reproduced, assuming", "holds", "holds, assuming", "quantified"};
 
 bool is_met(const std::string& verdict) {
   return met.count(verdict) > 0;
@@ -183,6 +241,40 @@ static Cases all_rows(const std::filesystem::path& volume) {
   return out;
 }
 
+Choices read_choices(const std::filesystem::path& volume) {
+  Choices out;
+  const auto path = volume / "paper/readings.ecsv";
+  if (!std::filesystem::exists(path)) return out;
+  const Table t = read(path);
+  const auto id = t.texts("id"), reading = t.texts("reading"), choice = t.texts("choice");
+  for (std::size_t i = 0; i < id.size(); ++i)
+    if (!out.insert({{id[i], reading[i]}, choice[i]}).second)
+      throw std::runtime_error(path.string() + ": " + id[i] + ": two rows of '" + reading[i] + "'");
+  return out;
+}
+
+// The readings that were listed before anything was computed, and no others
+static void check_readings(const Cases& rows, Choices left) {
+  const auto fault = [](const std::string& id, const std::string& what) {
+    throw std::runtime_error("paper/readings.ecsv: " + id + ": " + what);
+  };
+  const Choices listed = left;
+  for (const auto& [claim, found] : rows) {
+    for (const OtherReading& reading : found.readings)
+      if (!reading.is_bound && !listed.count({claim.id, reading.name}))
+        fault(claim.id, "the reading '" + reading.name + "' is not listed");
+    const bool is_judged = found.lost.empty() && found.not_run.empty();
+    std::erase_if(left, [&](const auto& row) {
+      const auto is_it = [&](const OtherReading& r) { return r.name == row.first.second; };
+      return row.first.first == claim.id &&
+             (!is_judged || std::ranges::any_of(found.readings, is_it));
+    });
+  }
+  if (!left.empty())
+    fault(left.begin()->first.first,
+          "the reading '" + left.begin()->first.second + "' is not computed");
+}
+
 Cases judge(const std::filesystem::path& volume, Tables& tables) {
   Cases out = all_rows(volume);
   std::set<std::string> ids;
@@ -198,6 +290,7 @@ Cases judge(const std::filesystem::path& volume, Tables& tables) {
     if (!ids.count(id))
       throw std::runtime_error("src/statements/" + statement.program + ".cpp: " + id +
                                ": no list has such a row");
+  check_readings(out, read_choices(volume));
   return out;
 }
 

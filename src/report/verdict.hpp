@@ -2,7 +2,7 @@
 /**
 # What is claimed, and whether it is so
 
-What the article prints stands in `paper/claims.ecsv`, one row a statement, with its tolerance; our findings and the numbers
+What the article prints stands in `paper/claims.ecsv`, one row a statement, with its hedge; our findings and the numbers
 of other authors are rows of the same form. What our tables say to it is found by the function of the same id in
 `src/statements` (statement.hpp). Here both are put together. `paper/verdicts.ecsv` says what each verdict means. */
 
@@ -38,14 +38,21 @@ struct Case {
 };
 using Cases = std::vector<Case>;
 
-/// All rows of a volume's lists, judged on `tables`. Throws std::runtime_error for a row without a statement, and for a
-/// statement without a row.
+/// Whether another reading of a number agrees with what is printed, or how far that of an assertion holds.
+std::string outcome(const OtherReading& reading, const Claim& claim);
+
+/// What `paper/readings.ecsv` says of the choices: the text of each by (statement, name of the reading). Empty without the list.
+using Choices = std::map<std::pair<std::string, std::string>, std::string>;
+Choices read_choices(const std::filesystem::path& volume);
+
+/// All rows of a volume's lists, judged on `tables`. Throws std::runtime_error for a row without a statement, for a
+/// statement without a row, and for a reading that is not listed or not computed.
 Cases judge(const std::filesystem::path& volume, Tables& tables);
 
 /// All verdicts, in the order of `paper/verdicts.ecsv`.
 inline constexpr const char* verdict_words[] = {
-    "reproduced", "reproduced, assuming", "holds",     "quantified", "within its own accuracy",
-    "follows",    "discrepant",           "unresolved"};
+    "reproduced", "reproduced, assuming",    "holds",   "holds, assuming", "quantified",
+    "in part",    "within its own accuracy", "follows", "discrepant",      "unresolved"};
 
 /// Whether a row with this verdict agrees with what is printed, or is left open.
 bool is_met(const std::string& verdict);

@@ -3,7 +3,8 @@
 
 This program ends `make figures`. It reads the list of claims of a volume (`paper/claims.ecsv`), what we found
 (`paper/findings.ecsv`) and what other authors print (`paper/literature.ecsv`), judges every row by its statement
-(statement.hpp, verdict.hpp), writes a table of all verdicts and prints what does not agree. Each volume has its own,
+(statement.hpp, verdict.hpp), writes a table of all verdicts and prints what does not agree. Beside the table `claims.ecsv` are
+all comparisons (`claims_comparisons.ecsv`) and all other readings (`claims_readings.ecsv`). Each volume has its own,
 with the statements of its own chapters. */
 
 #include <cstdio>
@@ -41,6 +42,8 @@ Table table_of(const Cases& rows) {
          {"margin", "least difference of the two sides of a comparison, relative to the larger one",
           closest ? closest->margin().value : none.value},
          {"margin_error", "error of the margin", closest ? closest->margin().error : none.error},
+         {"comparisons", "how many there are", std::int64_t(found.comparisons.size())},
+         {"failures", "how many of them fail", std::int64_t(found.failures())},
          {"verdict", "verdict, as explained in paper/verdicts.ecsv", verdict(one, rows)},
          {"found", "the value, or the comparisons, of many the closest one", found.text()},
          {"short", "the value, or up to three comparisons, of more the closest one",
@@ -50,6 +53,56 @@ Table table_of(const Cases& rows) {
           : found.is_quick       ? "quick"
                                  : "judged"},
          {"program", "program whose tables decide", found.program}});
+  }
+  out.meta = {{"program", "verdicts"}};
+  return out;
+}
+
+/// What other choices give where the article prints none, and half and twice of each bound of ours.
+Table table_of_readings(const Cases& rows, const Choices& choices) {
+  Table out;
+  for (const auto& [claim, found] : rows)
+    for (const OtherReading& other : found.readings) {
+      const Estimate value = other.value ? Estimate(*other.value) : undefined;
+      out.add(
+          {{"id", "statement", claim.id},
+           {"reading", "name of the choice, or a bound of ours that is halved or doubled",
+            other.name},
+           {"choice", "what is chosen, and why it is natural",
+            other.is_bound ? "a bound of ours" : choices.at({claim.id, other.name})},
+           {"value", "value of a number; nan of an assertion", value.value},
+           {"error", "error of the value", value.error},
+           {"unit", "unit of value and error", other.value ? other.value->unit : ""},
+           {"outcome", "a number is met, missed or undecided; an assertion holds, fails or both",
+            outcome(other, claim)}});
+    }
+  out.meta = {{"program", "verdicts"}};
+  return out;
+}
+
+/// All that decides: the sides of every comparison, with the cells that were read for it.
+Table table_of_comparisons(const Cases& rows) {
+  Table out;
+  const auto add = [&](const Claim& claim, const char* role, const std::string& cells,
+                       const Estimate& small, const Estimate& large, const char* outcome) {
+    out.add({{"id", "statement", claim.id},
+             {"role", "answer; claim: of the statement; control: of the measure", role},
+             {"cells", "cells of the tables that were read for it", cells},
+             {"small", "the side that has to be smaller, or the answer", small.value},
+             {"small_error", "its error", small.error},
+             {"large", "the other side; nan of an answer", large.value},
+             {"large_error", "its error", large.error},
+             {"outcome", "holds, fails or undecided; empty of an answer", outcome}});
+  };
+  const auto word = [](const Comparison& c) {
+    return c.holds() ? "holds" : c.fails() ? "fails" : "undecided";
+  };
+  for (const auto& [claim, found] : rows) {
+    if (found.answer) add(claim, "answer", found.answered_by, *found.answer, undefined, "");
+    for (const Comparison& c : found.comparisons)
+      add(claim, "claim", c.what, c.small, c.large, word(c));
+    for (const Comparison& c : found.controls)
+      add(claim, "control", c.what, c.small, c.large, word(c));
   }
   out.meta = {{"program", "verdicts"}};
   return out;
@@ -97,6 +150,15 @@ void judge_all(const fs::path& root, const fs::path& data, const fs::path& to) {
   for (const std::string& program : absent) std::printf(" %s", program.c_str());
   if (!absent.empty()) std::printf("\n");
   write(to, table_of(rows));
+  const auto write_beside = [&](const char* what, const Table& table) {
+    const fs::path path = to.parent_path() / (to.stem().string() + what + ".ecsv");
+    if (table.rows.empty())
+      fs::remove(path);
+    else
+      write(path, table);
+  };
+  write_beside("_readings", table_of_readings(rows, read_choices(root)));
+  write_beside("_comparisons", table_of_comparisons(rows));
 }
 
 }  // namespace
@@ -113,7 +175,7 @@ int main(int argc, char** argv) {
     Parameters& p = offers[0].parameters;
     p.add("root", root, "folder of the volume, with its paper/claims.ecsv", not_empty());
     p.add("data", data, "folder that holds one folder of tables per program", not_empty());
-    p.add("output", output, "table to write", not_empty());
+    p.add("output", output, "table of the verdicts to write", not_empty());
     const Asked asked = read_line(offers, {argv + 1, argv + argc});
     if (asked.what == Asked::What::run)
       judge_all(root, data, output);
