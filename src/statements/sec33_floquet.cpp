@@ -65,6 +65,10 @@ STATEMENT("floquet.harmonic") {
 STATEMENT("floquet.instability_size") {
   for (const char* wells : {"site_against_s", "bond_against_s"})
     for (const auto& well : table(wells).where("s", -1, 1)) less(well["largest_modulus"] - 1, 1e-3);
+  reading("section", [&] {
+    for (const auto& breather : table("spectra").where("omega", 1.01, 2))
+      less(breather["largest"], 1e-3);
+  });
 }
 
 STATEMENT("pinning.gradient") {
