@@ -246,7 +246,7 @@ TEST_CASE("3.2: the quasi-continuum profile obeys its equation and ends at 3 pi 
 }
 
 TEST_CASE("3.2: the quasi-continuum profile is good at omega_b = 1.01 and worse at 1.1",
-          "[article][newton.qc_small]") {
+          "[article][newton.qc_small][newton.qc_worse]") {
   for (Centre centre : both_centres) {
     const auto off = [&](double omega) {
       const auto with = [&](int coarser) {
@@ -314,7 +314,7 @@ TEST_CASE("3.2: the tail falls super-exponentially, with the exponent 3/2 from s
 }
 
 TEST_CASE("3.2: the energies of both centres are indistinguishable, their amplitudes are not",
-          "[article][newton.energy_equal][newton.amplitude_differs]") {
+          "[article][newton.energy_equal][newton.amplitude_differs][newton.amplitude_minor]") {
   for (double omega : {1.01, 1.3, 2.0}) {
     const BreatherPair pair = pair_at(omega, 0);
     const Estimate energies = relative_distance(pair.energy[0], pair.energy[1].value),
@@ -525,8 +525,8 @@ TEST_CASE(
 // ## 3.4 Impacts
 
 TEST_CASE(
-    "3.4: an impact of 2 epsilon makes a packet on 7 sites; in one snapshot it is 9e-4 high in the "
-    "chain and 13e-4 by the DpS equation, in which it is slightly faster",
+    "3.4: an impact of 2 epsilon makes a packet on 7 sites; at tau = 250 it is 10e-4 high in the "
+    "chain, not 9e-4, and 13e-4 by the DpS equation, in which it is slightly faster",
     "[article][impact.amp_full][impact.amp_dps][impact.speed_order][impact.support]") {
   const double eps = 0.9548e-3, tau = 250, time = tau / std::sqrt(eps);
   CHECK(agrees(exact(breather_eps(1.01)), eps, Rel{1e-3}));
@@ -536,7 +536,6 @@ TEST_CASE(
     Front front{};
     double amplitude = 0, height = 0;
   };
-  const double snapshot = 8091;  // printed: about 8090
   const auto height = [](const std::vector<double>& y) {
     const auto [trough, crest] = std::minmax_element(y.begin() + 60, y.end());
     return *crest - *trough;
@@ -551,9 +550,8 @@ TEST_CASE(
       for (std::size_t n = 20; n < 120; ++n)
         out.amplitude = std::max(out.amplitude, std::abs(now.y[n]));
     };
-    ImpactRun run = strike(method, impact, watch);
+    const ImpactRun run = strike(method, impact, watch);
     out.path = run.path;
-    follow(method, impact, run, snapshot);
     out.height = height(run.end.y);
     return out;
   };
@@ -569,15 +567,11 @@ TEST_CASE(
   amplitude.error += amplitude.value * 0.1 * 0.1 / 8;  // the top between two samples
   CHECK(remains(amplitude, 9.18e-4, Rel{5e-3}));
   CHECK(remains(dps.of(dps_amplitude), 9.5e-4, Rel{5e-3}));
-  CHECK(agrees(chain.of([](const Packet& p) { return p.height; }), 9e-4, Rel{5e-2}));
-  for (double later : {0.0, snapshot - time}) {
-    const auto dps_height = [&](const DpsOutcome& out) {
-      Field field = out.end;
-      if (later > 0) evolve_dps(Dps{120}, field, later * std::sqrt(eps), 1, 1e-9);
-      return height(dps_state(field, eps, time + later).y);
-    };
-    CHECK(agrees(dps.of(dps_height), 13e-4, Rel{5e-2}));
-  }
+  CHECK(remains(chain.of([](const Packet& p) { return p.height; }), 1.0001e-3, Rel{1e-3}));
+  const auto dps_height = [&](const DpsOutcome& out) {
+    return height(dps_state(out.end, eps, time).y);
+  };
+  CHECK(agrees(dps.of(dps_height), 13e-4, Abs{1e-4}));
   const auto ahead = [&](std::size_t k) {
     return chain.of([k](const Packet& p) { return p.front.amplitude(k); });
   };
@@ -787,7 +781,9 @@ TEST_CASE(
   const auto on = [&](const WatchedRun& run) {
     return run.path.travelled(80, blow.scales.time(10));
   };
-  CHECK(agrees(runs.of(on), 20, Rel{0.15}));
+  const Estimate way = mean(80);  // as the speed is measured
+  CHECK(agrees({10e-3 * way.value, 10e-3 * way.error}, 20, Abs{1}));
+  CHECK(stands("less on the way behind", {below("from 80 on", runs.of(on), 10e-3 * way.value)}));
   const Estimate turns = quotient(exact(10), pulse(&Pulse::period, 1e3));
   CHECK(agrees({turns.value, turns.error}, 70, Rel{0.05}));
 }

@@ -24,8 +24,8 @@ std::vector<PacketSample> synthetic(double share_power, double boundary_power, d
   std::vector<PacketSample> samples;
   for (double t = 1; t <= 800; ++t) {
     const double centre = t < turn ? 0.6 * t : 0.6 * (2 * turn - t);
-    samples.push_back(
-        {t, centre, std::pow(t, share_power), 0.1 * std::pow(t, boundary_power), 1 + t, 7});
+    samples.push_back({t, centre, std::pow(t, share_power), 0.1 * std::pow(t, boundary_power),
+                       1 + t, std::pow(t, 2 * share_power), std::pow(t, share_power / 2)});
   }
   return samples;
 }
@@ -79,9 +79,12 @@ TEST_CASE("breathers, trains, surface modes and boomerangs are told apart", "[un
   check_close(breather.share_exponent, -0.05, 1e-12);
   check_close(train.share_exponent, -1.0 / 3, 1e-12);
   check_close(train.boundary_exponent, -1, 1e-12);
+  check_close(train.narrow_exponent, -2.0 / 3, 1e-12);
+  check_close(train.wide_exponent, -1.0 / 6, 1e-12);
   check_close(surface.boundary_exponent, 0, 1e-12);
   check_close(breather.steadiness, 1, 1e-12);
   CHECK(boomerang.steadiness < 0);
+  check_close(traits(synthetic(0, -1, 150), 0.5).steadiness, -1, 1e-12);  // after it has turned
 }
 
 TEST_CASE("a sech is fitted about the top of its envelope", "[unit]") {
@@ -101,6 +104,14 @@ TEST_CASE("a sech is fitted about the top of its envelope", "[unit]") {
   CHECK(std::abs(shot.centre - 177) <= 1);
   check_close(shot.sech.centre, 177, 0, 0.01);
   check_close(shot.sech.width, 6, 0, 0.1);
+  const Sech same = sech_within(shot, envelope_half_width), narrow = sech_within(shot, 3);
+  check_close(same.width, shot.sech.width, 1e-9);
+  check_close(same.residual, shot.sech.residual, 1e-9);
+  CHECK(narrow.residual < shot.sech.residual);
+  double squares = 0;
+  for (long n = std::lround(shot.centre) - 10; n <= std::lround(shot.centre) + 10; ++n)
+    squares += std::pow(shot.envelope.amplitude[std::size_t(n - 1)], 2);
+  check_close(rms_of_fit(shot), std::sqrt(squares / 21), 1e-12);
 }
 
 TEST_CASE("a tail on one side is not one on both", "[unit]") {
@@ -111,17 +122,31 @@ TEST_CASE("a tail on one side is not one on both", "[unit]") {
   };
   check_close(tail_amplitude(packet(0.01, 0.02), -1), 0.02, 1e-15);
   check_close(tail_amplitude(packet(0.01, 0.02), 1), 0.04, 1e-15);
+  // Only from near to far, and only what is far behind belongs to the train
+  Snapshot shot = packet(0.01, 0.02);
+  shot.envelope.amplitude[149 + 40] = 1;
+  check_close(tail_amplitude(shot, 1, 41, 80), 0.04, 1e-15);
+  CHECK(tail_amplitude(shot, 1, 30, 60) > 0.2);
+  check_close(train_amplitude(shot), 0.02, 1e-15);
+  shot.envelope.amplitude[149 - 31] = 0.1, shot.envelope.amplitude[149 - 30] = 3;
+  check_close(train_amplitude(shot), 0.2, 1e-15);
 }
 
 namespace {
 
-/// One pulse until `split`, then two; the energy gathers at t = 1000.
-RingPair drawn(double split, bool apart = true) {
+/// One pulse until `split`, then a second one of this height for a time `lasting`; the energy gathers at t = 2000.
+RingPair drawn(double split, double height, double lasting) {
   RingPair pair;
-  pair.gathered = {1000, 50};
-  for (double t = 50; t <= 5000; t += 50) {
-    const RingSample at{t, 6, t >= 1000 && t < split ? 0.1 : 0.9,
-                        t >= 1000 && (apart || t < split)};
+  pair.gathered = {2000, 50};
+  for (double t = 50; t <= 9000; t += 50) {
+    const bool two = t >= split && t < split + lasting;
+    const RingSample at{t,
+                        6,
+                        two ? height : 0.1,
+                        t >= 2000,
+                        10,
+                        two ? height / 2 : 0.2,
+                        two ? std::sqrt(height) : 0.3};
     pair.samples.push_back({at, at});
   }
   return pair;
@@ -131,22 +156,47 @@ RingPair drawn(double split, bool apart = true) {
 
 TEST_CASE("a pulse that splits was one before", "[unit]") {
   const double round = 340;
-  const PulseSplits splits = pulse_splits(drawn(3000), round);
-  CHECK((splits.one_pulse_for.value == 1950 && splits.splits_at.value == 3000));
-  CHECK(splits.apart_at.value == 3000);
-  CHECK(std::isnan(pulse_splits(drawn(6000), round).splits_at.value));  // never
-  CHECK(std::isnan(pulse_splits(drawn(1200), round).splits_at.value));  // two nearly from the start
-  const PulseSplits spreads = pulse_splits(drawn(3000, false), round);
-  CHECK(
-      (spreads.splits_at.value == 3000 && std::isnan(spreads.apart_at.value)));  // and that is all
+  const PulseSplits splits = pulse_splits(drawn(3000, 0.8, 2000), round);
+  CHECK((splits.one_pulse_for.value == 1000 && splits.second.value == 0.8));
+  CHECK((splits.kept.value == 0.8 && splits.in_windows.value == 0.4));
+  check_close(splits.of_figure.value, std::sqrt(0.8), 1e-15);
+  const PulseSplits brief = pulse_splits(drawn(3000, 0.8, 350), round);  // seven samples
+  CHECK((brief.second.value == 0.8 && brief.kept.value == 0.1));
+  CHECK(pulse_splits(drawn(3000, 0.8, 400), round).kept.value == 0.8);
+  const PulseSplits never = pulse_splits(drawn(5000, 0.8, 2000), round);  // too late
+  CHECK((never.second.value == 0.1 && never.one_pulse_for.value == 2000));
+  CHECK(pulse_splits(drawn(3000, 0.4, 2000), round).one_pulse_for.value == 2000);
+  RingPair spread = drawn(3000, 0.8, 2000);
+  for (auto& both : spread.samples)
+    for (RingSample& at : both) at.gathered = at.t < 3000;
+  CHECK(pulse_splits(spread, round).in_windows_gathered.value == 0.2);
+  CHECK(std::isnan(pulse_splits({}, round).second.value));
+}
+
+TEST_CASE("a second hump has a valley on both sides", "[unit]") {
+  // Two pulses on a ring, at these sites and of these heights, on a background
+  const auto ring = [](double far, double height, double background) {
+    std::vector<double> e(200, background);
+    for (std::size_t i = 0; i < 200; ++i)
+      for (const auto& [at, size] : {std::pair{190.0, 1.0}, {190 + far, height}})
+        e[i] += size * std::pow(std::cosh(std::remainder(double(i) - at, 200.0) / 8), -2);
+    return e;
+  };
+  CHECK(second_hump(ring(60, 0, 0.1)) == 0);
+  check_close(second_hump(ring(60, 0.7, 0)), 0.7, 1e-3);
+  check_close(second_hump(ring(60, 0.7, 0.1)), 0.8 / 1.1, 0, 0.02);
+  CHECK(second_hump(ring(20, 0.7, 0)) == 0);    // no valley between the two
+  CHECK(second_hump(ring(60, 0.7, 0.8)) == 0);  // nor here, on this background
+  check_close(second_hump(ring(-60, 0.7, 0)), second_hump(ring(60, 0.7, 0)), 1e-12);
   // On the ring two equal heaps of energy are two packets, one heap is one
-  const Chain ring{200, Quartic{}, contact, Ends::periodic};
+  const Chain chain{200, Quartic{}, contact, Ends::periodic};
   State<double> state(200);
   state.v[195] = 1;
-  CHECK(ring_sample(ring, state).second == 0);
+  CHECK((ring_sample(chain, state).second == 0 && ring_sample(chain, state).second_window == 0));
   state.v[95] = 1;
-  check_close(ring_sample(ring, state).second, 1, 1e-15);
-  CHECK(ring_sample(ring, state).gathered);
+  check_close(ring_sample(chain, state).second, 1, 1e-15);
+  check_close(ring_sample(chain, state).second_window, 1, 1e-15);
+  CHECK(ring_sample(chain, state).gathered);
 }
 
 TEST_CASE("a packet is as wide on a background as without", "[unit]") {
@@ -173,6 +223,8 @@ TEST_CASE("a breather on the ring is concentrated and moves to the right", "[uni
   const auto ring = [](double peak, double speed) {
     WatchedRing m{State<double>(200), std::vector<double>(200, 0.01)};
     m.density[20] += peak;
+    m.shown.envelope.amplitude.assign(200, 1);
+    m.shown.envelope.amplitude[20] += 9 * peak;
     for (double t = 0; t <= 60; ++t) {
       m.t.push_back(t);
       m.centre.push_back(20 + speed * t + 0.3 * std::sin(t));
@@ -188,6 +240,7 @@ TEST_CASE("a breather on the ring is concentrated and moves to the right", "[uni
   CHECK((flat.share_of_sites.value > 0.99 && flat.width.value == 200));
   CHECK(made.speed.value > made.speed.error);
   check_close(made.speed.value, 0.3, 0.02);
+  check_close(made.envelope_over_rms.value, 10 / std::sqrt(299.0 / 200), 1e-12);
   CHECK(flat.speed.value < flat.speed.error);
 }
 
@@ -230,7 +283,14 @@ TEST_CASE("a packet by its densities, site by site", "[unit]") {
   check_close(at.share, inside / all, 1e-13);
   check_close(at.boundary, sum(0, 4, itself) / all, 1e-13);
   check_close(at.participation, all * all / sum(0, 149, square), 1e-10);
-  check_close(at.packet_sites, inside * inside / sum(from, to, square), 1e-10);
+  check_close(packet_participation(e, 20), inside * inside / sum(from, to, square), 1e-10);
+  double narrow = 0, wide = 0;
+  for (int n = 0; n < 150; ++n) {
+    narrow = std::max(narrow, sum(std::max(0, n - 10), std::min(149, n + 10), itself));
+    wide = std::max(wide, sum(std::max(0, n - 40), std::min(149, n + 40), itself));
+  }
+  check_close(at.narrow, narrow / all, 1e-13);
+  check_close(at.wide, wide / all, 1e-13);
 }
 
 TEST_CASE("the envelope is that of the carrier in the window", "[unit]") {

@@ -23,12 +23,23 @@ double energy_change(const Path& path);
 double residue(const std::vector<double>& e, std::size_t peak);
 
 /**
-Ahead of a compact packet nothing has moved yet, and the amplitude falls super-exponentially, from site to site by a factor of two, then six, then thirty. We therefore look at the *largest* amplitude that a site reaches at a given
-distance ahead of the peak, relative to the peak. */
+Ahead of a compact packet nothing has moved yet, and the amplitude falls super-exponentially. We look at the *largest*
+amplitude that a site reaches at a given distance ahead, relative to the peak. For the width the distance is counted
+from the peak's site, and for the decay from the centre $X$, since the peak jumps from site to site and the centre does
+not. */
 class Front {
  public:
   /// Takes the density `e` of a packet whose largest site is `peak`.
   void add(const std::vector<double>& e, std::size_t peak) {
+    const double X = energy_centre(e, peak);
+    for (std::size_t m = 0; m <= packet_half_width; ++m)
+      least_[m] = std::min(least_[m], window_sum(e, peak, m) / window_sum(e, peak));
+    for (std::size_t n = peak; n < e.size(); ++n) {
+      const double distance = double(n + 1) - X;
+      const long k = std::lround(distance);
+      if (k >= 0 && k < long(from_centre_.size()) && std::abs(distance - double(k)) < 0.25)
+        from_centre_[std::size_t(k)] = std::max(from_centre_[std::size_t(k)], e[n]);
+    }
     for (std::size_t k = 0; k < largest_.size() && peak + k < e.size(); ++k)
       largest_[k] = std::max(largest_[k], e[peak + k]);
     for (std::size_t k = packet_half_width + 1; k <= 3 * packet_half_width && k <= peak; ++k)
@@ -38,6 +49,12 @@ class Front {
   double amplitude(std::size_t distance) const {
     return std::sqrt(largest_.at(distance) / largest_[0]);
   }
+  /// Amplitude at this distance ahead of the centre, to a quarter of a site, relative to the peak.
+  double from_centre(std::size_t distance) const {
+    return std::sqrt(from_centre_.at(distance) / largest_[0]);
+  }
+  /// Share of the energy of eleven sites that is on 2m + 1 of them, at least.
+  double share(std::size_t m) const { return least_.at(m); }
   /// Sites of the packet, if it is as wide behind its peak as ahead of it: those above a hundredth.
   std::size_t width() const {
     std::size_t k = 0;
@@ -48,7 +65,9 @@ class Front {
   double tail() const { return std::sqrt(behind_ / largest_[0]); }
 
  private:
-  std::vector<double> largest_ = std::vector<double>(2 * packet_half_width, 0.0);
+  std::vector<double> largest_ = std::vector<double>(2 * packet_half_width, 0.0),
+                      from_centre_ = std::vector<double>(8, 0.0),
+                      least_ = std::vector<double>(packet_half_width + 1, 1.0);
   double behind_ = 0;
 };
 

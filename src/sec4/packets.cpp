@@ -1,6 +1,8 @@
 #include "sec4/packets.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <numeric>
 
 #include "lattice/diagnostics/observe.hpp"
 #include "lattice/impact/impact.hpp"
@@ -22,41 +24,55 @@ static double largest_in(const std::vector<double>& a, Window range) {
   return double(std::max_element(first, last) - a.begin() + 1);
 }
 
-std::size_t richest(const std::vector<double>& e) {
+// A window's energy is the difference of two sums
+std::size_t richest(const std::vector<double>& e, std::size_t half_width) {
+  std::vector<double> before(e.size() + 1, 0.0);
+  std::partial_sum(e.begin(), e.end(), before.begin() + 1);
   double best = 0;
   std::size_t at = 0;
-  for (std::size_t n = 0; n < e.size(); ++n)
-    if (const double sum = window_sum(e, n, compressed_half_width); sum > best) best = sum, at = n;
+  for (std::size_t n = 0; n < e.size(); ++n) {
+    const Window range = around(n, half_width, e.size());
+    if (const double sum = before[range.last] - before[range.first]; sum > best) best = sum, at = n;
+  }
   return at;
+}
+
+double packet_participation(const std::vector<double>& e, std::size_t half_width) {
+  const Window near = around(richest(e, half_width), half_width, e.size());
+  return participation(
+      {e.begin() + std::ptrdiff_t(near.first), e.begin() + std::ptrdiff_t(near.last)});
 }
 
 PacketSample packet_sample(double t, const std::vector<double>& e) {
   const std::size_t peak = richest(e);
-  const Window near = around(peak, compressed_half_width, e.size());
-  const std::vector<double> packet(e.begin() + std::ptrdiff_t(near.first),
-                                   e.begin() + std::ptrdiff_t(near.last));
+  const auto share = [&e](std::size_t half_width) {
+    return window_sum(e, richest(e, half_width), half_width) / total(e);
+  };
   return {t,
           energy_centre(e, peak, compressed_half_width),
           window_sum(e, peak, compressed_half_width) / total(e),
           boundary_share(e),
           participation(e),
-          participation(packet)};
+          share(compressed_half_width / 2),
+          share(2 * compressed_half_width)};
 }
 
-// Power laws of the shares over the last three quarters of the run
-Traits traits(const std::vector<PacketSample>& samples) {
-  std::vector<double> log_t, share, boundary, t, centre;
+// Power laws of the shares over the rest of the run
+Traits traits(const std::vector<PacketSample>& samples, double from) {
+  std::vector<double> log_t, t, centre;
+  std::array<std::vector<double>, 4> log_share;
   for (const PacketSample& p : samples) {
-    if (p.t < samples.back().t / 4) continue;
+    if (p.t < samples.back().t * from) continue;
     log_t.push_back(std::log(p.t)), t.push_back(p.t), centre.push_back(p.centre);
-    share.push_back(std::log(p.share)), boundary.push_back(std::log(p.boundary));
+    for (std::size_t k = 0; double share : {p.share, p.boundary, p.narrow, p.wide})
+      log_share[k++].push_back(std::log(share));
   }
   const double speed = fit_line(t, centre).slope;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 100 < t.size(); ++i)
     least = std::min(least, (centre[i + 100] - centre[i]) / 100);
-  return {fit_line(log_t, share).slope, fit_line(log_t, boundary).slope, speed,
-          least / std::abs(speed)};
+  const auto exponent = [&](std::size_t k) { return fit_line(log_t, log_share[k]).slope; };
+  return {exponent(0), exponent(1), speed, least / std::abs(speed), exponent(2), exponent(3)};
 }
 
 // The carrier's frequency from the packet, then amplitudes from velocity and acceleration
@@ -135,14 +151,34 @@ Snapshot snapshot(const Chain& chain, const State<double>& state) {
   return std::abs(top - centre) > double(envelope_half_width) / 2 ? about(top) : out;
 }
 
-double tail_amplitude(const Snapshot& shot, int side) {
+Sech sech_within(const Snapshot& shot, std::size_t half_width) {
+  const std::vector<double>& a = shot.envelope.amplitude;
+  return fit_sech(a, around(std::size_t(shot.centre) - 1, half_width, a.size()), 8);
+}
+
+double rms_of_fit(const Snapshot& shot) {
+  const std::vector<double>& a = shot.envelope.amplitude;
+  const Window range = around(std::size_t(shot.centre) - 1, envelope_half_width, a.size());
   double squares = 0;
-  for (long k = 40; k <= 80; ++k) {
+  for (std::size_t n = range.first; n < range.last; ++n) squares += a[n] * a[n];
+  return std::sqrt(squares / double(range.last - range.first));
+}
+
+// What is left of the wave beside the packet
+double tail_amplitude(const Snapshot& shot, int side, long near, long far) {
+  double squares = 0;
+  for (long k = near; k <= far; ++k) {
     const double at =
         shot.envelope.amplitude.at(std::size_t(std::lround(shot.sech.centre) - 1 + side * k));
     squares += at * at;
   }
-  return std::sqrt(squares / 41) / shot.sech.height;
+  return std::sqrt(squares / double(far - near + 1)) / shot.sech.height;
+}
+
+double train_amplitude(const Snapshot& shot) {
+  const auto end = std::lround(shot.sech.centre) - 1 - 30;
+  const auto first = shot.envelope.amplitude.begin();
+  return *std::max_element(first, first + end) / shot.sech.height;
 }
 
 static constexpr double interval = 50;  // between two looks at a pair of runs
@@ -151,12 +187,19 @@ static double peak_over_mean(const std::vector<double>& e) {
   return *std::max_element(e.begin(), e.end()) / (total(e) / double(e.size()));
 }
 
-// Averaged over five sites; from the top down to half of its height, on either side, between two sites
-double packet_width(const std::vector<double>& density) {
-  const std::size_t n = density.size();
+// Because the carrier makes the density oscillate
+static std::vector<double> averaged_over_five(const std::vector<double>& a) {
+  const std::size_t n = a.size();
   std::vector<double> mean(n, 0.0);
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t k = 0; k < 5; ++k) mean[i] += density[(i + n + k - 2) % n] / 5;
+    for (std::size_t k = 0; k < 5; ++k) mean[i] += a[(i + n + k - 2) % n] / 5;
+  return mean;
+}
+
+// From the top down to half of its height, on either side, between two sites
+double packet_width(const std::vector<double>& density) {
+  const std::size_t n = density.size();
+  const std::vector<double> mean = averaged_over_five(density);
   const auto top = std::size_t(std::max_element(mean.begin(), mean.end()) - mean.begin());
   const double half = mean[top] / 2;
   double width = 0;
@@ -170,9 +213,22 @@ double packet_width(const std::vector<double>& density) {
   return std::min(width, double(n));
 }
 
+// Round the ring from the top, with the least value met on either way
+double second_hump(const std::vector<double>& a) {
+  std::vector<double> from_top = averaged_over_five(a);
+  std::rotate(from_top.begin(), std::max_element(from_top.begin(), from_top.end()), from_top.end());
+  std::vector<double> before = from_top, after = from_top;
+  for (std::size_t i = 1; i < before.size(); ++i) before[i] = std::min(before[i - 1], before[i]);
+  for (std::size_t i = after.size() - 1; i > 0; --i)
+    after[i - 1] = std::min(after[i], after[i - 1]);
+  double second = 0;
+  for (std::size_t i = 1; i < from_top.size(); ++i)
+    if (2 * std::max(before[i], after[i]) < from_top[i]) second = std::max(second, from_top[i]);
+  return second / from_top[0];
+}
+
 // The two richest windows on the ring that have no site in common
-RingSample ring_sample(const Chain& ring, const State<double>& state) {
-  const std::vector<double> e = energy_density(ring, state);
+static double second_window(const std::vector<double>& e) {
   const std::size_t n = e.size(), half_width = envelope_half_width;
   std::vector<double> content(n, 0.0);
   for (std::size_t i = 0; i < n; ++i)
@@ -182,9 +238,20 @@ RingSample ring_sample(const Chain& ring, const State<double>& state) {
   double second = 0;
   for (std::size_t k = 2 * half_width + 1; k + 2 * half_width < n; ++k)
     second = std::max(second, content[(first + k) % n]);
-  const double peak = *std::max_element(e.begin(), e.end()) * double(n) / total(e);
-  const bool gathered = peak > 5 && 2 * participation(e) < double(n);
-  return {state.t, peak, second / content[first], gathered, packet_width(e)};
+  return second / content[first];
+}
+
+// Velocity and acceleration are those of the displacements a quarter of a period apart
+RingSample ring_sample(const Chain& ring, const State<double>& state) {
+  const std::vector<double> e = energy_density(ring, state);
+  const double peak = peak_over_mean(e);
+  return {state.t,
+          peak,
+          second_hump(e),
+          peak > 5 && 2 * participation(e) < double(e.size()),
+          packet_width(e),
+          second_window(e),
+          second_hump(envelope(ring, state, {0, e.size()}).amplitude)};
 }
 
 WatchedRing watch_packet(const Method& method, const Chain& ring, State<double> state) {
@@ -205,11 +272,18 @@ Formed formed(const WatchedRing& coarse, const WatchedRing& fine) {
   const auto share = [](const std::vector<double>& e) {
     return participation(e) / double(e.size());
   };
+  const auto over_rms = [](const WatchedRing& ring) {
+    double squares = 0;
+    const std::vector<double>& a = ring.shown.envelope.amplitude;
+    for (double at : a) squares += at * at;
+    return *std::max_element(a.begin(), a.end()) / std::sqrt(squares / double(a.size()));
+  };
   const Line rough = fit_line(coarse.t, coarse.centre), best = fit_line(fine.t, fine.centre);
   return {both(peak_over_mean),
           both(share),
           {best.slope, best.slope_error + std::abs(best.slope - rough.slope)},
-          both(packet_width)};
+          both(packet_width),
+          compare(over_rms(coarse), over_rms(fine))};
 }
 
 // Two steps side by side, as long as they give the same state
@@ -247,23 +321,43 @@ Estimate RingPair::width() const {
   return least;
 }
 
-// One pulse on its way round the ring, then two, and in the end two that stand apart
+// One pulse on its way round the ring, then two
 PulseSplits pulse_splits(const RingPair& pair, double round) {
-  double since = std::nan(""), alone = 0, split = std::nan(""), apart = std::nan("");
-  for (const auto& [coarse, fine] : pair.samples) {
-    if (!(fine.t >= pair.gathered.value)) continue;
-    const bool one = coarse.second < 0.5 && fine.second < 0.5;
-    const bool two = coarse.second >= 0.5 && fine.second >= 0.5;
-    if (std::isnan(split)) {
-      if (one && std::isnan(since)) since = fine.t;
-      if (one) alone = std::max(alone, fine.t - since);
-      if (two && alone >= round) split = fine.t;
-      if (two) since = std::nan("");
+  std::vector<const std::array<RingSample, 2>*> seen;
+  const double from = pair.gathered.value;
+  for (const auto& both : pair.samples)
+    if (both[1].t >= from && both[1].t <= 2 * from) seen.push_back(&both);
+  const Estimate none{std::nan(""), std::nan("")};
+  if (seen.empty()) return {none, none, none, none, none, none};
+
+  const auto largest = [&](double RingSample::*of, bool only_gathered = false) {
+    Estimate out{0, 0};
+    for (const auto* both : seen) {
+      const auto& [coarse, fine] = *both;
+      if (only_gathered && !(coarse.gathered && fine.gathered)) continue;
+      if (fine.*of > out.value) out = compare(coarse.*of, fine.*of);
     }
-    if (!std::isnan(split) && std::isnan(apart) && two && coarse.gathered && fine.gathered)
-      apart = fine.t;
+    return out;
+  };
+  const auto two = std::ranges::find_if(
+      seen, [](const auto* both) { return std::max((*both)[0].second, (*both)[1].second) >= 0.5; });
+  const double until = two == seen.end() ? (*seen.back())[1].t : (**two)[1].t;
+
+  // The least of all samples of a way round the ring, and the largest of these
+  const auto samples = std::size_t(std::ceil(round / interval)) + 1;
+  Estimate kept{0, 0};
+  for (std::size_t i = 0; i + samples <= seen.size(); ++i) {
+    const auto* least = *std::min_element(
+        seen.begin() + std::ptrdiff_t(i), seen.begin() + std::ptrdiff_t(i + samples),
+        [](const auto* a, const auto* b) { return (*a)[1].second < (*b)[1].second; });
+    if ((*least)[1].second > kept.value) kept = compare((*least)[0].second, (*least)[1].second);
   }
-  return {{alone, interval}, {split, interval}, {apart, interval}};
+  return {{until - from, interval},
+          largest(&RingSample::second),
+          kept,
+          largest(&RingSample::second_of_figure),
+          largest(&RingSample::second_window),
+          largest(&RingSample::second_window, true)};
 }
 
 }  // namespace lattice

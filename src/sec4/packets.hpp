@@ -19,22 +19,25 @@ namespace lattice {
 /// Sites on either side of a packet's centre that belong to it, and of those to which its envelope is fitted.
 inline constexpr std::size_t compressed_half_width = 20, envelope_half_width = 10;
 
-/// The site around which all sites within 20 together hold the most energy.
-std::size_t richest(const std::vector<double>& e);
+/// The site around which all sites within `half_width` together hold the most energy.
+std::size_t richest(const std::vector<double>& e, std::size_t half_width = compressed_half_width);
 
-/// Time, energy centre, shares of packet and of the first five sites, participation number of the chain, and of the
-/// packet alone, from the energy density `e` at one instant.
+/// How many of the sites within `half_width` of it share their energy.
+double packet_participation(const std::vector<double>& e, std::size_t half_width);
+
+/// Time, energy centre, shares of packet and of the first five sites, participation number of the chain, from the energy
+/// density `e` at one instant; and the share of a packet of half and of twice this width.
 struct PacketSample {
-  double t, centre, share, boundary, participation, packet_sites;
+  double t, centre, share, boundary, participation, narrow, wide;
 };
 PacketSample packet_sample(double t, const std::vector<double>& e);
 
-/// Exponents of both shares in time over the last three quarters of the samples, mean speed of the centre there, and
+/// Exponents of the shares in time over the samples after the part `from` of the run, mean speed of the centre there, and
 /// its least advance in any 100 units of time over the mean one. The samples are one unit of time apart, 140 at least.
 struct Traits {
-  double share_exponent, boundary_exponent, speed, steadiness;
+  double share_exponent, boundary_exponent, speed, steadiness, narrow_exponent, wide_exponent;
 };
-Traits traits(const std::vector<PacketSample>& samples);
+Traits traits(const std::vector<PacketSample>& samples, double from = 0.25);
 
 /**
 If the motion is nearly harmonic with frequency $\omega$, velocity and acceleration are a quarter of a period apart, and
@@ -71,20 +74,33 @@ struct Snapshot {
   double reach() const { return std::max(std::abs(sech.centre - centre), sech.width); }
 };
 Snapshot snapshot(const Chain& chain, const State<double>& state);
-/// Root mean square of the envelope between 40 and 80 sites behind (`side` = -1) or ahead (+1) of the packet, over
+/// The same fitted to the sites within `half_width` of the same centre.
+Sech sech_within(const Snapshot& shot, std::size_t half_width);
+/// Root mean square of the envelope on the 21 sites of the fit.
+double rms_of_fit(const Snapshot& shot);
+/// Root mean square of the envelope from `near` to `far` sites behind (`side` = -1) or ahead (+1) of the packet, over
 /// the sech's height: nothing is left of the sech there.
-double tail_amplitude(const Snapshot& shot, int side);
+double tail_amplitude(const Snapshot& shot, int side, long near = 40, long far = 80);
+/// The highest wave more than 30 sites behind the packet, over the sech's height.
+double train_amplitude(const Snapshot& shot);
 
 /// Width in sites of the highest hump on a ring at half its height, of the density averaged over five neighbours, because
 /// the carrier makes it oscillate; all sites if the density does not fall so far. (Participation counts the background.)
 double packet_width(const std::vector<double>& density);
 
+/// The height of the second hump on a ring over that of the highest, of a quantity averaged over five neighbours: from the
+/// second to the first it must fall, both ways round the ring, below half of the second. Zero if there is none.
+double second_hump(const std::vector<double>& a);
+
 /// What is seen of a ring at one instant.
 struct RingSample {
   double t, peak_over_mean;
-  double second;  ///< energy of the second richest window of 21 sites over that of the richest
+  double second;  ///< height of a second hump of the energy density over that of the first
   bool gathered;  ///< five times the mean density at a site, and half of the sites share the energy
   double width = 0;  ///< of the packet at half height
+  double second_window =
+      0;  ///< energy of the second richest window of 21 sites over that of the richest
+  double second_of_figure = 0;  ///< as `second`, of the envelope of the displacements
 };
 RingSample ring_sample(const Chain& ring, const State<double>& state);
 
@@ -98,9 +114,10 @@ struct WatchedRing {
 WatchedRing watch_packet(const Method& method, const Chain& ring, State<double> state);
 
 /// What has become of the wave, from two runs: largest density over the mean, share of the sites that share the
-/// energy, speed of the centre with the error of its fit, and width of the packet.
+/// energy, speed of the centre with the error of its fit, width of the packet, and height of the envelope over its root
+/// mean square.
 struct Formed {
-  Estimate peak_over_mean, share_of_sites, speed, width;
+  Estimate peak_over_mean, share_of_sites, speed, width, envelope_over_rms;
 };
 Formed formed(const WatchedRing& coarse, const WatchedRing& fine);
 
@@ -119,13 +136,14 @@ struct RingPair {
 RingPair side_by_side(const Chain& ring, const State<double>& start, double step, double longest,
                       double patience);
 
-/// A pulse splits when the second window holds half of the first or more, in both runs, after the pulse has gone round
-/// the ring once as one; it may only have spread, so later the energy is to be gathered and shared in the same way.
+/// What becomes of a pulse that has gathered: for how long there is no second one of half its height, and, up to twice the
+/// time of the gathering, the largest height of a second one over the first; the largest that it keeps while a phonon goes
+/// round the ring once; the same of the envelope of the displacements and of the energy in two windows, also of those only
+/// at times when the energy is gathered.
 struct PulseSplits {
-  Estimate one_pulse_for;        ///< the longest time for which it was one pulse before
-  Estimate splits_at, apart_at;  ///< nan if it does not
+  Estimate one_pulse_for, second, kept, of_figure, in_windows, in_windows_gathered;
 };
-/// With the time that a pulse needs to go round the ring.
+/// With the time that a phonon needs to go round the ring; nan if the energy does not gather.
 PulseSplits pulse_splits(const RingPair& pair, double round);
 
 }  // namespace lattice

@@ -19,12 +19,24 @@ def breather(chain, site, level):
     return newton(rest, 0.191 * 0.3**3 * (-1.0)**np.ceil(n) * (g[0] + g[1]), 1e-14)[0]
 
 
+def area(chain, y, part):
+    """Integral over a period of the sum of the squared velocities, which is the same in each `part` of the period."""
+    start, total = y[:, None], 0.0
+    for t, h, (here, speed), _ in chain.steps(start, 0 * start, 0.0, PERIOD * part):
+        for c, b in zip(chain.c, chain.b):
+            total += h * b * np.sum(chain.step(here, speed, t, h * c)[1]**2)
+    return total / part
+
+
 def barrier(level):
-    """Barrier and amplitudes at s = 0."""
+    """Barriers and amplitudes at s = 0."""
     chain = Chain(**PRECISE[level])
     site, bond = (breather(chain, centre, level) for centre in (True, False))
     energy = [chain.energies(y[:, None], 0 * y[:, None]).sum() for y in (site, bond)]
+    areas = area(chain, site, 1 / 4) - area(chain, bond, 1 / 2)
     return [("pn.omega11", energy[0] - energy[1], 1e-17, "energy site-centred minus bond-centred; omega 1.1; s = 0"),
+            ("sec32_barrier/key_pairs/s=0/omega=1.1/equal_area", energy[0] - energy[1] - areas / PERIOD, 4e-17,
+             "the same minus the difference of the areas over the period (to first order in it); areas by quadrature"),
             ("sec5_enclosures/chain_breathers/centre=site/amplitude", np.abs(site).max(), 4e-17, "largest |y_n| at rest; site-centred"),
             ("sec5_enclosures/chain_breathers/centre=bond/amplitude", np.abs(bond).max(), 4e-17, "the same; bond-centred")]
 
