@@ -444,10 +444,10 @@ std::vector<StabilityAt> over_the_plane(Centre centre, int frequencies) {
 /**
 Where multipliers are shown, at $\omega_b = 1.1$, and in the linear well at all frequencies the structure is as the
 article says: the fourth multiplier is far nearer to $+1$ than the fifth, the others are on the circle, and ten more
-sites add twenty multipliers at $e^{\pm2\pi i/\omega_b}$ (to $10^{-4}$ in $\kappa$, because the tail still reaches the
-first new bead). It is lost in two places. In hard wells of $s \ge \frac14$ the pinning pair leaves $+1$ as the
-frequency grows, for $s = 1$ before $\omega_b = 1.5$. In soft wells, near the end of the family, others collide
-elsewhere on the circle and leave it.
+sites add twenty multipliers at $e^{\pm2\pi i/\omega_b}$ (in three wells, to $10^{-4}$ in $\kappa$, because the tail
+still reaches the first new bead). It is lost in two places. In hard wells of $s \ge \frac14$ the pinning pair leaves
+$+1$ as the frequency grows, for $s = 1$ before $\omega_b = 1.5$. In soft wells, near the end of the family, others
+collide elsewhere on the circle and leave it.
 
 | around a site; around a bond | fourth multiplier, from $+1$ | fifth | others, modulus minus one |
 |---|---|---|---|
