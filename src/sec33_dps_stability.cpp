@@ -14,8 +14,8 @@ Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) says that
 `profile_site_mu1` and `_mu10`, `imag` against `real` from the tables `spectrum_site_mu1` and `_mu10`, and `rate` and
 `line` of `growth` against `mu`.](fig:09)
 
-All four hold, but narrowly: both results of the linear theory depend on the sixth digit of one number, and noise of
-that amplitude may move the stable breather, too, depending on what "amplitude" means. */
+The first three hold, but narrowly: both results of the linear theory depend on the sixth digit of one number. The
+fourth holds in part: noise of that amplitude may move the stable breather, too, though it stays in one piece. */
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -123,9 +123,10 @@ DpsRun follow(Centre centre, Field v, double time, Accuracy accuracy, const DpsL
 /**
 ## Both spectra (figures 8 and 9)
 
-The two spectra look alike: a point at zero and two arcs on the imaginary axis. They differ in one pair, nearly three
-hundred times closer to zero than the next and visible in the insets: it is real around a site and imaginary around a
-bond. The error of each exponent is its change from double to extended precision (a mantissa of 64 bits).
+The two spectra look alike: a point at zero, and the others in two segments of the imaginary axis. They differ in one
+pair, nearly three hundred times closer to zero than the next and visible in the insets: it is real around a site and
+imaginary around a bond. The error of each exponent is its change from double to extended precision (a mantissa of 64
+bits).
 
 ![The bond-centred breather and its spectrum: all exponents are imaginary. Drawn by fig08_bond_spectrum.py in the same
 way.](fig:08) */
@@ -183,7 +184,7 @@ so nearly a sine.
 
 | at $\mu = 1$ | article | around a site | around a bond |
 |---|---|---|---|
-| margin $m_2/\mu-\frac23$ | positive; negative | [4.8530e-6](cell:margins/centre=site/mu=1/margin) | [-4.8533e-6](cell:centre=bond/margin) |
+| margin $m_2/\mu-\frac23$ | | [4.8530e-6](cell:margins/centre=site/mu=1/margin) | [-4.8533e-6](cell:centre=bond/margin) |
 | $\lvert\lambda\rvert/\mu$ | real; imaginary | [0.00155771](cell:margins/centre=site/mu=1/exponent) | [0.00155778](cell:centre=bond/exponent) |
 | norm, relative to the other's | | | [-1.331e-6](cell:sec32_dps_profiles/norms/gap) | */
 void report_margins(Report& report) {
@@ -272,7 +273,8 @@ which admits several readings. As $v_n$ is complex, our *main* reading adds $0.0
 $\xi_n$ and $\eta_n$ uniform in $(-1,1)$. In the *narrow* reading they are uniform in $(-\frac12,\frac12)$, so that 0.01
 is the whole width; numbers between 0 and 1 have the same effect, since the contacts do not depend on a constant added
 to all $v_n$. Real noise, under which a breather stays longer, and noise proportional to $u_n$, under which it leaves
-sooner, are two more. One run proves little, so each reading gets sixteen seeds or six. */
+sooner, are two more. One run proves little, so each reading gets sixteen seeds, and the bond-centred breather, which
+leaves only sometimes, 64 in the main one. */
 struct Group {
   const char *reading, *start;  // of the noise; site, bond, or control
   const PinnedBreather& breather;
@@ -286,13 +288,13 @@ std::vector<Group> groups_under_noise(const PinnedBreather& site, const PinnedBr
   const Noise wide{0.01}, narrow{0.005}, real{0.01, false}, relative{0.01, true, true};
   return {{"complex", "site", site, wide, 16, 500, 500},
           {"complex", "control", site, wide, 16, 1000, 500},
-          {"complex", "bond", bond, wide, 16, 500, 500},
+          {"complex", "bond", bond, wide, 64, 500, 500},
           {"narrow", "site", site, narrow, 16, 500, 500},
           {"narrow", "bond", bond, narrow, 16, 500, 500},
-          {"real", "site", site, real, 6, 750, 750},
-          {"real", "bond", bond, real, 6, 750, 750},
-          {"relative", "site", site, relative, 6, 750, 750},
-          {"relative", "bond", bond, relative, 6, 750, 750}};
+          {"real", "site", site, real, 16, 750, 750},
+          {"real", "bond", bond, real, 16, 750, 750},
+          {"relative", "site", site, relative, 16, 750, 750},
+          {"relative", "bond", bond, relative, 16, 750, 750}};
 }
 
 /**
@@ -385,25 +387,25 @@ void report_runs(Report& report, const std::vector<Group>& groups) {
 }
 
 /**
-In the main reading every site-centred breather moves. Its control passes the next site later for every seed, in the
+In the main reading the site-centred breathers move. The control passes the next site later for every seed, in the
 median after [863 ± 5](cell:departures/noise=complex/start=control/passage) instead of [227](cell:start=site/passage)
-units of time. So the component along the growing direction moves the breather, as the article says. But under the same
-noise five of sixteen *stable* breathers move as well. The narrow reading separates the two: all sixteen leave a site
-and none leaves a bond. So does real noise, although it is slow, and some breathers only fall into the minimum beside
-their site. Noise proportional to $u_n$ drives all breathers from a site and most from a bond. (The errors are those of
-the runs and do not include the sampling error of six or sixteen seeds.) The verdicts below are for the narrow reading;
-in the main one a stable breather moves in five runs of sixteen, and `dps.bond_robust` would fail.
+units of time. So the component along the growing direction moves the breather, as the article says. Under narrow noise
+they leave, too. Real noise is slow: all leave, but by $t = 750$ most have only fallen into the minimum beside their
+site. But the main noise moves also [15](cell:departures/noise=complex/start=bond/left) of
+[64](cell:departures/noise=complex/start=bond/seeds) *stable* breathers, and noise proportional to $u_n$ most of them;
+under narrow and real noise none of sixteen leaves a bond. (The errors are those of the runs and do not include the
+sampling error of so few seeds.) The verdicts below are for the main reading.
 
 Does the breather survive? Around a bond its participation number, $(\sum|v_n|^2)^2/\sum|v_n|^4$, hardly grows under any
 of these noises.
 
-| noise, its largest part | runs of each | left a site | moved on | left a bond | largest growth there | counted by $t$ |
-|---|---|---|---|---|---|---|
-| complex, 0.01 (main) | [16](cell:departures/noise=complex/start=site/seeds) | [16](cell:left) | [16](cell:moved) | [5](cell:departures/noise=complex/start=bond/left) | [1.005](cell:spread) | 500 |
-| its controls | [16](cell:departures/noise=complex/start=control/seeds) | [11](cell:left) | [0](cell:moved) | | | 500 |
-| complex, 0.005 (narrow) | [16](cell:departures/noise=narrow/start=site/seeds) | [16](cell:left) | [14](cell:moved) | [0](cell:departures/noise=narrow/start=bond/left) | [1.003](cell:spread) | 500 |
-| real, 0.01 | [6](cell:departures/noise=real/start=site/seeds) | [6](cell:left) | [3](cell:moved) | [0](cell:departures/noise=real/start=bond/left) | [1.002](cell:spread) | 750 |
-| $0.01\,u_n$ | [6](cell:departures/noise=relative/start=site/seeds) | [6](cell:left) | [6](cell:moved) | [5](cell:departures/noise=relative/start=bond/left) | [1.011](cell:spread) | 750 | */
+| noise, its largest part | runs from a site | left | moved on | runs from a bond | left | largest growth there | counted by $t$ |
+|---|---|---|---|---|---|---|---|
+| complex, 0.01 (main) | [16](cell:departures/noise=complex/start=site/seeds) | [16](cell:left) | [16](cell:moved) | [64](cell:departures/noise=complex/start=bond/seeds) | [15](cell:left) | [1.006](cell:spread) | 500 |
+| its controls | [16](cell:departures/noise=complex/start=control/seeds) | [11](cell:left) | [0](cell:moved) | | | | 500 |
+| complex, 0.005 (narrow) | [16](cell:departures/noise=narrow/start=site/seeds) | [16](cell:left) | [14](cell:moved) | [16](cell:departures/noise=narrow/start=bond/seeds) | [0](cell:left) | [1.003](cell:spread) | 500 |
+| real, 0.01 | [16](cell:departures/noise=real/start=site/seeds) | [16](cell:left) | [6](cell:moved) | [16](cell:departures/noise=real/start=bond/seeds) | [0](cell:left) | [1.003](cell:spread) | 750 |
+| $0.01\,u_n$ | [16](cell:departures/noise=relative/start=site/seeds) | [16](cell:left) | [16](cell:moved) | [16](cell:departures/noise=relative/start=bond/seeds) | [13](cell:left) | [1.011](cell:spread) | 750 | */
 void report_departures(Report& report, const std::vector<Group>& groups) {
   const char* exact_if = "exact where both tolerances agree";
   Table& table = report.table("departures");
@@ -476,9 +478,10 @@ Estimate depinning_push(const PinnedBreather& bond, int halvings) {
 
 /**
 The threshold is [0.00654](cell:depinning/push), which is [1.02](cell:depinning/over_pendulum) times that of the
-pendulum. It predicts the fate of [16](cell:depinning/predicted) of the [16](cell:depinning/breathers) bond-centred
-breathers under the main noise. Norm and energy must be conserved well enough: a run stops if either drifts by more than
-$3\cdot10^{-8}$, a twentieth of what the push at the threshold adds to them. */
+pendulum. It predicts the fate of [64](cell:depinning/predicted) of the [64](cell:depinning/breathers) bond-centred
+breathers under the main noise. Of a thousand other draws of it a share of [0.27](cell:depinning/share) passes the
+threshold, of the narrow noise [0.015](cell:depinning/share_narrow). Norm and energy must be conserved well enough: a
+run stops if either drifts by more than $3\cdot10^{-8}$, a twentieth of what the push at the threshold adds to them. */
 void report_pendulum(Report& report, const std::vector<Group>& groups, const PinnedBreather& bond) {
   const Estimate push = depinning_push(bond, report.quick ? 3 : 9);
   // Pushes at a bond against the threshold, at both ends of its error
@@ -490,6 +493,16 @@ void report_pendulum(Report& report, const std::vector<Group>& groups, const Pin
       const bool pushed = std::abs(trial.kick.imag()) > threshold;
       told[end] += pushed == ((end ? trial.fine : trial.coarse).reaches(1) > 0);
     }
+  // How often noise passes it
+  const auto share = [&](const Noise& noise) {
+    int passed[2] = {};
+    constexpr std::size_t draws = 1000;
+    for (std::size_t seed = 1001; seed <= 1000 + draws; ++seed) {
+      const double kick = std::abs(bond.pair.of(noise(bond.u, seed)).imag());
+      for (const int end : {0, 1}) passed[end] += kick > push.value + (end ? 1 : -1) * push.error;
+    }
+    return compare(passed[0] / double(draws), passed[1] / double(draws));
+  };
   const char* how = "from two tolerances and the last bracket";
   report.table("depinning")
       .add({{"push", "least push that sets the bond-centred breather in motion", push, "", how},
@@ -497,16 +510,19 @@ void report_pendulum(Report& report, const std::vector<Group>& groups, const Pin
              Estimate{push.value / bond.freeing_push(), push.error / bond.freeing_push()}, "", how},
             {"predicted", "bond-centred breathers under the main noise whose fate it predicts",
              compare(told[0], told[1]), "", "exact where both ends of the error agree"},
-            {"breathers", "how many there are", trials.size()}});
+            {"breathers", "how many there are", trials.size()},
+            {"share", "of a thousand other draws of the main noise whose push is larger",
+             share(Noise{0.01}), "", how},
+            {"share_narrow", "the same of the narrow noise", share(Noise{0.005}), "", how}});
 }
 
 /**
 ## Differences and limits
 
-The first three statements hold as printed. The fourth rests on simulations that the article does not show. We confirm
-it in this sense: under all noise that we tried the bond-centred breather stays localized, and under noise of width 0.01
-it also keeps its place, whereas the site-centred one leaves. Under noise of twice that width it may leave, too. This
-does not contradict the article: a stable breather that a push carries to the next bond is still stable. */
+The first three statements hold as printed, the third under complex noise; real noise takes longer. The fourth rests on
+simulations that the article does not show. We confirm that the bond-centred breather stays localized under all noise
+that we tried. It also keeps its place under noise of width 0.01, but not always under noise of twice that width. A
+breather that a push carries to the next bond is still stable, so this does not contradict the linear result. */
 void reproduce(Report& report) {
   report.output.note("seed", "GSL mt19937, 1 to 16 or 1 to 6; map: " + std::to_string(map_seed));
   report_spectra(report);
@@ -533,9 +549,9 @@ void reproduce(Report& report) {
 | statement | printed | here | verdict |
 |---|---|---|---|
 | `dps.bond_stable`: bond-centred DpS breather is spectrally stable for mu = 1 and 10 | stable | margins.margin (centre = bond, mu = 1): -4.853e-06 < 0; margins.margin (centre = bond, mu = 10): -4.853e-06 < 0 | holds |
-| `dps.site_growth`: growth rate of the site-centred DpS breather is linear in mu | linear | growth.rate (mu = 0.001) and 24 other values: 1.71e-14 < 1e-08 (the closest of 27) | holds |
-| `dps.instability_moves`: random perturbation of amplitude 0.01 sets the site-centred DpS breather in motion | moves | noise_runs.left (noise = narrow, start = site, seed = 1) and 15 other values: 0.9 < 1 (the closest of 36) | holds |
-| `dps.bond_robust`: bond-centred DpS breather is structurally robust in simulations | robust | noise_runs.left (noise = narrow, start = site, seed = 1) and 15 other values: 0.9 < 1 (the closest of 46) | holds |
+| `dps.site_growth`: growth rate of the site-centred DpS breather is linear in mu | linear | growth.rate (mu = 0.001) and 24 other values: 1.71e-14 < 1e-08 (the closest of 26) | holds |
+| `dps.instability_moves`: random perturbation of amplitude 0.01 sets the site-centred DpS breather in motion | moves | noise_runs.left (noise = complex, start = site, seed = 1) and 15 other values: 0.9 < 1; noise_runs.moved (noise = complex, start = site, seed = 1) and 15 other values: 0.5 < 1; controls.later (seed = 1) and 15 other values: 0.75 < 1 | holds, assuming |
+| `dps.bond_robust`: bond-centred DpS breather is structurally robust in simulations | robust | fails 1 of 65 comparisons, the first one noise_runs.left (noise = complex, start = bond, seed = 1) and 63 other values: 0.2344 < 0.1, and by most noise_runs.left (noise = complex, start = bond, seed = 1) and 63 other values: 0.2344 < 0.1 | in part |
 <!-- /statements -->
 
 ## Try it

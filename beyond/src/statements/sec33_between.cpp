@@ -32,5 +32,5 @@ STATEMENT("exchange.between") {
   less(in_omega.at("centre", 0.25)["largest_modulus"], 1.000000001);
   for (const auto& breather :
        table("sec33_floquet", "spectra").where("omega", 1.1).where("s", -1, 1))
-    less(breather["off_circle"], 0.5);
+    less(breather["others"], 1e-6);
 }
