@@ -64,8 +64,7 @@ rows_of = $(shell [ ! -f $(1)figures/figures.ecsv ] || awk -F, '!/^\#/ && $$1 !=
             print $$1 "|" $$4 "|$(1)figures/" $$5 "|" $$7 }' $(1)figures/figures.ecsv)
 all_rows := $(call rows_of) $(call rows_of,beyond/)
 rows := $(call rows_of,$(home))
-judge = $(B)/bin/verdicts$(if $(home),_beyond) --root ./$(home) --data $(D)/data --output $(D)/report/claims$(if $(home),_beyond).ecsv \
-        --readings $(D)/report/readings$(if $(home),_beyond).ecsv
+judge = $(B)/bin/verdicts$(if $(home),_beyond) --root ./$(home) --data $(D)/data --output $(D)/report/claims$(if $(home),_beyond).ecsv
 field = $(word $(2),$(subst |, ,$(1)))
 tables = $(foreach t,$(subst :, ,$(2)),$(D)/data/$(1)/$(t).ecsv)
 drawn = $(D)/figures/$(basename $(notdir $(1)))
@@ -88,7 +87,7 @@ or_read := || { code=$$?; [ $$code = 141 ] || exit $$code; }
 # Folders have the names of some of them.
 .PHONY: all figures test beyond test-beyond ready all-figures all-data programs configure summary verdicts book weave install-book install-browse \
   test-book test-lineage tests examples python run-tests run-tests-beyond test-faults test-fuzz test-python bench paper typeset install-paper \
-  accept refresh show second mutants test-platforms test-slurm fresh container dist style tidy \
+  accept refresh show verify second mutants test-platforms test-slurm fresh container dist style tidy \
   install-deps burn help
 took = . tools/shared.sh; echo "$$(now) $$(cat $(D)/report/start)" | awk '{ printf "$(1)", ($$1 > $$2 ? $$1 - $$2 : 0) }'
 
@@ -304,6 +303,14 @@ refresh: verdicts
 ## show: print one number, as in  make show ID=pn.omega11
 show: verdicts
 	@$(lineage) show "$(ID)" --data $(B)/data $(or_read)
+
+## verify: run the one program that decides a statement and judge, as in  make verify ID=pn.omega11
+verify: ready
+	@f=$$(grep -lF 'STATEMENT("$(ID)")' $(wildcard src/statements/*.cpp beyond/src/statements/*.cpp)); \
+	[ -n "$$f" ] || { echo "make: ID=$(ID): no statement has this name (allowed: an id of paper/claims.ecsv)" >&2; exit 2; }; \
+	p=$$(basename "$$f" .cpp); case $$f in beyond*) v=beyond j=verdicts_beyond;; *) v=. j=verdicts;; esac; \
+	rm -f $(B)/data/$$p/SHA256SUMS; $(MAKE) QUICK= volume=$$v TARGETS="$$p $$j" $(B)/data/$$p/SHA256SUMS && \
+	  $(MAKE) QUICK= volume=$$v verdicts && $(lineage) show "$(ID)" --data $(B)/data $(or_read)
 
 ## second: recompute the headline numbers by other methods in plain Python, into paper/second.ecsv of each volume (minutes)
 second: install-deps

@@ -32,12 +32,12 @@ from lineage import ecsv, inventory, markdown as md
 from lineage.cells import cited, home_of, in_full, read_cells
 from lineage.chapters import explained_by, read_commands, read_costs, run_of, shown_cost
 from lineage.claims import (KINDS, OBTAINED, agrees, by_name, in_plain, meanings, programs_of, read_answers, read_claims,
-                            read_findings, read_literature, read_second, read_statements, read_verdicts, said as filled,
+                            read_findings, read_literature, read_moved, read_readings, read_second, read_statements, read_verdicts, said as filled,
                             with_sentences)
 from lineage.lock import quoted, read_lock
 from lineage.refresh import command_of, printed, read_figures
 from lineage.sources import definitions, local_names, sources_of
-from lineage.values import distance
+from lineage.values import Finding, distance
 from lineage.volumes import joined, volumes
 from live import live
 
@@ -113,6 +113,7 @@ class Book:
         self.stale = {fresh[key].name for key in locked.keys() & fresh.keys()
                       if self.build.name != "quick" and distance(locked[key], fresh[key]) > 1}
         self.verdicts = joined(lambda volume: read_verdicts(volume, report), every)
+        self.readings = joined(lambda volume: read_readings(volume, report), every)
         self.judged = joined(read_statements, every)
         self.literature = joined(read_literature, every)
         self.lines = {name: self.table_at(f.program, f.id.partition("/")[0]) for name, f in self.numbers.items() if f.what == "cell"}
@@ -265,6 +266,7 @@ class Book:
             here = "<br>".join(comparison(text) for text in self.verdicts[id]["found"].split("; "))
         if claim["assumption"]:
             said += f" {md.spelled(filled(claim['assumption'], self.numbers))}"
+        said += self.other_readings(id)
         if claim["reason"]:
             see = ", ".join(self.page_link(p) for p in explained_by(id, self.claims) if p in self.by_page)
             said += f" {md.spelled(filled(claim['reason'], self.numbers))} See {see}."
@@ -276,6 +278,12 @@ class Book:
         return [f"{md.place(id)}{md.name(id)} {md.spelled(claim['quantity'])} ({md.plain(where)})", article,
                 here + self.second_mark(id), said, links + self.alone_mark(id)]
 
+    def other_readings(self, id):
+        """What other choices give, and half and twice our bounds, folded."""
+        rows = [f"<dt>{md.spelled(row['reading'])}: {md.number(md.with_error(Finding('', '', row['value'], row['error'], row['unit']))) + ', ' if row['value'] == row['value'] else ''}"
+                f"{row['outcome']}</dt><dd>{md.spelled(row['choice'])}</dd>" for row in self.readings.get(id, ())]
+        return f"<details><summary>{len(rows)} readings</summary><dl>{''.join(rows)}</dl></details>" if rows else ""
+
     def alone_mark(self, id):
         return f"; alone: `{self.alone[id][0]}`" if id in self.alone else ""
 
@@ -286,13 +294,18 @@ class Book:
 
     def published_page(self):
         counts = Counter(self.verdicts[id]["verdict"] for id in self.claims)
-        lost = [self.claim_row(id) for id in self.claims if self.verdicts[id]["verdict"] == "discrepant"]
+        lost, part = ([self.claim_row(id) for id in self.claims if self.verdicts[id]["verdict"] == word] for word in ("discrepant", "in part"))
         tally = [[md.verdict(v), str(counts[v]), text] for v, text in meanings().items() if counts[v]]
         out = [md.table(["verdict", "rows", "meaning"], tally),
-               *["\n## What does not survive\n"] * bool(lost), md.table(["statement", "article", "here", "verdict"], lost)]
+               *["\n## What does not survive\n"] * bool(lost), md.table(["statement", "article", "here", "verdict"], lost),
+               *["\n## What survives in part\n"] * bool(part), md.table(["statement", "article", "here", "verdict"], part)]
         for section in dict.fromkeys(claim["section"] for claim in self.claims.values()):
             rows = [self.whole_row(id) for id, claim in self.claims.items() if claim["section"] == section]
             out.append(f"\n## Section {section}\n" + md.table(["statement", "article", "here", "verdict", "see"], rows, "rows statements"))
+        moved = [[md.link("#" + row["id"], md.name(row["id"])), row["date"], md.verdict(row["before"]), md.verdict(row["after"]), md.spelled(row["why"])]
+                 for row in read_moved(self.root)]
+        out += ["\n## Verdicts that moved\n\nEvery verdict that became another one, in the order of time, in the words of today's rule.\n",
+                md.table(["statement", "day", "before", "after", "why"], moved)]
         return "\n".join(out)
 
     def findings_page(self):

@@ -76,15 +76,21 @@ TEST_CASE("a packet's energy changes from the mean of one half of its way to tha
   check_close(energy_change(path), second / first - 1, 1e-13);
 }
 
-TEST_CASE("velocities of a packet are the slopes of its path", "[unit][boomeron]") {
-  Path path;
-  for (int i = 0; i < 400; ++i) {
+TEST_CASE("a parabola that is fitted to a path has its acceleration", "[unit][boomeron]") {
+  Path path, wedge;
+  for (int i = 0; i <= 1000; ++i) {
     const double t = path_sampling * i;
     path.add(t, 3 + 0.4 * t - 0.01 * t * t);
+    wedge.add(t, std::abs(t - 100));
   }
-  const auto [t, v] = velocities(path, 0, path.t.size(), path_sampling);
-  REQUIRE(t.size() > 10);
-  for (std::size_t k = 0; k < t.size(); ++k) check_close(v[k], 0.4 - 0.02 * t[k], 1e-12);
+  const PathFit all = fit_parabola(path, stretch(path, 0, 200)),
+                part = fit_parabola(path, stretch(path, 50, 90));
+  check_close(all.acceleration, -0.02, 1e-11);
+  check_close(part.acceleration, -0.02, 1e-10);
+  CHECK(all.deviation < 1e-11);
+  // The wedge |u|, u from -1 to 1, has the variance 1/12; its part along P_2 is 5/8 P_2, whose square has the mean 5/64
+  check_close(fit_parabola(wedge, stretch(wedge, 0, 200)).deviation, std::sqrt(1.0 / 12 - 5.0 / 64),
+              2e-3);
 }
 
 TEST_CASE("runs decorrelate the later the less they differ", "[unit][boomeron]") {

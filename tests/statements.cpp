@@ -26,10 +26,21 @@ fs::path tables_of_run() {
   return DATA_DIR;
 }
 
-/// The verdict on a row if one of its comparisons had the other outcome.
-std::string flipped(Case one, std::size_t comparison, const Cases& all) {
-  one.found.comparisons[comparison].is_flipped = true;
-  return verdict(one, all);
+/// What is recorded of a row: its verdict, and of one that holds in part how often it fails.
+struct Decision {
+  std::string verdict;
+  int failures;
+  bool operator==(const Decision&) const = default;
+};
+Decision decision(const Case& one, const Cases& all) {
+  return {verdict(one, all), one.found.failures()};
+}
+
+/// What is decided if one of the comparisons, or of the controls, had the other outcome.
+Decision flipped(Case one, std::vector<Comparison> Judged::*of, std::size_t comparison,
+                 const Cases& all) {
+  (one.found.*of)[comparison].is_flipped = true;
+  return decision(one, all);
 }
 
 /// The verdict on a row if its answer were farther from the printed number than anything allowed, and nothing covered it.
@@ -37,7 +48,7 @@ std::string far_away(Case one, const Cases& all) {
   const auto [low, high] = allowed(one.claim);
   Quantity& answer = *one.found.answer;
   answer.value = high + 2 * (answer.error + std::abs(high)) + (std::isfinite(low) ? high - low : 0);
-  one.claim.covered_by.clear(), one.found.accuracy.reset();
+  one.claim.covered_by.clear(), one.found.accuracy.reset(), one.found.readings.clear();
   return verdict(one, all);
 }
 
@@ -47,9 +58,9 @@ bool follows(const Case& one, const Cases& all, Tables& tables, const Change& ce
   const auto differs = [&](double factor, double offset) {
     tables.change = cells;
     tables.change->factor = factor, tables.change->offset = offset;
-    const std::string now = verdict({one.claim, statements().at(one.claim.id).judge(tables)}, all);
+    const Decision now = decision({one.claim, statements().at(one.claim.id).judge(tables)}, all);
     tables.change.reset();
-    return now != one.claim.status && now != "unresolved";
+    return now != decision(one, all) && now.verdict != "unresolved";
   };
   const Table& table = tables.of(cells.program, cells.table);
   if (table.columns[table.find(cells.column)].kind == Kind::integer && differs(1, 1)) return true;
@@ -85,7 +96,10 @@ TEST_CASE("statements", "[statements]") {
       CHECK_FALSE(one.found.is_quick);
       CHECK(verdict(one, all) == one.claim.status);
       for (std::size_t i = 0; i < one.found.comparisons.size(); ++i)
-        CHECK(flipped(one, i, all) != one.claim.status);
+        CHECK(flipped(one, &Judged::comparisons, i, all) != decision(one, all));
+      for (std::size_t i = 0; i < one.found.controls.size(); ++i)
+        CHECK(flipped(one, &Judged::controls, i, all).verdict == "unresolved");
+      if (one.claim.status == "reproduced, assuming") CHECK_FALSE(one.found.readings.empty());
       if (one.found.answer && one.claim.status != "quantified")
         CHECK(far_away(one, all) == "discrepant");
     }

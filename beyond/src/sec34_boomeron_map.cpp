@@ -156,7 +156,7 @@ void compute_turning_map(Sweep& sweep, const MapGrid& grid, Part part) {
 ## The law of a contour (figure x11b)
 
 The contour on which the turning point is at a given site needs more precision than the map has, so we bisect between a
-packet that escapes and one that does not, with two steps. The finer step begins where the coarser one has ended; if the
+packet that escapes and one that does not in the time that we wait, with two steps. The finer step begins where the coarser one has ended; if the
 fate does not change in that last interval with the finer step too, it goes all the way by itself. The error is the
 difference of the two plus the last interval. */
 struct Bracket {
@@ -199,15 +199,17 @@ Estimate critical_s(double velocity, int bisections, double site = horizon) {
 
 /**
 The expected law is a line when $\chi_c = s_c v_0^{3/2}$ is plotted against $v_0^{1/2}$. We fit it for $v_0 < 3$, a
-bound that is our choice (the last point is at 2.07; at 2.5 the contour lies 2.4 per cent below the line), and quote its
-largest relative deviation, because the curvature of a contour would show at the ends of the line and not in the mean.
-The limit $v_0=0$ lies outside the range of the points, so the error of $\chi_0$ is that of the slope times the root
-mean square of $v_0^{1/2}$. It is the error of a fit at *one* horizon, and $\chi_0$ is not the limit of weak impacts:
-below $v_0 = 0.01$ the line bends.
+bound that is our choice (the last point is at 2.07; stronger impacts leave the line), and quote its largest relative
+deviation, because the curvature of a contour would show at the ends of the line and not in the mean. The limit $v_0=0$
+lies outside the range of the points, so the error of $\chi_0$ is that of the slope times the root mean square of
+$v_0^{1/2}$. It is the error of a fit at *one* horizon, and $\chi_0$ is not the limit of weak impacts: below $v_0 =
+0.01$ the line bends. After some strong impacts, one of them at $v_0 = 1.27$, the fate changes more than once as $s$
+grows: within two per cent of the line packets turn, pass and turn again. The bisection finds one of these changes
+(`beyond/paper/findings.ecsv`).
 
 <!-- turning.contour -->
 In hard wells a packet has its turning point at site 40 if $s = v_0^{-3/2}(\chi_0+\chi_1v_0^{1/2})$ with $\chi_0 =$
-1.022 ± 0.008 and $\chi_1 =$ 0.99 ± 0.01, to within a fraction 0.015 ± 0.005 for impacts from $v_0 = 0.01$ to 2.1. This
+1.022 ± 0.008 and $\chi_1 =$ 0.99 ± 0.01, to within a fraction 0.015 ± 0.005 for impacts from $v_0 = 0.01$ to 2.07. This
 curve is a contour, not a boundary: in softer wells packets turn farther out. (computed)
 <!-- /turning.contour --> */
 struct Contour {

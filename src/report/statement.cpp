@@ -290,6 +290,7 @@ bool Comparison::fails() const {
   return is_decided() && !holds();
 }
 
+// Of several comparisons
 Outcome outcome_of(const std::vector<Comparison>& all) {
   const auto hold = std::ranges::count_if(all, &Comparison::holds),
              fail = std::ranges::count_if(all, &Comparison::fails);
@@ -313,6 +314,7 @@ bool Judged::is_sensitive() const {
       readings, [&](const OtherReading& other) { return other.outcome && *other.outcome != ours; });
 }
 
+// In words
 const Comparison* Judged::closest() const {
   const auto slack = [](const Comparison& c) {
     const Estimate m = c.margin();
@@ -431,7 +433,7 @@ void Statement::reading(const std::string& name, const Quantity& value) {
 void Statement::answer(const Quantity& found) {
   if (judged_.answer) throw std::logic_error("a statement has two answers");
   judged_.answer = found;
-  reading_.latest.clear();
+  judged_.answered_by = cells_read();
 }
 
 // What a statement reads

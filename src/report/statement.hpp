@@ -251,9 +251,10 @@ struct Judged {
       controls{};  ///< of the measure: where one fails there is no verdict
   std::vector<OtherReading> readings{};
   std::optional<Quantity> answer{}, accuracy{};
-  std::string lost{};     ///< why there is no verdict
-  std::string not_run{};  ///< the program that has not run
-  bool is_quick = false;  ///< whether a table is of a coarse run
+  std::string answered_by{};  ///< the cells from which the answer was read
+  std::string lost{};         ///< why there is no verdict
+  std::string not_run{};      ///< the program that has not run
+  bool is_quick = false;      ///< whether a table is of a coarse run
   std::set<CellRead> cells{};
 
   /// Whether a reading, or a bound of ours halved or doubled, has another outcome than the comparisons.

@@ -126,7 +126,9 @@ static std::string on_missed(const Case& one, const Cases& all) {
     return "within its own accuracy";
   if (claim.tolerance != "order of magnitude" && is_near(print, apart)) return "in part";
   if (follows(one, all)) return "follows";
-  return apart <= spread(found) ? "quantified" : "discrepant";
+  const auto [low, high] = allowed(claim);
+  const double missed_by = std::max(low - ours.value, ours.value - high) + ours.error;
+  return missed_by <= spread(found) ? "quantified" : "discrepant";
 }
 
 /**

@@ -3,7 +3,8 @@
 
 This program ends `make figures`. It reads the list of claims of a volume (`paper/claims.ecsv`), what we found
 (`paper/findings.ecsv`) and what other authors print (`paper/literature.ecsv`), judges every row by its statement
-(statement.hpp, verdict.hpp), writes a table of all verdicts and prints what does not agree. Each volume has its own,
+(statement.hpp, verdict.hpp), writes a table of all verdicts and prints what does not agree. Beside the table `claims.ecsv` are
+all comparisons (`claims_comparisons.ecsv`) and all other readings (`claims_readings.ecsv`). Each volume has its own,
 with the statements of its own chapters. */
 
 #include <cstdio>
@@ -79,6 +80,34 @@ Table table_of_readings(const Cases& rows, const Choices& choices) {
   return out;
 }
 
+/// All that decides: the sides of every comparison, with the cells that were read for it.
+Table table_of_comparisons(const Cases& rows) {
+  Table out;
+  const auto add = [&](const Claim& claim, const char* role, const std::string& cells,
+                       const Estimate& small, const Estimate& large, const char* outcome) {
+    out.add({{"id", "statement", claim.id},
+             {"role", "answer; claim: of the statement; control: of the measure", role},
+             {"cells", "cells of the tables that were read for it", cells},
+             {"small", "the side that has to be smaller, or the answer", small.value},
+             {"small_error", "its error", small.error},
+             {"large", "the other side; nan of an answer", large.value},
+             {"large_error", "its error", large.error},
+             {"outcome", "holds, fails or undecided; empty of an answer", outcome}});
+  };
+  const auto word = [](const Comparison& c) {
+    return c.holds() ? "holds" : c.fails() ? "fails" : "undecided";
+  };
+  for (const auto& [claim, found] : rows) {
+    if (found.answer) add(claim, "answer", found.answered_by, *found.answer, undefined, "");
+    for (const Comparison& c : found.comparisons)
+      add(claim, "claim", c.what, c.small, c.large, word(c));
+    for (const Comparison& c : found.controls)
+      add(claim, "control", c.what, c.small, c.large, word(c));
+  }
+  out.meta = {{"program", "verdicts"}};
+  return out;
+}
+
 /// Prints a list: how many rows have each verdict, and those that do not agree with what is printed.
 void print(const std::string& list, const std::string& title, const Cases& rows) {
   std::map<std::string, std::vector<const Case*>> by;
@@ -102,8 +131,7 @@ void print(const std::string& list, const std::string& title, const Cases& rows)
 }
 
 /// Judges the lists of the volume in `root`.
-void judge_all(const fs::path& root, const fs::path& data, const fs::path& to,
-               const fs::path& readings) {
+void judge_all(const fs::path& root, const fs::path& data, const fs::path& to) {
   if (!fs::is_directory(data))
     throw UsageError("--data: '" + data.string() +
                      "' is not a folder (allowed: one that holds a folder of tables per program)");
@@ -122,8 +150,15 @@ void judge_all(const fs::path& root, const fs::path& data, const fs::path& to,
   for (const std::string& program : absent) std::printf(" %s", program.c_str());
   if (!absent.empty()) std::printf("\n");
   write(to, table_of(rows));
-  if (const Table others = table_of_readings(rows, read_choices(root)); !others.rows.empty())
-    write(readings, others);
+  const auto write_beside = [&](const char* what, const Table& table) {
+    const fs::path path = to.parent_path() / (to.stem().string() + what + ".ecsv");
+    if (table.rows.empty())
+      fs::remove(path);
+    else
+      write(path, table);
+  };
+  write_beside("_readings", table_of_readings(rows, read_choices(root)));
+  write_beside("_comparisons", table_of_comparisons(rows));
 }
 
 }  // namespace
@@ -131,8 +166,7 @@ void judge_all(const fs::path& root, const fs::path& data, const fs::path& to,
 /// Reads the line, judges, and answers bad input with one line.
 int main(int argc, char** argv) {
   return exit_code("verdicts", [&] {
-    std::string root = ".", data = "build/data", output = "build/report/claims.ecsv",
-                readings = "build/report/readings.ecsv";
+    std::string root = ".", data = "build/data", output = "build/report/claims.ecsv";
     std::deque<Offer> offers(1);
     offers[0].meaning = "compares published with reproduced values: one verdict per statement";
     offers[0].note =
@@ -142,10 +176,9 @@ int main(int argc, char** argv) {
     p.add("root", root, "folder of the volume, with its paper/claims.ecsv", not_empty());
     p.add("data", data, "folder that holds one folder of tables per program", not_empty());
     p.add("output", output, "table of the verdicts to write", not_empty());
-    p.add("readings", readings, "table of other readings to write", not_empty());
     const Asked asked = read_line(offers, {argv + 1, argv + argc});
     if (asked.what == Asked::What::run)
-      judge_all(root, data, output, readings);
+      judge_all(root, data, output);
     else if (asked.what == Asked::What::version)
       std::cout << "verdicts " LATTICE_VERSION "\n";
     else if (asked.what == Asked::What::describe)

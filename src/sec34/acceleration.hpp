@@ -2,36 +2,43 @@
 /**
 # The acceleration of a packet
 
-The velocity of a packet is the slope of its smoothed path over ten units of time, its acceleration the slope of a line
-that is fitted to these velocities on a leg of the way. */
-
-#include <vector>
+The path of a particle on which a constant force acts is a parabola. We fit one to a part of the smoothed path: its bend
+is the mean acceleration, and how far the path is from it shows how constant the force is. */
 
 #include "lattice/impact/turning.hpp"
 #include "lattice/numerics/estimate.hpp"
 
 namespace lattice {
 
-/// Velocities of a packet at some times.
-struct Velocities {
-  std::vector<double> t, v;
+/// A part of a path, from sample `first` on and before sample `last`.
+struct Stretch {
+  std::size_t first = 0, last = 0;
+};
+/// The samples from time `from` to `to`.
+Stretch stretch(const Path& path, double from, double to);
+
+/// The parabola that fits a stretch of a smoothed path best.
+struct PathFit {
+  double acceleration = 0;  ///< site per squared unit of time
+  double deviation = 0;     ///< root mean square of the distance, over the range of the stretch
+};
+PathFit fit_parabola(const Path& smoothed, Stretch of);
+
+/// The ways of a packet that turns: between two given times on the way out; *between* the ways, while it is above nine
+/// tenths of its turning point; and on the way *back*, from there to three tenths.
+struct Leg {
+  enum class Kind { out, between, back } kind;
+  double from = 0, to = 0;  ///< on the way out
 };
 
-/// The velocities on a smoothed path, one in each five units of time, from sample `first` on and before `last`; `look`
-/// is the time between two samples.
-Velocities velocities(const Path& smoothed, std::size_t first, std::size_t last, double look);
-
-/// On the way out 100 < t < 220, on the way back sites 18 to 6, and what lies between these two.
-enum class Leg { back, out, between };
-
-/// The mean acceleration (site per squared unit of time), and the slopes of both halves of the leg: their difference
-/// over the whole slope.
+/// Mean acceleration on a leg; how much it is larger in the second half of the leg than in the first, relative to the mean; and
+/// the velocity lost between both ends, as slopes over ten units of time, in a unit of time.
 struct Acceleration {
-  Estimate mean, bend;
+  Estimate mean, change, lost;
 };
 
-/// The acceleration on a leg, from the paths of two runs. The error of the mean is that of the fit plus what the other
-/// step and half the smoothing change.
+/// The acceleration on a leg, from the paths of two runs. The errors are what the other step and half the smoothing
+/// change.
 Acceleration acceleration_of(const Path& coarse, const Path& fine, Leg leg);
 
 }  // namespace lattice

@@ -3,6 +3,8 @@
 
 #include "report/statement.hpp"
 
+#include <cmath>
+
 using namespace lattice;
 
 STATEMENT("scale.contact_time") {
@@ -14,7 +16,65 @@ STATEMENT("scale.max_compression") {
 }
 
 STATEMENT("scale.cradle") {
-  answer(table("cradle").at("digits", "printed", "g", 10)["impact"]);
+  const Data cradles = table("cradle");
+  const auto with = [&](const char* digits, double g) {
+    return cradles.at("digits", digits, "g", g)["impact"];
+  };
+  answer(with("printed", 10));
+  reading("g = 9.81 m/s^2", with("printed", 9.81));
+  reading("2.439 tau_h and g = 9.81 m/s^2", with("all", 9.81));
+  reading("2.439 tau_h and g = 10 m/s^2", with("all", 10));
+}
+
+/**
+## Where the DpS equation is valid */
+STATEMENT("scale.dps_regime") {
+  const Data impacts = table("dps_regime");
+  const auto vanishes = [&](const char* excess) {
+    increases(impacts, "impact", excess);
+    less(impacts.at("impact", 1e-3)[excess], bound(0.1));
+  };
+  vanishes("deflection");
+  vanishes("speed");
+  reading("at site 40", [&] { vanishes("half_way"); });
+}
+
+STATEMENT("scale.cradle_far") {
+  less(bound(100), table("far")["speed"]);
+}
+
+STATEMENT("cantilever.dps_valid") {
+  const auto array = table("arrays").at("array", "section_3.6");
+  answer(array["deflection"]);
+  reading("speed of the packet", array["speed"]);
+  reading("velocity of the bead", array["velocity_excess"]);
+}
+
+STATEMENT("outlook.ranges") {
+  const auto large = table("arrays").at("array", "centimetres"),
+             ours = table("arrays").at("array", "section_3.6");
+  control([&] { near(large["load"], 1, 0.1); });
+  // A packet travels, and the DpS equation describes it
+  less(bound(0.1), large["share"]);
+  for (const char* excess : {"deflection", "speed"}) less(large[excess], bound(0.1));
+  reading("the array of section 3.6", [&] {
+    for (const char* printed : {"diameter", "width", "load"})
+      within(ours[printed], 1 / std::sqrt(10.0), std::sqrt(10.0));
+  });
+}
+
+/**
+## Beams and beads */
+STATEMENT("cantilever.gamma") {
+  const auto usual = table("hertz").at("first", 1, "second", 1);
+  near(usual["printed"], 1, bound(1e-6));
+  // The letter that is printed
+  near(usual["with_beam"], 1, bound(1e-6));
+}
+
+STATEMENT("cantilever.eta") {
+  for (const auto& pair : table("hertz").where("first", 0.5, 2.5).where("second", 0.5, 2.5))
+    near(pair["printed"], 1, bound(1e-6));
 }
 
 STATEMENT("beam.stiffness") {

@@ -42,7 +42,8 @@ STATEMENT("a.two") {
 RESULTS = ["name", "value", "value_error"]
 RESULTS_OF_DEMO = ["one", 1.0, 1e-3], ["other", 1.0, 0.0], ["two", 2.0, 0.1]
 FIGURES = ["id", "label", "section", "program", "script", "class", "data", "caption", "details"]
-REAL = ("value", "error", "value_error", "margin", "margin_error", "seconds", "lowest", "highest")
+REAL = ("value", "error", "value_error", "margin", "margin_error", "failures", "small", "small_error", "large", "large_error", "seconds",
+        "lowest", "highest")
 NAN = float("nan")
 DESCRIPTION = ["command", "option", "meaning", "takes", "lowest", "highest", "unit", "words", "default", "chosen_by", "choices"]
 OPTIONS = [["", "", "A demonstration (section 1)", "", NAN, NAN, *[""] * 5], ["", "help", "this text", "flag", NAN, NAN, *[""] * 5],
@@ -77,7 +78,7 @@ class Scratch(unittest.TestCase):
         os.chdir(self.root)
         self.write("src/sec1_demo.cpp", "/**\n# 1 A demonstration\n\nIt is [](statement:a.one), not [](cell:results/name=two/value). */\n")
         self.write("paper/claims.ecsv", table(CLAIMS, [
-            ["a.one", "1", "Fig. demo", "one", "1.02", "", "rel 1e-2", "", "", "they erred", "their ruler", "discrepant"],
+            ["a.one", "1", "Fig. demo", "one", "1.02", "", "about", "", "", "they erred", "their ruler", "discrepant"],
             ["a.two", "1", "text", "two", "yes", "", "", "of {a.one}, Section wells", "", "", "", "holds"]]))
         self.write("src/statements/sec1_demo.cpp", STATEMENTS)
         self.write("paper/converged.ecsv", table(LOCK, [
@@ -104,12 +105,16 @@ class Scratch(unittest.TestCase):
     def judged(self, verdict="discrepant", one=1.0):
         """What `verdicts` would have written."""
         nan = float("nan")
-        self.report(["claims", "a.one", one, 1e-3, "m", nan, nan, verdict, "1 +- 1e-3 m", "1 +- 1e-3 m", "judged", "sec1_demo"],
-                    ["claims", "a.two", nan, nan, "", 0.5, 0.05, "holds", *["results.value: 1 < 2 +- 0.1"] * 2, "judged", "sec1_demo"])
+        self.report(["claims", "a.one", one, 1e-3, "m", nan, nan, 0.0, verdict, "1 +- 1e-3 m", "1 +- 1e-3 m", "judged", "sec1_demo"],
+                    ["claims", "a.two", nan, nan, "", 0.5, 0.05, 0.0, "holds", *["results.value: 1 < 2 +- 0.1"] * 2, "judged", "sec1_demo"])
 
     def report(self, *rows):
-        columns = ["list", "id", "value", "error", "unit", "margin", "margin_error", "verdict", "found", "short", "state", "program"]
+        columns = ["list", "id", "value", "error", "unit", "margin", "margin_error", "failures", "verdict", "found", "short", "state", "program"]
         self.write("build/report/claims.ecsv", table(columns, rows))
+
+    def beside(self, what, columns, *rows):
+        """A table that `verdicts` would have written beside it."""
+        self.write(f"build/report/claims_{what}.ecsv", table(columns, rows))
 
     def results(self, *rows):
         self.computed("sec1_demo/results.ecsv", table(RESULTS, rows))

@@ -48,7 +48,7 @@ class Rows(Scratch):
         self.assertEqual(self.lineage("refresh", "--check")[0], 1)
 
         nan = float("nan")
-        self.report(["findings", "pull", nan, nan, "", 0.1, 0.01, "holds", "one: 0.9 < 1 +- 1e-3; one: 1 < 2", "one: 1 < 2", "judged", "sec1_demo"])
+        self.report(["findings", "pull", nan, nan, "", 0.1, 0.01, 0.0, "holds", "one: 0.9 < 1 +- 1e-3; one: 1 < 2", "one: 1 < 2", "judged", "sec1_demo"])
         out = self.lineage("show", "pull")[1]
         self.assertIn("we found   Up to t = 10 it is 1.00 and $x_1 > 0$.", out)
         self.assertIn("found      one: 0.9 < 1 +- 1e-3\n  found      one: 1 < 2\n  judged     src/statements/sec1_demo.cpp:9\n", out)
@@ -63,6 +63,15 @@ class Here(unittest.TestCase):
             self.assertNotIn("|", one["sentence"], id)
             self.assertEqual(one["sentence"].count("$") % 2, 0, id)
             self.assertIn(one["kind"], claims.KINDS, id)
+
+    def test_verdicts_that_moved_lead_to_those_of_today(self):
+        now, status = {}, {id: row["status"] for id, row in claims.read_claims(VOLUME).items()}
+        for row in claims.read_moved(VOLUME):
+            self.assertEqual(now.setdefault(row["id"], row["before"]), row["before"], row)
+            self.assertNotEqual(row["before"], row["after"])
+            self.assertTrue({row["before"], row["after"]} <= {*claims.meanings()}, row)
+            now[row["id"]] = row["after"]
+        self.assertEqual(now, {id: status.get(id) for id in now})
 
     def test_a_second_route_agrees_and_is_sharp(self):
         second, locked = claims.read_second(VOLUME), claims.by_name(read_lock(VOLUME))

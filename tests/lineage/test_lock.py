@@ -35,6 +35,9 @@ class Locking(Scratch):
             self.write(name, text if name.endswith("cpp") else "% \\num{sec1_demo/results/name=other/value}\n# nothing\n")
             self.assertIn("dropped  sec1_demo results/name=other/value: nothing quotes it", self.lineage("accept")[1], name)
         self.assertEqual(self.read("paper/converged.ecsv"), before)
+        self.judged()
+        self.change("build/report/claims.ecsv", "0.5,0.050000000000000003,0", "-0.5,0.050000000000000003,3")
+        self.assertIn("new      a.two (failures): 3", self.lineage("accept")[1])
 
     def test_what_is_farther_than_the_errors_fails(self):
         self.judged(one=1.0005)

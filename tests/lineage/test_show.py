@@ -5,7 +5,10 @@ import io
 
 from lineage.__main__ import main
 
-from common import Scratch
+from common import NAN, Scratch
+
+COMPARISONS = ["id", "role", "cells", "small", "small_error", "large", "large_error", "outcome"]
+READINGS = ["id", "reading", "choice", "value", "error", "unit", "outcome"]
 
 
 class Show(Scratch):
@@ -26,10 +29,19 @@ class Show(Scratch):
 
     def test_the_verdict_is_the_one_that_was_given_or_that_is_recorded(self):
         out = self.lineage("show", "a.two")[1]
-        self.assertIn("verdict    holds\n  found      not run\n  judged     src/statements/sec1_demo.cpp:6 (not run)\n  assuming   of 1.00, Section wells", out)
+        self.assertIn("verdict    holds\n  found      not run\n  judged     src/statements/sec1_demo.cpp:6 (not run)\n"
+                      "             STATEMENT(\"a.two\") {\n", out)
+        self.assertIn("             }\n  remark     of 1.00, Section wells\n", out)
         self.judged("reproduced")
         self.assertIn("verdict    reproduced\n", self.lineage("show", "a.one")[1])
         self.assertIn("found      results.value: 1 < 2 +- 0.1\n  judged     src/statements/sec1_demo.cpp:6\n", self.lineage("show", "a.two")[1])
+        self.beside("comparisons", COMPARISONS, *(["a.two", "claim", f"t.x (n = {n})", 1.0, 0.0, 2.0 + n, 0.1, "holds"] for n in range(14)),
+                    ["a.two", "control", "t.y", 3.0, 0.0, 2.0, 0.0, "fails"])
+        self.beside("readings", READINGS, ["a.two", "in all wells", "s is not printed", NAN, NAN, "", "in part"])
+        out = self.lineage("show", "a.two")[1]
+        self.assertNotIn("found", out)
+        self.assertIn("  controls   t.y: 3 < 2  fails\n  compares   t.x (n = 0): 1 < 2 +- 0.1  holds\n", out)  # the worst first
+        self.assertIn("and 3 more (in all 14 hold): build/report\n  reading    in all wells: in part (s is not printed)\n", out)
         self.change("src/statements/sec1_demo.cpp", 'STATEMENT("a.two")', 'STATEMENT("a.new") {\n}\nSTATEMENT("a.two")')
         text = self.read("paper/claims.ecsv")
         self.write("paper/claims.ecsv", text + text.splitlines()[-1].replace("a.two", "a.new") + "\n")

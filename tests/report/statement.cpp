@@ -57,8 +57,9 @@ struct Written {
 
 /// A statement whose body is given by a test, with the words that it may use.
 struct Spoken : Statement {
-  using Statement::accuracy, Statement::answer, Statement::increases, Statement::less,
-      Statement::near, Statement::not_more, Statement::table, Statement::within;
+  using Statement::accuracy, Statement::answer, Statement::bound, Statement::control,
+      Statement::increases, Statement::less, Statement::near, Statement::not_more,
+      Statement::reading, Statement::table, Statement::within;
   std::function<void(Spoken&)> body;
   double zero = 0;
   void judge() override { body(*this); }
@@ -197,4 +198,47 @@ TEST_CASE("a change of a column or a cell is seen by who reads it", "[unit]") {
   CHECK(read({"sec1_demo", "sweep", "speed", 2, 0.5}) == 1);
   CHECK(read({"sec1_demo", "sweep", "speed", 1, 0.5}) == 2);
   CHECK(read({"sec2_other", "sweep", "speed", {}, 7}) == 2);
+}
+
+TEST_CASE("a bound of ours is halved and doubled, one at a time", "[unit]") {
+  const Judged found = judged([](Spoken& s) {
+    for (const double x : {0.5, 0.7}) s.less(x, s.bound(1));
+    s.less(0.1, s.bound(1));
+  });
+  CHECK(outcome_of(found.comparisons) == Outcome::holds);
+  REQUIRE(found.readings.size() == 4);
+  CHECK(found.readings[0].name == "0.5 in the place of 1");
+  const std::vector<Outcome> expected{Outcome::fails, Outcome::holds, Outcome::holds,
+                                      Outcome::holds};
+  for (std::size_t k = 1; k < 4; ++k) CHECK(*found.readings[k].outcome == expected[k]);
+  // 0.5 < 0.5 and 0.7 < 0.5 fail, 0.1 < 1 holds
+  CHECK(*found.readings[0].outcome != Outcome::holds);
+  CHECK(found.is_sensitive());
+  CHECK_FALSE(judged([](Spoken& s) { s.less(0.1, s.bound(1)); }).is_sensitive());
+}
+
+TEST_CASE("controls and readings claim nothing", "[unit]") {
+  const Judged found = judged([](Spoken& s) {
+    s.less(1, 2);
+    s.control([&] { s.less(3, 4), s.less(6, 5); });
+    s.reading("the other way round", [&] { s.less(2, 1); });
+    s.reading("another definition", s.table("coarse")["threshold"]);
+  });
+  CHECK(found.comparisons.size() == 1);
+  CHECK(found.controls.size() == 2);
+  REQUIRE(found.lost_control() != nullptr);
+  CHECK(found.text() == "a control fails: : 6 < 5");
+  REQUIRE(found.readings.size() == 2);
+  CHECK(*found.readings[0].outcome == Outcome::fails);
+  CHECK(found.readings[1].value->value == 2.5);
+  CHECK(found.is_sensitive());
+  check_line(lost([](Spoken& s) { s.less(1, 2), s.control([] {}); }), "nothing is compared");
+}
+
+TEST_CASE("what holds in part says where it fails first, and where by most", "[unit]") {
+  const Judged found = judged([](Spoken& s) { s.less(1, 2), s.less(3, 2.9), s.less(9, 2); });
+  CHECK(outcome_of(found.comparisons) == Outcome::in_part);
+  CHECK(found.failures() == 2);
+  CHECK(found.text() == "fails 2 of 3 comparisons, the first one : 3 < 2.9, and by most : 9 < 2");
+  CHECK(found.short_text() == found.text());
 }

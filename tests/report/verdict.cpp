@@ -33,21 +33,29 @@ std::string on(const std::vector<std::pair<Estimate, Estimate>>& sides) {
 }  // namespace
 
 TEST_CASE("a print is met, missed, or not decided", "[unit]") {
-  CHECK(on("9e-4", "rel 5e-2", 9.2e-4, 1e-6) == "reproduced");
-  CHECK(on("9e-4", "rel 5e-2", 9.6e-4, 1e-6) == "discrepant");
-  CHECK(on("9e-4", "rel 5e-2", 9.2e-4, 1e-4) == "unresolved");
-  CHECK(on("9e-4", "rel 5e-2", 9e-4, std::nan("")) == "unresolved");
+  CHECK(on("9e-4", "about", 9.9e-4, 1e-6) == "reproduced");
+  CHECK(on("9e-4", "", 9.4e-4, 1e-6) == "reproduced");
+  CHECK(on("9e-4", "", 9.6e-4, 1e-6) == "discrepant");
+  CHECK(on("9e-4", "cut", 9.6e-4, 1e-6) == "reproduced");
+  CHECK(on("9e-4", "", 9.4e-4, 1e-4) == "unresolved");
+  CHECK(on("9e-4", "", 9e-4, std::nan("")) == "unresolved");
   CHECK(on("1.5e-9", "at most", 1e-14) == "reproduced");
   CHECK(on("1.5e-9", "at most", 1e-8) == "discrepant");
-  CHECK(on("1e-14 to 1e-15", "order of magnitude", 9e-14) == "reproduced");
-  CHECK(on("1e-14 to 1e-15", "order of magnitude", 3e-13) == "discrepant");
-  CHECK(on("3 to 4 orders", "order of magnitude", 99) == "discrepant");
-  CHECK(on("3 pi/2", "rel 1e-12", 4.71238898038469) == "reproduced");
+  CHECK(on("1e-14 to 1e-15", "order of magnitude", 3e-14) == "reproduced");
+  CHECK(on("1e-14 to 1e-15", "order of magnitude", 3.3e-14) == "discrepant");
+  CHECK(on("3 to 4 orders", "order of magnitude", 310) == "discrepant");
+  CHECK(on("3 pi/2", "exact", 4.71238898038469) == "reproduced");
   CHECK(on("-0.53", "", -0.5349) == "reproduced");
   CHECK(on("-0.53", "", -0.5351) == "discrepant");
-  CHECK(on("192", "exact", 192 + 1e-9) == "discrepant");
+  CHECK(on("192", "exact", 192 + 1e-9) != "reproduced");
+  CHECK(on("2030", "about", 2031.1) == "in part");  // a digit is a digit
   CHECK(on("excellent", "", 0.1, 0.01) == "quantified");
-  Case one = printing("1", "rel 1e-2", 1);
+  for (const char* none : {"rel 1e-2", "abs 5e-3", "roughly"})
+    CHECK_THROWS_AS(allowed(printing("1", none, 1).claim), std::invalid_argument);
+}
+
+TEST_CASE("a row that is not judged keeps its verdict, and one that is lost has none", "[unit]") {
+  Case one = printing("1", "", 1);
   one.claim.assumption = "something that is not printed";
   CHECK(verdict(one, {}) == "reproduced, assuming");
   one.claim.covered_by = "method";
@@ -56,8 +64,47 @@ TEST_CASE("a print is met, missed, or not decided", "[unit]") {
   CHECK(verdict(one, {}) == "discrepant");  // as recorded
   one.found.not_run.clear(), one.found.lost = "no such table";
   CHECK(verdict(one, {}) == "unresolved");
-  CHECK_THROWS_AS(allowed(printing("1", "rel", 1).claim), std::invalid_argument);
-  CHECK_THROWS_AS(allowed(printing("1", "abs -1", 1).claim), std::invalid_argument);
+  one.found.lost.clear(), one.found.controls = {{"", 2, 1}};
+  CHECK(verdict(one, {}) == "unresolved");
+}
+
+TEST_CASE("all but the last of three digits is in part", "[unit]") {
+  CHECK(on("5.446e-4", "about", 5.4449e-4, 1e-9) == "in part");
+  CHECK(on("5.446e-4", "about", 5.4481e-4, 0) == "discrepant");
+  CHECK(on("5.4e-4", "about", 5.55e-4, 0) == "discrepant");  // two digits
+  CHECK(on("0.054", "about", 0.0556, 0) == "discrepant");    // zeros in front are none
+  CHECK(on("5.446e-4", "", 5.4449e-4, 1e-7) == "unresolved");
+}
+
+TEST_CASE("a number is discrepant if it is missed by more than its readings spread", "[unit]") {
+  const auto with = [](double other) {
+    Case one = printing("0.76", "about", {0.83, 1e-6});
+    one.found.readings = {{"another", Quantity{Estimate(other, 1e-6)}}};
+    return verdict(one, {});
+  };
+  CHECK(with(0.80) == "discrepant");
+  CHECK(with(0.91) == "quantified");
+  CHECK(with(0.76) == "quantified");
+}
+
+TEST_CASE("an assertion holds, holds in part or not, and may assume something", "[unit]") {
+  const auto with = [](std::vector<Comparison> ours, std::optional<Outcome> other) {
+    Case one;
+    one.found.comparisons = std::move(ours);
+    if (other) one.found.readings = {{"another", {}, other}};
+    return verdict(one, {});
+  };
+  const Comparison good{"", 1, 2}, bad{"", 2, 1}, open{"", Estimate(1, 1), Estimate(1.5, 1)};
+  CHECK(with({good, good}, Outcome::holds) == "holds");
+  CHECK(with({good}, Outcome::in_part) == "holds, assuming");
+  CHECK(with({good}, Outcome::undecided) == "holds, assuming");
+  CHECK(with({good, bad}, {}) == "in part");
+  CHECK(with({good, bad}, Outcome::holds) == "in part");
+  CHECK(with({bad}, Outcome::fails) == "discrepant");
+  CHECK(with({bad}, Outcome::in_part) == "quantified");
+  CHECK(with({good, open}, {}) == "unresolved");
+  CHECK(with({bad, open}, {}) == "unresolved");
+  CHECK(with({good, bad, open}, {}) == "in part");
 }
 
 TEST_CASE("the list of verdicts has the words that are passed", "[unit]") {
@@ -69,7 +116,7 @@ TEST_CASE("the list of verdicts has the words that are passed", "[unit]") {
 
 TEST_CASE("the article's own accuracy covers what is not farther", "[unit]") {
   const auto barrier = [](double accuracy, double error) {
-    Case one = printing("1.77e-11", "rel 5e-3", {1.62e-11, 1e-19});
+    Case one = printing("1.77e-11", "about", {1.62e-11, 1e-19});
     one.found.accuracy = Quantity{{Estimate(accuracy, error)}};
     return verdict(one, {});
   };
@@ -81,8 +128,8 @@ TEST_CASE("the article's own accuracy covers what is not farther", "[unit]") {
 
 TEST_CASE("a power of a missed number follows from it", "[unit]") {
   const auto energy = [](const char* covered, double found, double threshold) {
-    Case kick = printing("6.19e-6", "rel 1e-2", {threshold, 1e-10}),
-         one = printing("1.92e-11", "rel 2e-2", {found, 1e-15});
+    Case kick = printing("6.19e-6", "about", {threshold, 1e-10}),
+         one = printing("1.92e-11", "about", {found, 1e-15});
     kick.claim.id = "a.kick", one.claim.covered_by = covered;
     return verdict(one, {kick, one});
   };
@@ -93,20 +140,21 @@ TEST_CASE("a power of a missed number follows from it", "[unit]") {
   CHECK(energy("a.none^2", 9.909e-12, 4.4518e-6) == "discrepant");
 }
 
-TEST_CASE("comparisons hold by more than the errors, all of them", "[unit]") {
+TEST_CASE("comparisons hold by more than the errors", "[unit]") {
   const Estimate a{1.2, 0.1}, b{0.9, 0.1}, c{1.05, 0.1};
   CHECK(on({{1, a}}) == "holds");
   CHECK(on({{1, a}, {b, a}}) == "holds");
-  CHECK(on({{1, a}, {a, b}}) == "discrepant");
+  CHECK(on({{1, a}, {a, b}}) == "in part");
+  CHECK(on({{a, b}}) == "discrepant");
   CHECK(on({{1, c}}) == "unresolved");
   CHECK(on({{c, a}}) == "unresolved");            // both errors count
-  CHECK(on({{1, c}, {1.2, b}}) == "discrepant");  // one that fails is enough
+  CHECK(on({{1, c}, {1.2, b}}) == "unresolved");  // it fails, or holds in part
   CHECK(on({{1, c}, {1, a}}) == "unresolved");
 }
 
 TEST_CASE("a list that could not be judged is refused with its row", "[unit]") {
   const Claims good = read_claims(SOURCE_DIR "/paper/claims.ecsv");
-  CHECK(good.size() == 115);
+  CHECK(good.size() > 100);
   const Table table = read(SOURCE_DIR "/paper/claims.ecsv");
   Scratch scratch;
   const auto refused = [&](const std::string& column, const std::string& text) {
@@ -116,7 +164,7 @@ TEST_CASE("a list that could not be judged is refused with its row", "[unit]") {
     return refusal<std::runtime_error>([&] { read_claims(scratch.path / "claims.ecsv"); });
   };
   for (const auto& [column, text, said] : std::vector<std::array<std::string, 3>>{
-           {"tolerance", "rel x", "the tolerance 'rel x' is unknown"},
+           {"tolerance", "rel 1e-2", "the tolerance 'rel 1e-2' is unknown"},
            {"status", "fine", "the status 'fine' is unknown"},
            {"reason", "they erred", "a row needs a reason if it is missed"},
            {"id", "thm.mean_force", "two rows have this id"}}) {

@@ -41,6 +41,12 @@ def read_statements(root):
     return out
 
 
+def code_of(path, line):
+    """The lines of the function that begins there, as it judges."""
+    lines = ecsv.text_of(path).split("\n")[line - 1:]
+    return lines[:lines.index("}") + 1]
+
+
 def read_list(root, name, columns):
     """The rows of a list by id, each with the `program` whose tables decide it."""
     path = Path(root) / f"paper/{name}.ecsv"
@@ -81,6 +87,31 @@ def report_of(root, report=None):
     return Path(report or article(root) / "build/report") / ("claims.ecsv" if Path(root) == article(root) else "claims_beyond.ecsv")
 
 
+def read_beside(root, what, columns, report=None):
+    """A table that `verdicts` has written beside its own, as lists of rows by the id of the statement."""
+    path, out = report_of(root, report), {}
+    path = path.with_name(f"{path.stem}_{what}.ecsv")
+    for row in ecsv.read(path, columns).rows if path.exists() else ():
+        out.setdefault(row["id"], []).append(row)
+    return out
+
+
+def read_readings(root, report=None):
+    """What other choices give, by statement, of those that have been judged."""
+    return read_beside(root, "readings", ("id", "reading", "choice", "value", "error", "unit", "outcome"), report)
+
+
+def read_comparisons(root, report=None):
+    """All that decides, by statement, of those that have been judged."""
+    return read_beside(root, "comparisons", ("id", "role", "cells", "small", "small_error", "large", "large_error", "outcome"), report)
+
+
+def read_moved(root):
+    """Every verdict that ever became another one, the latest first: rows of id, version, before, after, why."""
+    path = Path(root) / "paper/moved.ecsv"
+    return ecsv.read(path, ("id", "date", "before", "after", "why")).rows if path.exists() else []
+
+
 def read_judged(root, report=None):
     """The rows that `verdicts` has written for this volume, by id."""
     path = report_of(root, report)
@@ -108,20 +139,22 @@ def runs_of(data, programs):
 
 
 def read_answers(root, report=None):
-    """What statements that were judged on full runs found, by (program, answer or margin, id): numbers, and the least
-    margin of comparisons."""
+    """What statements that were judged on full runs found, by (program, answer, margin or failures, id): numbers, the least
+    margin of comparisons, and how many of them fail if not all hold."""
     out = {}
     for id, row in read_judged(root, report).items():
         for what, value, error in (("answer", "value", "error"), ("margin", "margin", "margin_error")):
             if row["state"] == "judged" and not math.isnan(row[value]):
                 found = Finding(row["program"], id, row[value], row[error], row["unit"], what=what)
                 out[found.key] = found
+        if row["state"] == "judged" and row["failures"]:
+            out[row["program"], "failures", id] = Finding(row["program"], id, row["failures"], what="failures")
     return out
 
 
 def by_name(found):
     """Cells and answers by their names."""
-    return {f.name: f for f in found.values() if f.what != "margin"}
+    return {f.name: f for f in found.values() if f.what in ("cell", "answer")}
 
 
 def quoted_in(row):

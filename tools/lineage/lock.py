@@ -21,7 +21,7 @@ from .volumes import joined, volumes
 KINDS = ("value", "residue")
 COLUMNS = [
     ecsv.Column("program", "string", "program that computes it"),
-    ecsv.Column("what", "string", "cell of a table; answer to a statement; margin: least one of its comparisons, relative to the larger side"),
+    ecsv.Column("what", "string", "cell of a table; answer to a statement; margin: least one of its comparisons, relative to the larger side; failures: how many of them fail"),
     ecsv.Column("id", "string", "address of the cell, or statement"),
     ecsv.Column("value", "float64", "converged value"),
     ecsv.Column("error", "float64", "absolute error; 0 for an exact value"),

@@ -70,6 +70,15 @@ def discrepancy_rows(claims, numbers, verdicts):
             yield f"| {c['quantity']} | {printed(c)} | {here(id, c, numbers, verdicts)} | {c['cause']} |"
 
 
+def partial_rows(claims, verdicts):
+    """What holds in part, and what of it does not."""
+    yield "| statement | article | where not |"
+    yield "|---|---|---|"
+    for id, c in claims.items():
+        if verdicts[id]["verdict"] == "in part":
+            yield f"| {c['quantity']} | {printed(c)} | {c['cause']} |"
+
+
 def found_rows(findings, numbers):
     """The findings of the first page."""
     return [f"- {in_plain(row['sentence'], numbers)} ({command_of(row['figure'])})" for row in findings.values() if row["front"]]
@@ -79,13 +88,15 @@ def tally(claims, verdicts):
     """How many statements hold, and the ids of those that neither hold nor are in the table of the discrepant ones."""
     of = {word: [id for id in claims if verdicts[id]["verdict"] == word] for word in meanings()}
     count = {word: len(ids) for word, ids in of.items()}
-    hold, open_ = count["reproduced"] + count["reproduced, assuming"] + count["holds"], count["quantified"]
+    hold = sum(count[word] for word in count if word.startswith(("reproduced", "holds")))
+    open_ = count["quantified"]
 
     def named(word):
         return f"{count[word]} ({', '.join(f'`{id}`' for id in of[word])})"
 
     return [f"Of {len(claims)} statements {len(claims) - open_} can be decided. {hold} hold: {count['reproduced']} numbers as printed, "
-            f"{count['reproduced, assuming']} under a natural condition that the article does not state, and {count['holds']} assertions. "
+            f"{count['reproduced, assuming']} under a condition that the article does not state, {count['holds']} assertions, and "
+            f"{count['holds, assuming']} more that assume a bound or another choice of ours. {count['in part']} hold in part. "
             f"{named('within its own accuracy')} is missed by no more than the accuracy that the article prints, {named('follows')} only because "
             f"it is computed from another number, and {count['discrepant']} are discrepant. The other {open_} are words without a number, or numbers "
             "whose method is not printed; ours stand beside them."]
@@ -122,6 +133,7 @@ def generated_tables(root, claims, numbers):
             "modules": module_rows(root) if (Path(root) / "src/modules.ecsv").exists() else None,
             "index": index_rows(root, read_figures(root)) if judged else None,
             "summary": tally(claims, verdicts) if judged else None,
+            "in_part": list(partial_rows(claims, verdicts)) if judged else None,
             "discrepant": list(discrepancy_rows(claims, numbers, verdicts)) if judged else None}
 
 

@@ -7,8 +7,8 @@ import re
 from . import ecsv
 from .cells import read_cells
 from .chapters import chapter_of, explained_by, read_commands, read_costs, run_of, shown_cost
-from .claims import (agrees, by_name, in_plain, programs_of, read_answers, read_claims, read_findings, read_second,
-                     read_statements, read_verdicts, runs_of, said)
+from .claims import (agrees, by_name, code_of, in_plain, programs_of, read_answers, read_claims, read_comparisons, read_findings,
+                     read_readings, read_second, read_statements, read_verdicts, runs_of, said)
 from .lock import read_lock
 from .refresh import command_of, read_figures
 from .volumes import joined, volumes
@@ -20,12 +20,42 @@ def figures_of(claim, figures):
     return [id for id, f in figures.items() if f["label"] and f["label"] in words]
 
 
+MOST = 12  # comparisons that are shown
+ROLES = {"answer": "answers", "claim": "compares", "control": "controls"}
+
+
+def with_error(value, error):
+    return f"{value:.6g}" + (f" +- {error:.1g}" if error > 4e-16 * abs(value) else "")
+
+
+def compared(rows):
+    """The rows that decide: all of a few, of many those that fail and the closest ones."""
+    def left(row):
+        return (row["large"] - row["small"]) / (max(abs(row["large"]), abs(row["small"])) or 1)
+
+    for row in sorted(rows, key=lambda row: 0 if row["role"] == "answer" else left(row))[:MOST]:
+        sides = with_error(row["small"], row["small_error"])
+        if row["role"] != "answer":
+            sides += f" < {with_error(row['large'], row['large_error'])}  {row['outcome']}"
+        yield ROLES[row["role"]], f"{row['cells']}: {sides}"
+    if len(rows) > MOST:
+        yield "", f"and {len(rows) - MOST} more (in all {sum(r['outcome'] == 'holds' for r in rows)} hold): build/report"
+
+
 def judged(id, root, verdict):
-    """How a statement was judged: what was compared, and the line of its function."""
-    _, path, line = joined(read_statements, volumes(root))[id]
-    for text in verdict["found"].split("; "):
+    """How a statement was judged: its code, the rows that decide, and what other choices give."""
+    all = volumes(root)
+    _, path, line = joined(read_statements, all)[id]
+    rows = joined(read_comparisons, all).get(id, [])
+    for text in [] if rows else verdict["found"].split("; "):
         yield "found", text
     yield "judged", f"{path}:{line}" + (f" ({verdict['state']})" if verdict["state"] != "judged" else "")
+    for text in code_of(path, line):
+        yield "", text
+    yield from compared(rows)
+    for row in joined(read_readings, all).get(id, []):
+        number = "" if math.isnan(row["value"]) else f"{with_error(row['value'], row['error'])} {row['unit']}, "
+        yield "reading", f"{row['reading']}: {number}{row['outcome']} ({row['choice']})"
 
 
 def of_number(name, finding, claims, numbers, verdict, root):
@@ -41,7 +71,7 @@ def of_number(name, finding, claims, numbers, verdict, root):
     if claim:
         yield "verdict", verdict["verdict"]
         yield from judged(name, root, verdict)
-        for word, key in (("assuming", "assumption"), ("why", "reason")):
+        for word, key in (("remark", "assumption"), ("why", "reason")):
             if claim[key]:
                 yield word, said(claim[key], numbers)
     program = finding.program if finding else claim["program"]
@@ -83,6 +113,6 @@ def show(root, data, name):
     print(name)
     told = of_finding(findings[name], numbers, verdict, root) if name in findings else of_number(name, finding, claims, numbers, verdict, root)
     for word, text in told:
-        print(f"  {word:9}  {text}")
+        print(f"  {word:9}  {text}".rstrip())
     if finding:
         print(f"  {'from':9}  {'build/data, computed here' if finding.key in fresh else 'paper/converged.ecsv (not computed here yet)'}")

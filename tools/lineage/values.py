@@ -28,7 +28,7 @@ def without_zeros(text):
 
 @dataclass(frozen=True)
 class Finding:
-    """One value of one program: a cell of a table, the answer to a statement, or the least margin of its comparisons. A `residue` is
+    """One value of one program: a cell of a table, the answer to a statement, the least margin of its comparisons, or how many fail. A `residue` is
     made of rounding, so that only its size counts."""
     program: str
     id: str
@@ -36,7 +36,7 @@ class Finding:
     error: float = 0.0
     unit: str = ""
     kind: str = "value"
-    what: str = "cell"  # or answer, margin
+    what: str = "cell"  # or answer, margin, failures
 
     @property
     def key(self):
