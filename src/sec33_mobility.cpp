@@ -26,9 +26,9 @@ At $t = 0$ all beads of a breather are at rest, and the kick adds velocities $c\
 $g_n\propto y_{n+1}-y_{n-1}$, close to the mode that shifts the breather (`sec33_floquet`). We take $\sum g_n^2 = 1$:
 only then does the kick add the energy $c^2/2$, as the article says. Around a bond the central contact may be compressed
 at $t = 0$ or, half a period later, stretched. The article does not say which, so we try both. A reflection with
-$y_n\to-y_{-n}$ turns the sign of such a kick. Around a site it leads to the other phase, so that one phase is enough,
-but both signs of $c$ are to be tried. The caption of figure 14 says that the kick is along the pinning mode itself, and
-we try that, too. */
+$y_n\to-y_{-n}$ turns the sign of such a kick. Around a bond it leaves the breather as it is, and one sign of $c$ is
+enough. Around a site it leads to the other phase: one phase is enough, but both signs are to be tried. The caption of
+figure 14 says that the kick is along the pinning mode itself, and we try that, too. */
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -417,10 +417,10 @@ The mode that shifts the breather nearly solves $(\mu-\frac32M)\,v = 0$, and $g$
 $$\varphi \approx \tfrac23\mu-\mu = -\frac{\omega_b-1}3.$$
 In this limit $\tilde E_{PN}$ is $-(\omega_b-1)/5$ times $E_{PN}$, the barrier at equal frequency (`sec32_barrier`). The
 ratio of the two small factors gives $c_c^2/2 \approx \frac35E_{PN}$, so the two quantities differ but have the same
-order of magnitude there. This does not explain why they are close at $\omega_b = 1.1$: below it each of the two barriers
-vanishes twice, the first time at [1.0146](cell:sec32_barrier/sign_changes/s=0/kind=1/zero=1/omega), and never at the
-same frequency, so that their ratio takes all values. At 1.1, with the contact stretched, both factors happen to be
-about 0.7 of their limits.
+order of magnitude there. This does not explain why they are close at $\omega_b = 1.1$: below it each of the two
+barriers vanishes twice, the first time at [1.0146](cell:sec32_barrier/sign_changes/s=0/kind=1/zero=1/omega), and never
+at the same frequency, so that their ratio takes all values. At 1.1, with the contact stretched, both factors happen to
+be about 0.7 of their limits.
 
 ## The threshold
 
