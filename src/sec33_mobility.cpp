@@ -271,10 +271,10 @@ outside (*negligible dispersion*). The run of the kicked bond-centred breather s
 
 At which phase did the article kick? Its approximate breather, Eqs. (18) and (20), begins with the central contact
 compressed, but then the bond-centred breather is three per cent too fast. Along the pinning mode, as the caption says,
-both are faster than printed, the site-centred one by a per cent. With the contact stretched and along the discrete gradient both printed speeds are met to
-$2\cdot10^{-4}$, so we assume that. Both of ours are lower by this fraction, one unit of the last printed digit. We do
-not know why: neither the window of the fit nor the sign of the kick makes such a difference. A kick to the right drives
-the breather to the left.
+both are faster than printed, the site-centred one by a per cent. With the contact stretched and along the discrete
+gradient both printed speeds are met to $2\cdot10^{-4}$, so we assume that. Both of ours are lower by this fraction, one
+unit of the last printed digit. We do not know why: neither the window of the fit nor the sign of the kick makes such a
+difference. A kick to the right drives the breather to the left.
 
 ## A weak kick (figure 15)
 
@@ -385,9 +385,9 @@ void report_passages(Report& report, const RestingBreather& bond, const TwoRuns<
 It passes every site as fast as the one before. A breather that is pinned after two sites would not pass a third one,
 which ours does, also after a kick of the other sign ([3.1](cell:other_weak/kick=reversed/farthest) sites when we stop)
 and along the pinning mode ([3.1](cell:other_weak/kick=along_mode/farthest)). A figure that ends at
-$t = 1.8\cdot10^5$ would show two sites but no pinning. By $t = 10^6$ (`sec33_mobility kick --centre site --c 3e-6
---time 1e6 --sites 61`) it has travelled eleven sites at the same mean speed. The cause of the printed pinning is not
-known.
+$t = 1.8\cdot10^5$ would show two sites but no pinning. By $t = 10^6$, after
+`sec33_mobility kick --centre site --c 3e-6 --time 1e6 --sites 61`, it has travelled eleven sites at the same mean
+speed. The cause of the printed pinning is not known.
 
 The passage after the printed $c_c$ takes until $t =$ [3.588e4](cell:short_run/time), so runs of that length would give
 the printed threshold. But by then the site-centred breather of figure 15, in the same paragraph, has moved by
