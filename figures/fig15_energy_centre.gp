@@ -4,8 +4,8 @@ load 'figures/style.gp'
 table = data.'/sec33_mobility/paths.ecsv'
 set xlabel 'time t · 10^{−5}'
 set ylabel 'energy centre X (sites)'
-set xrange [0:2.5]
-set yrange [-3.2:0.7]
+set xrange [0:2.85]
+set yrange [-3.3:0.7]
 set key bottom left
 set ytics 1
 plot table using (1e-5*column("t")):"X_bond_stretched" with lines ls 1 title 'bond, stretched', \

@@ -1,6 +1,10 @@
 // Kicks, the breather that drifts, and what linear theory says of both; pairs near an exchange, and noise that moves.
 
 #include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 #include "commands/exchanges.hpp"
 #include "sec33/dps_motion.hpp"
@@ -114,6 +118,21 @@ TEST_CASE("hill and trough have opposite curvatures of one size", "[property][ki
   // By the integrator of tests/second
   check_close(trough.share, -0.02521309492, 0, 1e-6);
   check_close(later.share, -0.02374023066, 0, 1e-6);
+}
+
+TEST_CASE("the pinning mode is of length one and close to the discrete gradient",
+          "[published][kick]") {
+  // The cosines by a fixed step of order six and differences of neighbouring orbits
+  const std::array<std::pair<RestingBreather, double>, 3> all{
+      {{breather(Centre::site, 1.1), 0.98738926},
+       {breather(Centre::bond, 1.1), 0.97974135},
+       {breather(Centre::bond, 1.1, Phase::stretched), 0.99644120}}};
+  for (const auto& [at, cosine] : all) {
+    const std::vector<double> shift = pinning_of(at).shift, g = kick_direction(at.rest.y);
+    REQUIRE(shift.size() == g.size());
+    check_close(std::inner_product(shift.begin(), shift.end(), shift.begin(), 0.0), 1, 1e-12);
+    check_close(std::inner_product(shift.begin(), shift.end(), g.begin(), 0.0), cosine, 1e-5);
+  }
 }
 
 TEST_CASE("a breather swings at the frequency of linear theory", "[published][kick]") {

@@ -35,7 +35,8 @@ double breather_place(const std::vector<double>& e);
 
 /// The means of X, in sites from the middle of the chain, at the middles of their intervals.
 struct KickedPath : Path {
-  double share = 1;  ///< the least share of the energy near the largest density, of all samples
+  double share = 1;   ///< the least share of the energy near the largest density, of all samples
+  double energy = 0;  ///< of the chain at the end of the run
   Run run{};
 
   /// Sites moved from the first mean to mean `k`, and to the last; zero without means.

@@ -52,9 +52,11 @@ Pinning pinning_of(const Chain& chain, Centre centre, const State<double>& start
   const double cosine = z.dot(A * x) / z.dot(x), b = z.dot(B * z) / z.dot(x), part = x.dot(g);
   const double share = b * part * part / (period * x.dot(z));
   const double miss = 2 * (1 - std::abs(cosine)) / (period * period);
-  if (centre == Centre::bond) return {miss, share, part};
+  const Vector<double> shift = (part < 0 ? -1 : 1) * (map.basis * x);
+  const std::vector<double> mode(shift.begin(), shift.end());
+  if (centre == Centre::bond) return {miss, share, part, mode};
   // Around a site half a period is taken twice, which doubles the angle
-  return {2 * (1 + std::abs(cosine)) * miss, 2 * cosine * share, part};
+  return {2 * (1 + std::abs(cosine)) * miss, 2 * cosine * share, part, mode};
 }
 
 double hill_speed(const KickedPath& path, double hill) {

@@ -27,9 +27,10 @@ many periods this is an oscillator (or, if $\cos\theta > 1$, its unstable twin) 
 kick $c\,g$ gives it the kinetic energy
 $$K = \varphi\,\frac{c^2}2,\qquad \varphi = \frac{b\,(x\cdot g)^2}{T\,(x\cdot z)}.$$ */
 struct Pinning {
-  double frequency2 = 0;  ///< Omega^2; negative for an unstable breather
-  double share = 0;       ///< phi
-  double cosine = 0;      ///< of the shift x and the direction g of the kick
+  double frequency2 = 0;        ///< Omega^2; negative for an unstable breather
+  double share = 0;             ///< phi
+  double cosine = 0;            ///< of the shift x and the direction g of the kick
+  std::vector<double> shift{};  ///< x, of length one, in the direction of g
 };
 
 /// The eigenvector of the eigenvalue nearest to `value`, by inverse iteration from `guess`.
