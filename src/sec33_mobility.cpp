@@ -259,9 +259,9 @@ void report_other_strong(Report& report) {
 |---|---|---|---|
 | article: speed | $5.446\cdot10^{-4}$ | $5.364\cdot10^{-4}$ | |
 | speed | [5.444898e-4 ± 3e-10](statement:moving.v_site) | [5.362962e-4 ± 2e-10](statement:moving.v_bond) | [5.526778e-4 ± 2e-10](cell:strong_kicks/breather=bond_compressed/speed) |
-| first half of the run | [5.444895e-4 ± 6e-10](cell:strong_kicks/breather=site/first_half) | [5.362956e-4 ± 5e-10](cell:breather=bond_stretched/first_half) | [5.526774e-4 ± 5e-10](cell:breather=bond_compressed/first_half) |
-| second half | [5.444896e-4 ± 6e-10](cell:strong_kicks/breather=site/second_half) | [5.362960e-4 ± 5e-10](cell:breather=bond_stretched/second_half) | [5.526778e-4 ± 6e-10](cell:breather=bond_compressed/second_half) |
-| kick of the other sign | [5.44491e-4](cell:other_strong/breather=site/kick=reversed/speed) | the mirror image | the mirror image |
+| first half of the run | [5.444893e-4 ± 5e-10](cell:strong_kicks/breather=site/first_half) | [5.362958e-4 ± 4e-10](cell:breather=bond_stretched/first_half) | [5.526772e-4 ± 5e-10](cell:breather=bond_compressed/first_half) |
+| second half | [5.444896e-4 ± 6e-10](cell:strong_kicks/breather=site/second_half) | [5.362964e-4 ± 5e-10](cell:breather=bond_stretched/second_half) | [5.526777e-4 ± 5e-10](cell:breather=bond_compressed/second_half) |
+| kick of the other sign | [5.4449e-4](cell:other_strong/breather=site/kick=reversed/speed) | the mirror image | the mirror image |
 | kick along the pinning mode | [5.514e-4](cell:other_strong/breather=site/kick=along_mode/speed) | [5.382e-4](cell:other_strong/breather=bond_stretched/kick=along_mode/speed) | [5.641e-4](cell:other_strong/breather=bond_compressed/kick=along_mode/speed) |
 
 From site to site the speed changes by at most [5e-5 ± 2e-5](cell:strong_kicks/breather=site/unsteadiness) of itself
@@ -526,10 +526,11 @@ Table& report_thresholds(Report& report, const Breathers& at, const Table& stron
 | the same over $E_{PN}$ = [1.624e-11](statement:pn.omega11) | quite close | [0.610](statement:moving.barrier_close) | [0.574](cell:thresholds/breather=bond_compressed/over_barrier) |
 
 <!-- depinning.law -->
-The smallest kick $c$ along the discrete gradient that sets a stable breather in motion follows from the flow linearised
-over one period: only a small fraction $\varphi$ of $c^2/2$ becomes translational kinetic energy, and this must reach
-the barrier at equal area. At $\omega_b = 1.1$ in the linear well $\varphi =$ -0.02374; the prediction for the
-bond-centred breather is $c =$ 4.4516e-6 ± 3e-10, and the chain has 4.4518e-6 ± 4e-10. (computed)
+The smallest kick $c$ along the discrete gradient that sets a stable breather of the linear well ($s = 0$) in motion
+follows from the flow linearised over one period: only a small fraction $\varphi$ of $c^2/2$ becomes translational
+kinetic energy, and this must reach the barrier at equal area. At $\omega_b = 1.1$, with the central contact stretched
+at the kick, $\varphi =$ -0.02374; the prediction for the bond-centred breather is $c =$ 4.4516e-6 ± 3e-10, and the
+chain has 4.4518e-6 ± 4e-10. (computed)
 <!-- /depinning.law -->
 
 Chain and linearised flow agree within their errors, and a pendulum, whose potential is only assumed to be a sine,
@@ -605,14 +606,15 @@ void report_speeds(Report& report, const Breathers& at, const Table& strong_kick
 |---|---|---|---|
 | `moving.v_site`: velocity after a kick c = 2e-4 of the site-centred breather | 5.446e-4 sites/time | 5.445e-4 site per unit of time | in part |
 | `moving.v_bond`: velocity after a kick c = 2e-4 of the bond-centred breather | 5.364e-4 sites/time | 5.363e-4 site per unit of time | in part |
-| `moving.kick_energy`: kinetic energy of the kick c^2/2 | 2e-8 | 2.000e-8 | reproduced, assuming |
-| `moving.site_below`: for c = 3e-6 the site-centred breather jumps 2 sites and is pinned again | 2 sites | 2.817 site | discrepant |
-| `moving.bond_pinned`: for c = 3e-6 the bond-centred breather stays pinned | pinned | weak_kicks.farthest (breather = bond_compressed): 0.2441 < 0.45 (the closest of 4) | holds |
+| `moving.kick_energy`: kinetic energy of the kick c^2/2 | 2e-8 | 2.0e-8 | reproduced, assuming |
+| `moving.site_moves`: for c = 3e-6 the unstable site-centred breather is able to move along the lattice | moves | weak_kicks.farthest (breather = site): 1 < 3.124 | holds |
+| `moving.site_below`: for c = 3e-6 the site-centred breather jumps 2 sites and gets pinned subsequently | pinned after 2 sites | weak_kicks.farthest (breather = site): 3.124 < 3 | discrepant |
+| `moving.bond_pinned`: for c = 3e-6 the bond-centred breather stays pinned | pinned | weak_kicks.farthest (breather = bond_compressed): 0.2441 < 0.5 (the closest of 4) | holds |
 | `moving.c_threshold`: depinning threshold c_c of the bond-centred breather | 6.19e-6 | 4.452e-6 | discrepant |
 | `moving.pn_dynamic`: dynamic barrier c_c^2/2 | 1.92e-11 | 9.91e-12 | follows |
-| `moving.steady`: after the kick c = 2e-4 both breathers move with an almost constant velocity | almost constant | 5e-5 ± 2e-5 relative | quantified |
+| `moving.steady`: after the kick c = 2e-4 both breathers move with an almost constant velocity | almost constant | strong_kicks.unsteadiness (breather = site): 4.863e-05 < 0.01; strong_kicks.unsteadiness (breather = bond_stretched): 4.67e-05 < 0.01; strong_kicks.unsteadiness (breather = bond_compressed): 4.306e-05 < 0.01 | holds |
 | `moving.barrier_close`: c_c^2 / 2 is quite close to E_PN | quite close | 0.610 | quantified |
-| `moving.dispersion`: the moving breather has negligible dispersion | negligible | 3.0e-9 of the energy | quantified |
+| `moving.dispersion`: the moving breather has negligible dispersion | negligible | strong_kicks.outside (breather = site): 2.951e-09 < 0.01; strong_kicks.outside (breather = bond_stretched): 2.913e-09 < 0.01; strong_kicks.outside (breather = bond_compressed): 3.473e-09 < 0.01 | holds |
 <!-- /statements -->
 
 ## Try it
