@@ -301,6 +301,7 @@ void report_arcs(Report& report, double step) {
     table.add({arc, runs.of([&](const Trajectory& run) { return deviation(run, arc); })});
 }
 
+// Each impact twice; where packets turn, also between rebounds and on the way back
 void report_acceleration(Report& report) {
   const double step = report.quick ? 0.1 : 0.05;
   std::vector<Accelerated> list;

@@ -208,6 +208,7 @@ void report_equal_energy(Report& report, const std::vector<Curve>& curves) {
     }
 }
 
+// Every hundredth of a velocity, in soft wells up to the first escape
 void report_sweep(Report& report, const std::vector<double>& ends) {
   Table& sweep =
       report.table("velocity_sweep",
