@@ -6,7 +6,7 @@ set logscale xy
 set format y '10^{%T}'
 orbit = data.'/secA_integrators/error_orbit.ecsv'
 tangent = data.'/secA_integrators/error_tangent.ecsv'
-set key bottom left samplen 1 maxrows 3 width -7
+set key bottom left samplen 1 maxrows 3 width -5
 set xrange [0.0025:0.25]
 set yrange [1e-19:10]
 set ytics 1e3
@@ -15,8 +15,8 @@ set xtics (0.003, 0.01, 0.03, 0.1, 0.2)
 set label 1 panel('a') at graph 0.03,0.94
 set xlabel 'time step  {/:Italic h}'; set ylabel 'error of displacements  {/:Italic y_n}(50)' offset 1,0
 plot orbit using 'step':'verlet' with linespoints ls 4 title 'velocity Verlet', \
-     '' using 'step':'blanes_moan_4' with linespoints ls 3 title 'splitting, order 4', \
-     '' using 'step':'blanes_moan_6' with linespoints ls 1 title 'splitting, order 6', \
+     '' using 'step':'blanes_moan_4' with linespoints ls 3 title 'order 4', \
+     '' using 'step':'blanes_moan_6' with linespoints ls 1 title 'order 6', \
      '' using 'step':'contact_aware' with linespoints ls 2 title 'events, 2 steps', \
      '' using 'step':'six_steps' with linespoints ls 2 dt 1 pt 6 ps 0.6 title 'events, 6 steps', \
      [0.003:0.05] 2e-3*x**2.5 lc rgb grey dt (1,2) notitle, \
