@@ -67,7 +67,8 @@ def discrepancy_rows(claims, numbers, verdicts):
     yield "|---|---|---|---|"
     for id, c in claims.items():
         if verdicts[id]["verdict"] == "discrepant":
-            yield f"| {c['quantity']} | {printed(c)} | {here(id, c, numbers, verdicts)} | {c['cause']} |"
+            ours = here(id, c, numbers, verdicts)
+            yield f"| {c['quantity']} | {printed(c)} | {ours if id in numbers else f'fails: {ours}'} | {c['cause']} |"
 
 
 def partial_rows(claims, verdicts):
