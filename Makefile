@@ -300,14 +300,14 @@ refresh: verdicts
 	@$(lineage) refresh --costs $(B)/report/cost
 	@[ ! -d beyond ] || $(lineage) --root beyond refresh --costs $(B)/report/cost
 
-## show: print one number, as in  make show ID=pn.omega11
+## show: print one statement, finding or number with all that decides it, as in  make show ID=pn.omega11
 show: verdicts
 	@$(lineage) show "$(ID)" --data $(B)/data $(or_read)
 
 ## verify: run the one program that decides a statement and judge, as in  make verify ID=pn.omega11
 verify: ready
 	@f=$$(grep -lF 'STATEMENT("$(ID)")' $(wildcard src/statements/*.cpp beyond/src/statements/*.cpp)); \
-	[ -n "$$f" ] || { echo "make: ID=$(ID): no statement has this name (allowed: an id of paper/claims.ecsv)" >&2; exit 2; }; \
+	[ -n "$$f" ] || { echo "make: ID=$(ID): no statement has this name (allowed: an id of a statement or a finding)" >&2; exit 2; }; \
 	p=$$(basename "$$f" .cpp); case $$f in beyond*) v=beyond j=verdicts_beyond;; *) v=. j=verdicts;; esac; \
 	rm -f $(B)/data/$$p/SHA256SUMS; $(MAKE) QUICK= volume=$$v TARGETS="$$p $$j" $(B)/data/$$p/SHA256SUMS && \
 	  $(MAKE) QUICK= volume=$$v verdicts && $(lineage) show "$(ID)" --data $(B)/data $(or_read)

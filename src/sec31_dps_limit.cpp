@@ -172,7 +172,7 @@ double tau_0_by_quadrature() {
 ## The error and its order (figure x02)
 
 The theorem speaks of every initial condition within $O(\epsilon^{3/2})$ of Eq. (13) and of every horizon (final time)
-of order $\epsilon^{-1/2}$; we sample them. Both starts are localized: an `impact` on the first bead, $A_1 = -i$, and a
+of order $\epsilon^{-1/2}$; we sample them. The starts are localized: an `impact` on the first bead, $A_1 = -i$, and a
 `pair` of neighbours in the middle that are pushed together and released, $A_{16} = 1$ and $A_{17} = -1$. A third one is
 the pair with each of its displacements and velocities off by $\epsilon^{3/2}$. The horizons are $\tau = 1$, 4 and 10.
 On 32 sites nothing reaches the far end within these times. */
@@ -224,7 +224,7 @@ largest departure of any of the nine, the error of that one included.
 
 The mean is [1.498 ± 0.006](statement:dps.error_order), where the article has 3/2. The table `dps_error` has the
 constants, too, the error over $\epsilon^{3/2}$. They grow with the horizon: after an impact from 1.5 to 2.1 up to
-$\tau = 1$, from 4.9 to 6.6 up to $\tau = 10$, for a pair up to 19. */
+$\tau = 1$, from 4.9 to 6.6 up to $\tau = 10$, for the pairs up to 21. */
 void report_errors(Report& report, const Points& points) {
   const char *start = "initial condition, 0: impact, 1: pair, 2: pair that is off by eps^(3/2)",
              *tau = "slow time up to which the largest error is taken";
@@ -477,8 +477,7 @@ void reproduce(Report& report) {
 
 **To change it.** Another start is a vector of complex amplitudes in `start_of`, another well a struct like `Lopsided`,
 in its place in `wells`. For another contact law of the power $\alpha$, whose order is $\alpha$ as well, change both
-lines called `to_right`, the third member of `Chain` in `deviations`, `tau_0(alpha)`, the power in `report_errors`, and
-the slow time, $\epsilon^{\alpha-1}$ for `sqrt(eps)`, twice in `deviations`; the sections on the constant and on exact
+lines called `to_right`, the third member of `Chain` in `deviations`, `tau_0(alpha)`, the power in `report_errors`, and in `deviations` the slow time, $\epsilon^{\alpha-1}$ for `sqrt(eps)`, and what the third start is off by, $\epsilon^\alpha$; the sections on the constant and on exact
 waves are for spheres.
 
 1. *Easy.* Does a packet of the chain move as the DpS equation says?

@@ -17,7 +17,7 @@ that the breathers are almost free to move. It says that
 and `excess`, and those of the partner, against `s`, from `bond_against_s`.](fig:11)
 
 At $\omega_b = 1.1$ all of this holds except the two values of $s_0$: we find both at $s =$
-[0.1525](cell:exchange/site). But far from there, in hard wells the four multipliers leave $+1$, and in soft wells
+[0.1525](cell:exchange/site). But far from there, in hard wells the pinning pair leaves $+1$, and in soft wells
 others leave the circle. These numbers are hard to compute. Two multipliers are exactly $+1$ for every breather, and
 share one eigenvector, so an error $\delta$ of the matrix splits them by about $\sqrt\delta$: an error of $10^{-7}$
 becomes $10^{-4}$, half of the instability itself.

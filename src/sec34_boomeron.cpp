@@ -244,7 +244,7 @@ particle with no force but at its tip, is off by 0.072.
 | $100 < t < 220$ | [-8.73e-5 ± 7e-7](cell:acceleration/s=0/leg=out/acceleration) | [-8.75e-5 ± 7e-7](cell:s=0.005/leg=out/acceleration) | [-9.2e-5 ± 1e-6](cell:s=0.05/leg=out/acceleration) | [-0.0001459 ± 7e-7](cell:s=0.25/leg=out/acceleration) | [-0.0001539 ± 5e-7](cell:s=0.5/leg=out/acceleration) | [-0.00044](cell:s=1/velocity=1.9/leg=out/acceleration) |
 | $60 < t < 180$ | [-0.000175](cell:acceleration/s=0/leg=earlier/acceleration) | [-0.000174](cell:s=0.005/leg=earlier/acceleration) | [-0.000167](cell:s=0.05/leg=earlier/acceleration) | [-0.000226 ± 2e-6](cell:s=0.25/leg=earlier/acceleration) | [-0.000237](cell:s=0.5/leg=earlier/acceleration) | [-0.00054](cell:s=1/velocity=1.9/leg=earlier/acceleration) |
 
-In the window from 100 to 220 the modulus grows from each value of both lists to the next (table `acceleration`), and by
+In the window from 100 to 220 the modulus grows from each value of both lists to the next, in $s$ from 0.005 on (table `acceleration`), and by
 a factor of three or more in all. From 60 to 180 it falls between $v_0 = 1.1$ and 1.3, and between $s = 0.005$ and
 0.05. In linear wells a packet slows down as well, but none turns until the end of our runs (table `weakly_hard`). In
 hard wells at $v_0 = 1.5$ it slows down from quarter to quarter of the time of figure 22, and does not turn:

@@ -413,8 +413,7 @@ void report_packet(Report& report, const TwoRuns<DpsRun>& dps, const Refined<Cha
 The article prints neither a definition nor the instant beyond *t about 8090*, the slow time 250. A plot of
 displacements shows the height from crest to trough. At $\tau = 250$ it is $10.0\cdot10^{-4}$ in the chain and
 $13.3\cdot10^{-4}$ by the DpS equation: the second is the printed number, the first is not. But the height changes
-within an oscillation. Half a unit of time later that of the chain has fallen below the printed one, and two thirds of a
-unit before, at $t = 8090$ itself, the approximation is the *lower* one. So the printed numbers depend on what is not
+within an oscillation. That time is $250/\sqrt\epsilon = 8090.66$ with the printed digits of $\epsilon$. Four tenths of a unit later the height of the chain dips below the printed one, and two thirds of a unit before, at $t = 8090$ itself, the approximation is the *lower* one. So the printed numbers depend on what is not
 printed, and we list what other choices give (table `readings`), always by one function for chain and approximation and
 at the same instant.
 

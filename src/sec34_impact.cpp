@@ -22,11 +22,9 @@ Section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) says:
 - up to moderate velocities the packet is mainly on seven sites, and a small oscillatory tail follows it;
 - packets decay faster than any exponential.
 
-We find all of this, but not everywhere. The packet's energy is less than half of that in linear wells only after
-impacts that come near the blow-up; then most of what is missing is near the first bead. The blow-up has no single
+We find all of this, but not everywhere. The packet's energy is less than half of that in linear wells only after the strongest impacts, above 1.54 and 0.65 in the two wells; then most of what is missing is near the first bead. The blow-up has no single
 threshold: impacts after which a bead escapes alternate with others over a range of velocities. Just below this
-range the outcome is erratic: after an impact one hundredth faster than that of figure 20 the surface mode is not there,
-and after one two hundredths faster it is. And how many sites carry a moderate packet depends on the measure.
+range the outcome is erratic: at $s = -0.7$ the surface mode of figure 20, after an impact of 0.94, is not there at 0.95 and there again at 0.96. And how many sites carry a moderate packet depends on the measure.
 
 ## Model
 
@@ -493,8 +491,7 @@ void report_snapshot(Report& report) {
 How many sites carry a packet? The article says mainly seven, up to moderate velocities, and does not say how it counts.
 By energy, seven sites about the peak hold most of the eleven of Eq. (24) at all times. By amplitude the width is read
 off the undisturbed side: if $k$ sites ahead of the peak ever exceed one per cent of its amplitude, which a drawing
-still shows, the width is $2k+1$. The two answer differently: by amplitude there are seven sites after the impact of the
-chapter before and eleven after a strong one. The tail is the largest amplitude, relative to the peak's, on the ten
+still shows, the width is $2k+1$. The two answer differently: by amplitude there are seven sites after the impact of the chapter before and eleven after impacts of 1 and 1.5. The tail is the largest amplitude, relative to the peak's, on the ten
 sites that follow the eleven. All is taken in linear wells while the centre moves from site 40 to 60. Later in the same
 section the article calls an impact of 1.5 moderate, and so do we.
 

@@ -204,7 +204,7 @@ deviation, because the curvature of a contour would show at the ends of the line
 lies outside the range of the points, so the error of $\chi_0$ is that of the slope times the root mean square of
 $v_0^{1/2}$. It is the error of a fit at *one* horizon, and $\chi_0$ is not the limit of weak impacts: below $v_0 =
 0.01$ the line bends. After some strong impacts, one of them at $v_0 = 1.27$, the fate changes more than once as $s$
-grows: within two per cent of the line packets turn, pass and turn again. The bisection finds one of these changes
+grows: within three per cent of the line packets turn and pass again. The bisection finds one of these changes
 (`beyond/paper/findings.ecsv`).
 
 <!-- turning.contour -->

@@ -135,14 +135,18 @@ static std::string on_missed(const Case& one, const Cases& all) {
 ## The verdict on comparisons
 
 An assertion that holds assumes something if another reading, or half or twice a bound of ours, has another outcome. One that fails
-is discrepant only if it fails in every reading. */
+is discrepant only if it fails in every reading, and where only a bound of ours speaks against it, it is quantified. */
 static std::string on_comparisons(const Judged& found) {
   const bool assumes = found.is_sensitive();
+  const auto by_bound = [](const OtherReading& other) {
+    return other.is_bound && other.outcome == Outcome::holds;
+  };
+
   switch (outcome_of(found.comparisons)) {
     case Outcome::holds:
       return assumes ? "holds, assuming" : "holds";
     case Outcome::in_part:
-      return "in part";
+      return std::ranges::any_of(found.readings, by_bound) ? "quantified" : "in part";
     case Outcome::fails:
       return assumes ? "quantified" : "discrepant";
     default:
@@ -255,7 +259,7 @@ Choices read_choices(const std::filesystem::path& volume) {
   return out;
 }
 
-// The readings that were listed before anything was computed, and no others
+// All readings that are listed, and no others
 static void check_readings(const Cases& rows, Choices left) {
   const auto fault = [](const std::string& id, const std::string& what) {
     throw std::runtime_error("paper/readings.ecsv: " + id + ": " + what);

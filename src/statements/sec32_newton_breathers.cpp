@@ -81,7 +81,8 @@ STATEMENT("newton.amplitude_minor") {
 
 STATEMENT("newton.symmetry") {
   for (const char* centre : {"site", "bond"})
-    less(table("symmetry").at("centre", centre)["broken"], bound(1e-9));
+    for (const auto& breather : table("symmetry").where("centre", centre).where("omega", 1.01, 2))
+      less(breather["broken"], bound(1e-8));
 }
 
 STATEMENT("newton.any_s") {

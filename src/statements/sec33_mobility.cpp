@@ -43,7 +43,7 @@ STATEMENT("moving.kick_energy") {
 }
 
 STATEMENT("moving.site_moves") {
-  less(1, table("weak_kicks").at("breather", "site")["farthest"]);  // past the next site
+  less(2, table("weak_kicks").at("breather", "site")["farthest"]);
 }
 
 STATEMENT("moving.site_below") {
@@ -52,6 +52,23 @@ STATEMENT("moving.site_below") {
   const Data other = table("other_weak");
   reading("opposite sign", [&] { less(other.at("kick", "reversed")["farthest"], 3); });
   reading("along the mode", [&] { less(other.at("kick", "along_mode")["farthest"], 3); });
+}
+
+STATEMENT("moving.above_below") {
+  const Estimate barrier =
+      table("sec32_barrier", "key_pairs").at("s", 0, "omega", 1.1)["equal_frequency"];
+  less(0.5 * 3e-6 * 3e-6, barrier);
+  for (const char* breather : {"site", "bond_stretched", "bond_compressed"})
+    less(bound(10) * barrier, table("strong_kicks").at("breather", breather)["kick"]);
+}
+
+STATEMENT("moving.speeds_close") {
+  const Data kicks = table("strong_kicks");
+  const auto apart = [&](const char* bond) {
+    return abs(kicks.at("breather", bond)["speed"] / kicks.at("breather", "site")["speed"] - 1);
+  };
+  answer(apart("bond_stretched"), "relative");
+  reading("compressed", apart("bond_compressed"));
 }
 
 STATEMENT("moving.bond_pinned") {

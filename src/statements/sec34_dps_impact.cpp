@@ -25,6 +25,7 @@ STATEMENT("impact.dps_breather") {
   less(packet["speed_change"], bound(0.05));
   less(packet["norm_change"], bound(0.1));
   less(table("residue")["window"], bound(1));
+  reading("all_behind", [&] { less(1 - packet["norm"], packet["norm"]); });
 }
 
 STATEMENT("impact.dispersion") {
@@ -72,8 +73,8 @@ STATEMENT("impact.speed_order") {
 
 STATEMENT("impact.wavetrain") {
   const Data train = table("train");
-  answer(train["apart"]);
-  reading("site_by_site", train["site_by_site"]);
+  answer(train["site_by_site"]);
+  reading("all_energy", train["apart"]);
 }
 
 STATEMENT("impact.residual_extended") {

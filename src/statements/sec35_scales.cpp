@@ -103,4 +103,15 @@ STATEMENT("cantilever.lambda") {
 
 STATEMENT("outlook.dominated") {
   answer(table("losses").at("period", "printed")["epsilon"]);
+  reading("period of the wells", table("losses").at("period", "of_the_wells")["epsilon"]);
+}
+
+// Time scales, without the numbers that make a period and a contact time of them
+STATEMENT("scale.faster") {
+  const auto array = table("array").only();
+  less(array["tau_c"], array["tau_h"]);
+  reading("periods", [&] {
+    const Estimate collision = table("collision")["contact_time"];
+    less(2 * std::acos(-1.0) * array["tau_c"], collision * array["tau_h"]);
+  });
 }

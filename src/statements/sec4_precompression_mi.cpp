@@ -239,9 +239,11 @@ STATEMENT("pre.less_localized") {
 STATEMENT("pre.nls_order") {
   // The last order, with the one before it as its error
   const Data errors = table("ansatz_error"), soft = errors.where("s", -1.0 / 6);
-  const auto last = soft.at("eps", 0.025);
-  answer(compare(soft.at("eps", 0.05)["order_l2"], last["order_l2"]), "");
-  reading("largest", last["order_largest"]);
-  reading("displacements", last["order_l2_y"]);
-  reading("hard well", errors.at("s", 1, "eps", 0.025)["order_l2"]);
+  const auto last = [](const Data& well, const char* order) {
+    return compare(well.at("eps", 0.05)[order], well.at("eps", 0.025)[order]);
+  };
+  answer(last(soft, "order_l2"), "");
+  reading("largest", last(soft, "order_largest"));
+  reading("displacements", last(soft, "order_l2_y"));
+  reading("hard well", last(errors.where("s", 1), "order_l2"));
 }

@@ -102,6 +102,10 @@ TEST_CASE("an assertion holds, holds in part or not, and may assume something", 
   CHECK(with({good, bad}, Outcome::holds) == "in part");
   CHECK(with({bad}, Outcome::fails) == "discrepant");
   CHECK(with({bad}, Outcome::in_part) == "quantified");
+  Case one;
+  one.found.comparisons = {good, bad};
+  one.found.readings = {{"2 in the place of 1", {}, Outcome::holds, true}};
+  CHECK(verdict(one, {}) == "quantified");  // only our bound speaks against it
   CHECK(with({good, open}, {}) == "unresolved");
   CHECK(with({bad, open}, {}) == "unresolved");
   CHECK(with({good, bad, open}, {}) == "in part");
