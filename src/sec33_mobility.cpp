@@ -603,9 +603,11 @@ void report_speeds(Report& report, const Breathers& at, const Table& strong_kick
 |---|---|---|---|
 | `moving.v_site`: velocity after a kick c = 2e-4 of the site-centred breather | 5.446e-4 sites/time | 5.445e-4 site per unit of time | in part |
 | `moving.v_bond`: velocity after a kick c = 2e-4 of the bond-centred breather | 5.364e-4 sites/time | 5.363e-4 site per unit of time | in part |
+| `moving.speeds_close`: the speeds of both breathers are very close | very close | 0.01505 relative | quantified |
 | `moving.kick_energy`: kinetic energy of the kick c^2/2 | 2e-8 | 2.0e-8 | reproduced, assuming |
-| `moving.site_moves`: for c = 3e-6 the unstable site-centred breather is able to move along the lattice | moves | weak_kicks.farthest (breather = site): 1 < 3.124 | holds |
-| `moving.site_below`: for c = 3e-6 the site-centred breather jumps 2 sites and gets pinned subsequently | pinned after 2 sites | weak_kicks.farthest (breather = site): 3.124 < 3 | discrepant |
+| `moving.above_below`: the kinetic energy of the kick c = 2e-4 is well above E_PN and c^2/2 for c = 3e-6 below | well above; below | key_pairs.equal_frequency (s = 0, omega = 1.1): 4.5e-12 < 1.624e-11 (the closest of 4) | holds |
+| `moving.site_moves`: for c = 3e-6 the unstable site-centred breather is able to move along the lattice and to jump 2 sites | moves | weak_kicks.farthest (breather = site): 2 < 3.124 | holds |
+| `moving.site_below`: for c = 3e-6 the site-centred breather, after a jump of 2 sites, gets pinned | pinned after 2 sites | weak_kicks.farthest (breather = site): 3.124 < 3 | discrepant |
 | `moving.bond_pinned`: for c = 3e-6 the bond-centred breather stays pinned | pinned | weak_kicks.farthest (breather = bond_compressed): 0.2441 < 0.5 (the closest of 4) | holds |
 | `moving.c_threshold`: depinning threshold c_c of the bond-centred breather | 6.19e-6 | 4.452e-6 | discrepant |
 | `moving.pn_dynamic`: dynamic barrier c_c^2/2 | 1.92e-11 | 9.91e-12 | follows |

@@ -7,6 +7,8 @@ import subprocess
 import unittest
 
 from lineage import ecsv
+from lineage.claims import read_claims
+
 
 from common import ROOT
 
@@ -24,6 +26,12 @@ class Here(unittest.TestCase):
         for name in ("CITATION.cff", "paper/paper.tex", "paper/refs.bib"):
             text = ecsv.text_of(ROOT / name).replace("{H}", "H")
             self.assertTrue(meta["referencePublication"]["name"] in text, name)
+
+        def test_they_count_the_statements(self):
+        all = len(read_claims(ROOT))
+        for name, words in (("codemeta.json", "published numbers and statements"), ("CITATION.cff", "published numbers and statements"),
+                            ("README.md", "statements of the article")):
+            self.assertIn(f" {all} {words}", ecsv.text_of(ROOT / name))
 
     @unittest.skipUnless(importlib.util.find_spec("tomllib"), "this python has no tomllib")
     @unittest.skipUnless((ROOT / ".git").exists(), "this is no checkout")
