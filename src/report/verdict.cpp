@@ -136,6 +136,7 @@ static std::string on_missed(const Case& one, const Cases& all) {
 
 An assertion that holds assumes something if another reading, or half or twice a bound of ours, has another outcome. One that fails
 is discrepant only if it fails in every reading, and where only a bound of ours speaks against it, it is quantified. */
+// By the outcome of its comparisons
 static std::string on_comparisons(const Judged& found) {
   const bool assumes = found.is_sensitive();
   const auto by_bound = [](const OtherReading& other) {
@@ -154,6 +155,7 @@ static std::string on_comparisons(const Judged& found) {
   }
 }
 
+// Of any row
 std::string verdict(const Case& one, const Cases& all) {
   const auto& [claim, found] = one;
   if (!found.not_run.empty()) return claim.status;

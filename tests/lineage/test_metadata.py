@@ -27,7 +27,7 @@ class Here(unittest.TestCase):
             text = ecsv.text_of(ROOT / name).replace("{H}", "H")
             self.assertTrue(meta["referencePublication"]["name"] in text, name)
 
-        def test_they_count_the_statements(self):
+    def test_they_count_the_statements(self):
         all = len(read_claims(ROOT))
         for name, words in (("codemeta.json", "published numbers and statements"), ("CITATION.cff", "published numbers and statements"),
                             ("README.md", "statements of the article")):
