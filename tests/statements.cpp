@@ -100,6 +100,9 @@ TEST_CASE("statements", "[statements]") {
       for (std::size_t i = 0; i < one.found.controls.size(); ++i)
         CHECK(flipped(one, &Judged::controls, i, all).verdict == "unresolved");
       if (one.claim.status == "reproduced, assuming") CHECK_FALSE(one.found.readings.empty());
+      // No reading is the answer again
+      for (const OtherReading& other : one.found.readings)
+        if (other.value) CHECK(other.value->value != one.found.answer->value);
       if (one.found.answer && one.claim.status != "quantified")
         CHECK(far_away(one, all) == "discrepant");
     }
@@ -163,6 +166,27 @@ TEST_CASE("every row has its statement, and every statement its row", "[statemen
   write(list, rows);
   check_line(refusal<std::runtime_error>([&] { judge(scratch.path, tables); }),
              "no list has such a row");
+}
+
+TEST_CASE("readings are those that are listed, and all of them", "[statements]") {
+  if (!fs::exists(VOLUME_DIR "/paper/readings.ecsv")) return;
+  Tables tables(tables_of_run());
+  Scratch scratch;
+  fs::copy(VOLUME_DIR "/paper", scratch.path / "paper", fs::copy_options::recursive);
+  const fs::path list = scratch.path / "paper/readings.ecsv";
+  const Table whole = read(list);
+  const auto refuses = [&](const Table& rows, const char* said) {
+    write(list, rows);
+    check_line(refusal<std::runtime_error>([&] { judge(scratch.path, tables); }), said);
+  };
+  Table fewer = whole, more = whole, twice = whole;
+  fewer.rows.pop_back();
+  refuses(fewer, "is not listed");
+  more.rows.push_back(whole.rows[0]);
+  more.rows.back()[more.find("reading")] = "none such";
+  refuses(more, "the reading 'none such' is not computed");
+  twice.rows.push_back(whole.rows[0]);
+  refuses(twice, "two rows of");
 }
 
 TEST_CASE("what was observed names its range in its sentence", "[statements]") {

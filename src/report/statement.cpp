@@ -261,8 +261,9 @@ bool Comparison::holds() const {
 
 bool Comparison::is_decided() const {
   const Estimate e = left();
+  if (!std::isfinite(e.value) || !std::isfinite(e.error)) return false;
   const double largest = std::max(std::abs(small.value), std::abs(large.value));
-  return may_be_equal ? e.error == 0 || e.error < largest : std::abs(e.value) > e.error;
+  return e.is_exact || (may_be_equal ? e.error < 0.01 * largest : std::abs(e.value) > e.error);
 }
 
 Estimate Comparison::margin() const {
@@ -326,7 +327,8 @@ const Comparison* Judged::closest() const {
 }
 
 std::string Judged::short_text() const {
-  if (outcome_of(comparisons) == Outcome::in_part) return text();
+  if (outcome_of(comparisons) == Outcome::in_part || lost_control()) return text();
+
   if (comparisons.size() < 4 || !lost.empty() || !not_run.empty()) return text();
   return closest()->text() + " (the closest of " + std::to_string(comparisons.size()) + ")";
 }
@@ -337,9 +339,12 @@ std::string Judged::text() const {
   if (lost_control()) return "a control fails: " + lost_control()->text();
   if (answer) return text_of(*answer) + (answer->unit.empty() ? "" : " " + answer->unit);
   const auto failed = std::ranges::find_if(comparisons, &Comparison::fails);
+  const auto worst = std::ranges::min_element(
+      comparisons, {}, [](const Comparison& c) { return c.fails() ? c.margin().value : HUGE_VAL; });
+
   if (outcome_of(comparisons) == Outcome::in_part)
     return "fails " + std::to_string(failures()) + " of " + std::to_string(comparisons.size()) +
-           " comparisons, the first one " + failed->text() + ", and by most " + closest()->text();
+           " comparisons, the first one " + failed->text() + ", and by most " + worst->text();
   if (comparisons.size() > 8)
     return closest()->text() + " (the closest of " + std::to_string(comparisons.size()) +
            " comparisons)";
@@ -421,12 +426,19 @@ void Statement::control(const std::function<void()>& compare) {
   std::ranges::move(apart(compare), std::back_inserter(judged_.controls));
 }
 
+void Statement::add(OtherReading other) {
+  const auto is_same_name = [&](const OtherReading& r) { return r.name == other.name; };
+  if (std::ranges::any_of(judged_.readings, is_same_name))
+    throw std::logic_error("a statement has two readings '" + other.name + "'");
+  judged_.readings.push_back(std::move(other));
+}
+
 void Statement::reading(const std::string& name, const std::function<void()>& compare) {
-  judged_.readings.push_back({name, {}, outcome_of(apart(compare))});
+  add({name, {}, outcome_of(apart(compare))});
 }
 
 void Statement::reading(const std::string& name, const Quantity& value) {
-  judged_.readings.push_back({name, value, {}});
+  add({name, value, {}});
   reading_.latest.clear();
 }
 
@@ -452,6 +464,10 @@ Judged Statement::judged_once(Tables& tables, const std::string& program) {
   judged_.program = program;
   try {
     judge();
+    for (const OtherReading& other : judged_.readings)
+      if (other.value.has_value() != judged_.answer.has_value())
+        throw std::logic_error("the reading '" + other.name +
+                               "' is of another kind than its statement");
     if (!judged_.answer == judged_.comparisons.empty())
       judged_.lost = judged_.answer ? "both an answer and comparisons" : "nothing is compared";
   } catch (const NotRun& it) {
@@ -474,6 +490,8 @@ Judged Statement::judged(Tables& tables, const std::string& program) {
       std::ostringstream name;
       name << factor * value << " in the place of " << value;
       const bool is_lost = !other.lost.empty() || !other.not_run.empty() || other.lost_control();
+      if (ours.answer && is_lost)
+        ours.lost = "without a bound of ours it cannot be measured: " + name.str();
       if (!ours.answer)
         ours.readings.push_back(
             {name.str(), {}, is_lost ? Outcome::undecided : outcome_of(other.comparisons), true});

@@ -313,6 +313,7 @@ class Statement {
  private:
   using Place = std::pair<unsigned, unsigned>;  // line and column
   void note(const Estimate& a, const Estimate& b, bool may_be_equal);
+  void add(OtherReading other);
   std::vector<Comparison> apart(const std::function<void()>& compare);
   Judged judged_once(Tables& tables, const std::string& program);
   std::string cells_read();

@@ -63,8 +63,11 @@ Range allowed(const Claim& claim) {
   if (!print) return {nan, nan};
   const double size = std::max(std::abs(print->low), std::abs(print->high));
   if (hedge == "at most") return {-HUGE_VAL, print->high};
-  if (hedge == "order of magnitude")
-    return {print->low / std::sqrt(10.0), print->high * std::sqrt(10.0)};
+  if (hedge == "order of magnitude") {
+    const double factor = std::sqrt(10.0);
+    return {std::min(print->low / factor, print->low * factor),
+            std::max(print->high / factor, print->high * factor)};
+  }
   const double by = hedge == "exact" ? 1e-12 * size : (hedge.empty() ? 0.5 : 1) * print->unit;
   return {print->low - by, print->high + by};
 }
@@ -90,8 +93,12 @@ in two cases: if the article's own `accuracy` is not better than the distance, o
 number is a power of another printed one (`moving.c_threshold^2`) that is missed too, and ours is what is printed with that
 number in the place of our own. `method` and `memory` say what is not known, so that no verdict is passed at all. And where
 other readings spread as far as the number is missed, what is not printed decides. */
-static bool is_near(const Print& print, double apart) {
-  return print.digits >= 3 && apart <= 2 * print.unit;
+/// What is not farther than so much: yes or no, or nothing where the error bar straddles the edge.
+static std::optional<bool> is_within(const Estimate& apart, const Estimate& edge) {
+  const double error = apart.error + edge.error;
+  const double left = edge.value - apart.value;
+  if (!std::isfinite(left + error) || std::abs(left) < error) return {};
+  return left >= 0;
 }
 
 static bool follows(const Case& one, const Cases& all) {
@@ -101,34 +108,46 @@ static bool follows(const Case& one, const Cases& all) {
     return c.claim.id == claim.covered_by.substr(0, hat);
   });
   if (other == all.end() || !other->found.answer) return false;
+  if (!other->found.lost.empty() || other->found.lost_control()) return false;
   const Estimate theirs = *other->found.answer, ours = *found.answer;
   const double power = hat == std::string::npos ? 1 : std::stod(claim.covered_by.substr(hat + 1));
   const double scale = std::pow(print_of(other->claim.printed)->low / theirs.value, power);
-  const std::string then = on_answer(claim, {scale * ours.value, scale * ours.error});
+  const double relative = power * theirs.error / std::abs(theirs.value);
+  const std::string then = on_answer(
+      claim, {scale * ours.value, scale * (ours.error + relative * std::abs(ours.value))});
   return on_answer(other->claim, theirs) == "discrepant" && then.rfind("repro", 0) == 0;
 }
 
 /// How far the readings are from each other and from the answer.
-static double spread(const Judged& found) {
-  double low = found.answer->value, high = low;
+static Estimate spread(const Judged& found) {
+  std::vector<Estimate> all{*found.answer};
   for (const OtherReading& other : found.readings)
-    if (other.value)
-      low = std::min(low, other.value->value), high = std::max(high, other.value->value);
-  return high - low;
+    if (other.value) all.push_back(*other.value);
+  const Estimate low = least_of(all), high = largest_of(all);
+  return {high.value - low.value, high.error + low.error};
 }
 
+// Of a number that is missed for certain
 static std::string on_missed(const Case& one, const Cases& all) {
   const auto& [claim, found] = one;
   const Estimate ours = *found.answer;
   const Print print = *print_of(claim.printed);
-  const double apart = std::max(print.low - ours.value, ours.value - print.high) + ours.error;
-  if (found.accuracy && apart <= found.accuracy->value - found.accuracy->error)
-    return "within its own accuracy";
-  if (claim.tolerance != "order of magnitude" && is_near(print, apart)) return "in part";
+  const Estimate apart(std::max(print.low - ours.value, ours.value - print.high), ours.error);
+  if (found.accuracy) {
+    const auto is_covered = is_within(apart, *found.accuracy);
+    if (!is_covered) return "unresolved";
+    if (*is_covered) return "within its own accuracy";
+  }
+  if (print.digits >= 3) {
+    const auto is_near = is_within(apart, exact(2 * print.unit));
+    if (!is_near) return "unresolved";
+    if (*is_near) return "in part";
+  }
   if (follows(one, all)) return "follows";
   const auto [low, high] = allowed(claim);
-  const double missed_by = std::max(low - ours.value, ours.value - high) + ours.error;
-  return missed_by <= spread(found) ? "quantified" : "discrepant";
+  const auto is_reached =
+      is_within({std::max(low - ours.value, ours.value - high), ours.error}, spread(found));
+  return !is_reached ? "unresolved" : *is_reached ? "quantified" : "discrepant";
 }
 
 /**
@@ -143,13 +162,16 @@ static std::string on_comparisons(const Judged& found) {
     return other.is_bound && other.outcome == Outcome::holds;
   };
 
+  const auto holds_anywhere = [](const OtherReading& other) {
+    return other.outcome == Outcome::holds || other.outcome == Outcome::in_part;
+  };
   switch (outcome_of(found.comparisons)) {
     case Outcome::holds:
       return assumes ? "holds, assuming" : "holds";
     case Outcome::in_part:
       return std::ranges::any_of(found.readings, by_bound) ? "quantified" : "in part";
     case Outcome::fails:
-      return assumes ? "quantified" : "discrepant";
+      return std::ranges::any_of(found.readings, holds_anywhere) ? "quantified" : "discrepant";
     default:
       return "unresolved";
   }
@@ -198,6 +220,10 @@ bool is_met(const std::string& verdict) {
 
 static std::string complaint(const Claim& c) try {
   allowed(c);
+  static const std::regex numeral("-?[.]?[0-9].*");
+  if (std::regex_match(c.printed, numeral) != print_of(c.printed).has_value())
+    return "'" + c.printed + "' begins like a number and is none";
+  if (!c.tolerance.empty() && !print_of(c.printed)) return "words have no tolerance";
   if (!met.count(c.status) && !missed.count(c.status))
     return "the status '" + c.status + "' is unknown";
   if (missed.count(c.status) == c.reason.empty() && !c.section.empty())

@@ -65,6 +65,8 @@ class Here(unittest.TestCase):
             self.assertIn(one["kind"], claims.KINDS, id)
 
     def test_verdicts_that_moved_lead_to_those_of_today(self):
+        dates = [row["date"] for row in claims.read_moved(VOLUME)]
+        self.assertEqual(dates, sorted(dates))
         now, status = {}, {id: row["status"] for id, row in claims.read_claims(VOLUME).items()}
         for row in claims.read_moved(VOLUME):
             self.assertEqual(now.setdefault(row["id"], row["before"]), row["before"], row)

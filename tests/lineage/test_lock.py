@@ -2,7 +2,7 @@
 
 import unittest
 
-from lineage import lock
+from lineage import claims, lock
 from lineage.claims import by_name
 from lineage.volumes import joined, volumes
 
@@ -35,6 +35,12 @@ class Locking(Scratch):
             self.write(name, text if name.endswith("cpp") else "% \\num{sec1_demo/results/name=other/value}\n# nothing\n")
             self.assertIn("dropped  sec1_demo results/name=other/value: nothing quotes it", self.lineage("accept")[1], name)
         self.assertEqual(self.read("paper/converged.ecsv"), before)
+        self.judged()
+        self.change("build/report/claims.ecsv", ",judged,", ",quick,")
+        self.assertEqual([key for key in claims.read_answers(self.root) if key[2] == "a.one"], [])
+        self.judged()
+        self.change("build/report/claims.ecsv", "0.050000000000000003,0", "0.050000000000000003,1")
+        self.assertEqual(claims.read_answers(self.root)["sec1_demo", "failures", "a.two"].value, 1)
         self.judged()
         self.change("build/report/claims.ecsv", "0.5,0.050000000000000003,0", "-0.5,0.050000000000000003,3")
         self.assertIn("new      a.two (failures): 3", self.lineage("accept")[1])

@@ -138,7 +138,7 @@ TEST_CASE("what is compared is kept with what was read for it", "[unit]") {
       s.less(soft["speed"], sweep.at("s", 0, "velocity", soft("velocity"))["speed"]);
     s.within(s.table("coarse")["threshold"], 2, 3);
     s.near(1, 1.05, 0.1);
-    s.not_more(Estimate(1.05, 0.2), 1);
+    s.not_more(Estimate(0.9, 0.001), 1);
     s.increases(sweep.where("s", 0), "velocity", "speed");
   });
   CHECK_FALSE(Comparison{"", Estimate(0, 3), Estimate(1, 3), true}.is_decided());
@@ -159,6 +159,8 @@ TEST_CASE("what is compared is kept with what was read for it", "[unit]") {
 
 TEST_CASE("nothing passes by having nothing to compare", "[unit]") {
   check_line(lost([](Spoken& s) { s.table("sweep").where("s", 7); }), "has no row with s = 7");
+  check_line(lost([](Spoken& s) { s.table("sweep").where("velocity", 0.62 * (1 + 1e-6)); }),
+             "has no row");
   check_line(lost([](Spoken& s) { s.table("sweep").where("s", 1, 2); }), "has no row with s = 1");
   check_line(lost([](Spoken& s) { s.table("sweep").at("s", 0); }), "has 3 rows instead of one");
   check_line(lost([](Spoken& s) { s.table("sweep")["speed"]; }), "has 6 rows instead of one");
@@ -222,16 +224,19 @@ TEST_CASE("controls and readings claim nothing", "[unit]") {
     s.less(1, 2);
     s.control([&] { s.less(3, 4), s.less(6, 5); });
     s.reading("the other way round", [&] { s.less(2, 1); });
-    s.reading("another definition", s.table("coarse")["threshold"]);
   });
   CHECK(found.comparisons.size() == 1);
   CHECK(found.controls.size() == 2);
   REQUIRE(found.lost_control() != nullptr);
   CHECK(found.text() == "a control fails: : 6 < 5");
-  REQUIRE(found.readings.size() == 2);
+  REQUIRE(found.readings.size() == 1);
   CHECK(*found.readings[0].outcome == Outcome::fails);
-  CHECK(found.readings[1].value->value == 2.5);
   CHECK(found.is_sensitive());
+  const Judged number = judged([](Spoken& s) {
+    s.answer(s.table("coarse")["threshold"]);
+    s.reading("another definition", s.table("sec2_other", "coarse")["threshold"]);
+  });
+  CHECK(number.readings.at(0).value->value == 2.5);
   check_line(lost([](Spoken& s) { s.less(1, 2), s.control([] {}); }), "nothing is compared");
 }
 
@@ -241,4 +246,70 @@ TEST_CASE("what holds in part says where it fails first, and where by most", "[u
   CHECK(found.failures() == 2);
   CHECK(found.text() == "fails 2 of 3 comparisons, the first one : 3 < 2.9, and by most : 9 < 2");
   CHECK(found.short_text() == found.text());
+}
+
+TEST_CASE("failures are only what fails for certain", "[unit]") {
+  const auto open = [](Spoken& s) { s.less(1, 2), s.less(3, 2), s.less(1, Estimate(1, 1)); };
+  CHECK(judged(open).failures() == 1);
+  CHECK(judged([](Spoken& s) { s.less(exact(3), exact(3)); }).failures() == 1);
+  CHECK_FALSE(Comparison{"", Estimate(1, 0.1), Estimate(std::nan("")), true}.is_decided());
+  CHECK_FALSE(Comparison{"", Estimate(1.9, 0.9), 1, true}.is_decided());
+  CHECK(Comparison{"", Estimate(1.005, 0.009), 1, true}.holds());
+}
+
+TEST_CASE("a control that a changed bound loses, or that is undecided", "[unit]") {
+  const auto with = [](const Estimate& side) {
+    return judged([&](Spoken& s) { s.less(1, 2), s.control([&] { s.less(side, s.bound(1)); }); });
+  };
+  CHECK(with(0.6).is_sensitive());
+  CHECK_FALSE(with(0.4).is_sensitive());
+  CHECK(with(Estimate(1, 0.5)).lost_control() != nullptr);
+  check_line(lost([](Spoken& s) {
+               s.answer(s.table("coarse")["threshold"]);
+               s.control([&] { s.less(0.6, s.bound(1)); });
+             }),
+             "cannot be measured: 0.5 in the place of 1");
+}
+
+TEST_CASE("what a changed bound leaves without verdict is another outcome", "[unit]") {
+  const Judged found = judged([](Spoken& s) {
+    const Estimate b = s.bound(1);
+    s.less(0.1, b), s.less(0, 1 / (b - 0.5));
+  });
+  CHECK(found.is_sensitive());
+}
+
+TEST_CASE("two bounds in a line are two", "[unit]") {
+  const auto two = [](Spoken& s) { s.within(0, -s.bound(1), s.bound(1)); };
+  const Judged found = judged(two);
+  CHECK(found.readings.size() == 4);
+}
+
+TEST_CASE("a coarse table beside others", "[unit]") {
+  const auto both = [](Spoken& s) {
+    s.less(1, s.table("coarse")["threshold"]), s.less(1, least(s.table("sweep"), "width"));
+  };
+  CHECK(judged(both).is_quick);
+}
+
+TEST_CASE("near is a distance, and increases goes from each row to the next", "[unit]") {
+  const Judged found = judged([](Spoken& s) {
+    s.increases(s.table("sweep").where("s", 0), "velocity", "width");
+    s.near(1, 3, 1), s.near(3, 1, 1);
+  });
+  REQUIRE(found.comparisons.size() == 4);
+  CHECK(found.failures() == 2);
+}
+
+TEST_CASE("readings have one name and the kind of their statement", "[unit]") {
+  const auto refuses = [](const std::function<void(Spoken&)>& body, const char* said) {
+    check_line(refusal<std::logic_error>([&] { judged(body); }), said);
+  };
+  refuses([](Spoken& s) { s.less(1, 2), s.reading("x", Estimate(1)); }, "of another kind");
+  refuses(
+      [](Spoken& s) {
+        s.less(1, 2);
+        for (int k = 0; k < 2; ++k) s.reading("x", [&] { s.less(1, 2); });
+      },
+      "two readings 'x'");
 }

@@ -126,8 +126,8 @@ TEST_CASE("the article's own accuracy covers what is not farther", "[unit]") {
   };
   CHECK(barrier(1.6e-12, 5e-14) == "within its own accuracy");
   CHECK(barrier(1.4e-12, 5e-14) == "discrepant");
-  CHECK(barrier(1.6e-12, 2e-13) == "discrepant");
-  CHECK(barrier(std::nan(""), 0) == "discrepant");
+  CHECK(barrier(1.6e-12, 2e-13) == "unresolved");
+  CHECK(barrier(std::nan(""), 0) == "unresolved");
 }
 
 TEST_CASE("a power of a missed number follows from it", "[unit]") {
@@ -169,6 +169,7 @@ TEST_CASE("a list that could not be judged is refused with its row", "[unit]") {
   };
   for (const auto& [column, text, said] : std::vector<std::array<std::string, 3>>{
            {"tolerance", "rel 1e-2", "the tolerance 'rel 1e-2' is unknown"},
+           {"printed", "1.5 e-9", "'1.5 e-9' begins like a number and is none"},
            {"status", "fine", "the status 'fine' is unknown"},
            {"reason", "they erred", "a row needs a reason if it is missed"},
            {"id", "thm.mean_force", "two rows have this id"}}) {
@@ -176,4 +177,43 @@ TEST_CASE("a list that could not be judged is refused with its row", "[unit]") {
     check_line(refused(column, text), said);
     check_line(refused(column, text), "claims.ecsv: row 2: ");
   }
+}
+
+TEST_CASE("a reading of a row without verdict is met or missed", "[unit]") {
+  Case one = printing("0.76", "about", 0.76);
+  one.claim.covered_by = "method";
+  CHECK(outcome({"x", Quantity{Estimate(0.9, 1e-6)}}, one.claim) == "missed");
+  CHECK(outcome({"x", Quantity{Estimate(0.76, 1e-6)}}, one.claim) == "met");
+  CHECK(outcome({"x", Quantity{Estimate(0.77, 0.1)}}, one.claim) == "undecided");
+}
+
+TEST_CASE("by how much a number is missed has an error, and so have readings", "[unit]") {
+  const auto with = [](double error, const Estimate& other) {
+    Case one = printing("0.76", "about", {0.83, error});
+    one.found.readings = {{"another", Quantity{other}}};
+    return verdict(one, {});
+  };
+  CHECK(with(0.003, {0.891, 1e-6}) == "unresolved");
+  CHECK(with(1e-6, {0.9, 10}) == "unresolved");
+  CHECK(with(1e-6, {0.9, 1e-6}) == "quantified");
+  CHECK(on("5.446e-4", "about", 5.4442e-4, 5e-8) == "unresolved");
+}
+
+TEST_CASE("nothing follows from a number that is met, lost or not certain", "[unit]") {
+  Case kick = printing("6.2e-6", "about", {6.28e-6, 1e-10}),
+       one = printing("1.9e-11", "about", {2.01e-11, 1e-15});
+  kick.claim.id = "a.kick", one.claim.covered_by = "a.kick^2";
+  CHECK(verdict(one, {kick, one}) == "discrepant");
+  kick.found.answer = Quantity{Estimate(4.45e-6, 1e-10)};
+  one.found.answer = Quantity{Estimate(9.9e-12, 1e-15)};
+  CHECK(verdict(one, {kick, one}) == "follows");
+  kick.found.lost = "x";
+  CHECK(verdict(one, {kick, one}) == "discrepant");
+  kick.found.lost.clear(), kick.found.controls = {{"", 2, 1}};
+  CHECK(verdict(one, {kick, one}) == "discrepant");
+}
+
+TEST_CASE("negative powers of ten have an order of magnitude, too", "[unit]") {
+  CHECK(on("-1e-3", "order of magnitude", -2e-3) == "reproduced");
+  CHECK(on("-1e-3", "order of magnitude", -4e-3) == "discrepant");
 }
