@@ -299,7 +299,7 @@ class Book:
         out = [md.table(["verdict", "rows", "meaning"], tally),
                *["\n## What does not survive\n"] * bool(lost), md.table(["statement", "article", "here", "verdict"], lost),
                *["\n## What survives in part\n"] * bool(part), md.table(["statement", "article", "here", "verdict"], part)]
-        for section in dict.fromkeys(claim["section"] for claim in self.claims.values()):
+        for section in sorted({claim["section"] for claim in self.claims.values()}):
             rows = [self.whole_row(id) for id, claim in self.claims.items() if claim["section"] == section]
             out.append(f"\n## Section {section}\n" + md.table(["statement", "article", "here", "verdict", "see"], rows, "rows statements"))
         moved = [[md.link("#" + row["id"], md.name(row["id"])), row["date"], md.verdict(row["before"]), md.verdict(row["after"]), md.spelled(row["why"])]
