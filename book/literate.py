@@ -282,7 +282,7 @@ class Book:
         """What other choices give, and half and twice our bounds, folded."""
         rows = [f"<dt>{md.spelled(row['reading'])}: {md.number(md.with_error(Finding('', '', row['value'], row['error'], row['unit']))) + ', ' if row['value'] == row['value'] else ''}"
                 f"{row['outcome']}</dt><dd>{md.spelled(row['choice'])}</dd>" for row in self.readings.get(id, ())]
-        return f"<details><summary>{len(rows)} readings</summary><dl>{''.join(rows)}</dl></details>" if rows else ""
+        return f"<details><summary>{len(rows)} reading{'s' * (len(rows) > 1)}</summary><dl>{''.join(rows)}</dl></details>" if rows else ""
 
     def alone_mark(self, id):
         return f"; alone: `{self.alone[id][0]}`" if id in self.alone else ""
@@ -294,11 +294,13 @@ class Book:
 
     def published_page(self):
         counts = Counter(self.verdicts[id]["verdict"] for id in self.claims)
-        lost, part = ([self.claim_row(id) for id in self.claims if self.verdicts[id]["verdict"] == word] for word in ("discrepant", "in part"))
+        lost = [self.claim_row(id) for id in self.claims if self.verdicts[id]["verdict"] == "discrepant"]
+        part = [[*self.claim_row(id)[:2], md.spelled(claim["cause"])] for id, claim in self.claims.items()
+                if self.verdicts[id]["verdict"] == "in part"]
         tally = [[md.verdict(v), str(counts[v]), text] for v, text in meanings().items() if counts[v]]
         out = [md.table(["verdict", "rows", "meaning"], tally),
                *["\n## What does not survive\n"] * bool(lost), md.table(["statement", "article", "here", "verdict"], lost),
-               *["\n## What survives in part\n"] * bool(part), md.table(["statement", "article", "here", "verdict"], part)]
+               *["\n## What survives in part\n"] * bool(part), md.table(["statement", "article", "where not"], part)]
         for section in sorted({claim["section"] for claim in self.claims.values()}):
             rows = [self.whole_row(id) for id, claim in self.claims.items() if claim["section"] == section]
             out.append(f"\n## Section {section}\n" + md.table(["statement", "article", "here", "verdict", "see"], rows, "rows statements"))

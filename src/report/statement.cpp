@@ -344,7 +344,8 @@ std::string Judged::text() const {
 
   if (outcome_of(comparisons) == Outcome::in_part)
     return "fails " + std::to_string(failures()) + " of " + std::to_string(comparisons.size()) +
-           " comparisons, the first one " + failed->text() + ", and by most " + worst->text();
+           " comparisons; first " + failed->text() +
+           (failed == worst ? "" : "; by most " + worst->text());
   if (comparisons.size() > 8)
     return closest()->text() + " (the closest of " + std::to_string(comparisons.size()) +
            " comparisons)";

@@ -244,7 +244,7 @@ TEST_CASE("what holds in part says where it fails first, and where by most", "[u
   const Judged found = judged([](Spoken& s) { s.less(1, 2), s.less(3, 2.9), s.less(9, 2); });
   CHECK(outcome_of(found.comparisons) == Outcome::in_part);
   CHECK(found.failures() == 2);
-  CHECK(found.text() == "fails 2 of 3 comparisons, the first one : 3 < 2.9, and by most : 9 < 2");
+  CHECK(found.text() == "fails 2 of 3 comparisons; first : 3 < 2.9; by most : 9 < 2");
   CHECK(found.short_text() == found.text());
 }
 
