@@ -495,7 +495,9 @@ def columns(path):
 
 def comparison(text):
     """One as `verdicts` writes it, `sweep.speed (s = 0): 1.2 +- 3e-4 < 2`: what was read, and both sides."""
-    what, _, sides = text.rpartition(": ")
+    what, colon, sides = text.rpartition(": ")
+    if not colon:
+        return md.plain(text)
     return f"{md.plain(what)}: {md.number(sides.replace('+-', '±'))}"
 
 
