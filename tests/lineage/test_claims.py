@@ -21,6 +21,10 @@ class Rows(Scratch):
         row = {"sentence": "It is [](statement:a.one).", "assumption": "with {sec1_demo/t/s=-1/6/q}", "covered_by": "a.two^2"}
         self.assertEqual(claims.quoted_in(row), {"a.one", "sec1_demo/t/s=-1/6/q"})
 
+    def test_two_routes_agree_within_the_sum_of_their_errors(self):
+        for value, agree in ((1.0019, True), (1.0021, False)):
+            self.assertEqual(claims.agrees("p", finding(1, 1e-3), {"p": (finding(value, 1e-3), "")}), agree)
+
     def test_every_row_is_judged_by_a_statement(self):
         self.assertEqual({id: row["program"] for id, row in claims.read_claims(self.root).items()}, {"a.one": "sec1_demo", "a.two": "sec1_demo"})
         self.change("src/statements/sec1_demo.cpp", "a.two", "a.three")

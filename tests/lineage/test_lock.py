@@ -45,6 +45,14 @@ class Locking(Scratch):
         self.change("build/report/claims.ecsv", "0.5,0.050000000000000003,0", "-0.5,0.050000000000000003,3")
         self.assertIn("new      a.two (failures): 3", self.lineage("accept")[1])
 
+    def test_what_is_gone_fails(self):
+        self.judged()
+        self.lineage("accept")
+        (self.root / "build/report/claims.ecsv").unlink()
+        code, said, _ = self.lineage("accept", "--check")
+        self.assertEqual(code, 1, said)
+        self.assertIn("gone     a.one (answer)", said)
+
     def test_what_is_farther_than_the_errors_fails(self):
         self.judged(one=1.0005)
         self.assertEqual(self.lineage("accept", "--check")[:2], (0, "values     : 3 of 3 within the sum of the errors\n"

@@ -5,7 +5,7 @@ import io
 
 from lineage.__main__ import main
 
-from common import NAN, Scratch
+from common import NAN, RESULTS_OF_DEMO, Scratch
 
 COMPARISONS = ["id", "role", "cells", "small", "small_error", "large", "large_error", "outcome"]
 READINGS = ["id", "reading", "choice", "value", "error", "unit", "outcome"]
@@ -42,6 +42,8 @@ class Show(Scratch):
         self.assertNotIn("found", out)
         self.assertIn("  controls   t.y: 3 < 2  fails\n  compares   t.x (n = 0): 1 < 2 +- 0.1  holds\n", out)  # the worst first
         self.assertIn("and 3 more (in all 14 hold): build/report\n  reading    in all wells: in part (s is not printed)\n", out)
+        self.results(*RESULTS_OF_DEMO[:2], ["two", 2.5, 0.1])
+        self.assertIn("converged  2.5", self.lineage("show", "sec1_demo/results/name=two/value")[1])  # the fresh one
         self.change("src/statements/sec1_demo.cpp", 'STATEMENT("a.two")', 'STATEMENT("a.new") {\n}\nSTATEMENT("a.two")')
         text = self.read("paper/claims.ecsv")
         self.write("paper/claims.ecsv", text + text.splitlines()[-1].replace("a.two", "a.new") + "\n")
