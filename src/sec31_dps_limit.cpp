@@ -477,8 +477,9 @@ void reproduce(Report& report) {
 
 **To change it.** Another start is a vector of complex amplitudes in `start_of`, another well a struct like `Lopsided`,
 in its place in `wells`. For another contact law of the power $\alpha$, whose order is $\alpha$ as well, change both
-lines called `to_right`, the third member of `Chain` in `deviations`, `tau_0(alpha)`, the power in `report_errors`, and in `deviations` the slow time, $\epsilon^{\alpha-1}$ for `sqrt(eps)`, and what the third start is off by, $\epsilon^\alpha$; the sections on the constant and on exact
-waves are for spheres.
+lines called `to_right`, the third member of `Chain` in `deviations`, `tau_0(alpha)`, the power in `report_errors`, and
+in `deviations` the slow time, $\epsilon^{\alpha-1}$ for `sqrt(eps)`, and what the third start is off by,
+$\epsilon^\alpha$; the sections on the constant and on exact waves are for spheres.
 
 1. *Easy.* Does a packet of the chain move as the DpS equation says?
    `build/bin/sec34_impact run --velocity 0.01 --time 1000` gives `speed` = 0.02531. Hint: an impact of velocity $v_0$

@@ -210,14 +210,14 @@ zero and falls from the top of each arch towards it (`pn.grows`). In the hard we
 [1.0145](cell:sign_changes/s=1/kind=1/zero=1/omega), it increases from there on.
 
 The article also says that $E_{PN}$ remains very small. Against the energy it stays below a hundredth in the soft and in
-the linear well, and in the hard one up to 1.667 (`pn.remains_small`). If the hard branch is followed to
-$\omega_b = 2$, it does not: there the ratio is [0.178](cell:barriers/s=1/omega=2/relative) and $E_{PN}$ is
+the linear well, and in the hard one up to 1.667 (`pn.remains_small`). If the hard branch is followed to $\omega_b = 2$,
+the ratio grows to [0.178](cell:barriers/s=1/omega=2/relative) and $E_{PN}$ is
 [-1.02](cell:barriers/s=1/omega=2/equal_frequency). The article does not say how far its curve goes.
 
 Is the barrier of the linear well the smallest relative to the energy, as the article says about a figure that shows the
 whole curves? It is at 50 of the 55 frequencies that all three wells have in common (`pn.ratio_smallest`). It is not at
-1.005, where the three agree to a thousandth, nor next to zeros of the soft barrier: at 1.017, 1.033, 1.05 and 1.25 the
-ratio of the soft well is smaller.
+1.005, where the three agree to a thousandth, nor at 1.017 and 1.033, where that of the soft well is smaller by 2 and 4
+per cent, nor at 1.05 and 1.25, next to zeros of the soft barrier.
 
 | $\lvert E_{PN}\rvert$ over energy, $\omega_b$ | soft well | linear well | hard well |
 |---|---|---|---|
@@ -333,10 +333,10 @@ at all frequencies but the first, the soft one at 31 of 49 (`pn.harmonic_smaller
 
 The article prints two accuracies of one breather. Newton's method left a residual of $1.5\cdot10^{-9}$. How large an
 error of the energy does this allow? An exact breather of a slightly different frequency, $\omega_b+\delta\omega$,
-leaves such a residual because its phase is off at $T_b$, and its energy is off by
-$\mathcal H'(\omega_b)\,\delta\omega$. We compute one, at two values of $\delta\omega$, and scale both to the printed
-residual: [1.60e-12](cell:accuracy/energy). The printed barrier exceeds ours by slightly less,
-[1.46e-12](cell:accuracy/excess), so the two agree within this accuracy. It is a generous bound: if the errors of both breathers were alike, the
+leaves such a residual because its phase is off at $T_b$, and its energy is off by $\mathcal
+H'(\omega_b)\,\delta\omega$. We compute one, at two values of $\delta\omega$, and scale both to the printed residual:
+[1.60e-12](cell:accuracy/energy). The printed barrier exceeds ours by slightly less, [1.46e-12](cell:accuracy/excess),
+so the two agree within this accuracy. It is a generous bound: if the errors of both breathers were alike, the
 difference would be known better. The other accuracy, a variation of $1.7\cdot10^{-11}$ in the positions between the
 last two steps, allows only [7.6e-15](cell:accuracy/energy_of_variation), if every bead moves away from rest by so much
 of the amplitude, and excludes the printed value. It says how far Newton's method had converged, though, and not how
@@ -395,7 +395,7 @@ void reproduce(Report& report) {
 | statement | printed | here | verdict |
 |---|---|---|---|
 | `pn.omega11`: E_PN at equal frequency for s = 0 and omega_b = 1.1 | 1.77e-11 | 1.624e-11 | within its own accuracy |
-| `pn.approximates`: E_PN at equal frequency approximates the difference of energies at equal area | approximate | -0.01448 of the barrier at equal frequency | quantified |
+| `pn.approximates`: E_PN at equal frequency, in the place of the difference at equal area, approximates the Peierls-Nabarro barrier | approximate | 0.01448 of the barrier at equal frequency | quantified |
 | `pn.small`: E_PN near omega_b = 1.01 for s = -1/6; 0; 1: of three wells the farthest from the printed range | 1e-14 to 1e-15 | 2.682e-15 | reproduced |
 | `pn.comparable`: at omega_b = 1.01 the wells s = -1/6; 0; 1 have comparable E_PN | comparable | key_pairs.over_linear (s = -0.1667, omega = 1.01) away from 1: 0.001391 < 0.5; key_pairs.over_linear (s = 1, omega = 1.01) away from 1: 0.008349 < 0.5 | holds |
 | `pn.omega15`: E_PN for omega_b = 1.5 and s = -1/6 | 1e-4 | 7.571e-8 | discrepant |

@@ -325,8 +325,8 @@ void reproduce(Report& report) {
 
 **To change it.** The first listing takes another exponent $\alpha$ of the contacts (the other sections compare with
 formulas for spheres): `root` is $|d|^{\alpha-1}$ in `newton`, $\alpha$ stands for 1.5 in its derivative and in
-`tail_line`, the force `w` of `assert_solution` has the power $\alpha$, `approximate` is
-`quasi_continuum(centre, n, alpha)` (model/quasi_continuum.hpp), and $\alpha$ is the last argument of `stationary` and `stationary_from`.
+`tail_line`, the force `w` of `assert_solution` has the power $\alpha$, `approximate` is `quasi_continuum(centre, n,
+alpha)` (model/quasi_continuum.hpp), and $\alpha$ is the last argument of `stationary` and `stationary_from`.
 
 1. *Easy.* How good is $y_n = 2\epsilon u_n\cos\omega_bt$ for a small breather of the chain?
    `build/bin/sec32_newton_breathers breather --omega 1.001` gives `amplitude` = 9.63900e-7. Hint: Eq. (20) gives

@@ -529,8 +529,8 @@ We impose both symmetries, so finding them in the result proves nothing. We ther
 are unknown, the start is perturbed at random by a thousandth, and the only condition is that the chain is at rest at
 $T_b/2$. In a continuous family of asymmetric breathers through ours the result would keep an asymmetry of about a
 thousandth. In extended precision (a 64-bit mantissa) the symmetries $y_{1-n} = -y_n$ and $y_n(t) = -y_{-n}(t+T_b/2)$
-are restored to $10^{-9}$ of the amplitude at five frequencies up to 2 (`newton.symmetry`). So ours are symmetric and isolated; an asymmetric
-breather elsewhere is not excluded. */
+are restored to $10^{-9}$ of the amplitude at five frequencies up to 2 (`newton.symmetry`). So ours are symmetric and
+isolated; an asymmetric breather elsewhere is not excluded. */
 double broken_symmetry(Centre centre, double omega) {
   auto problem = in_precision<Wide>(problem_of(centre, omega, s));
   State<Wide> start(problem.chain.sites);

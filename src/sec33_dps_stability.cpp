@@ -15,7 +15,8 @@ Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) says that
 `line` of `growth` against `mu`.](fig:09)
 
 The first three hold, but narrowly: both results of the linear theory depend on the sixth digit of one number. The
-fourth holds in part: noise of that amplitude may move the stable breather, too, though it stays in one piece. */
+fourth is a word without a number, about simulations that are not shown: under all noise that we tried the breather
+stays in one piece, but noise of that amplitude may carry it to the next bond. */
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -392,9 +393,10 @@ median after [863 ± 5](cell:departures/noise=complex/start=control/passage) ins
 units of time. So the component along the growing direction moves the breather, as the article says. Under narrow noise
 they leave, too. Real noise is slow: all leave, but by $t = 750$ most have only fallen into the minimum beside their
 site. But the main noise moves also [15](cell:departures/noise=complex/start=bond/left) of
-[64](cell:departures/noise=complex/start=bond/seeds) *stable* breathers, and noise proportional to $u_n$ moves [13](cell:departures/noise=relative/start=bond/left) of 16;
-under narrow and real noise none of sixteen leaves a bond. (The errors are those of the runs and do not include the
-sampling error of so few seeds.) The verdicts below are for the main reading.
+[64](cell:departures/noise=complex/start=bond/seeds) *stable* breathers, and noise proportional to $u_n$ moves
+[13](cell:departures/noise=relative/start=bond/left) of 16; under narrow and real noise none of sixteen leaves a bond.
+(The errors are those of the runs and do not include the sampling error of so few seeds.) The verdicts below are for the
+main reading.
 
 Does the breather survive? Around a bond its participation number, $(\sum|v_n|^2)^2/\sum|v_n|^4$, hardly grows under any
 of these noises.

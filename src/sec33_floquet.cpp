@@ -9,7 +9,7 @@ that the breathers are almost free to move. It says that
 - in the linear well, at $\omega_b = 1.1$, the site-centred breather is weakly unstable and the bond-centred one stable;
 - in wells of anharmonicity $s$ the bond-centred one loses its stability at $s_0^b \approx 0.26$ and the site-centred
   one gains it at $s_0^s \approx 0.05$, where a pair of multipliers collides at $+1$ (figures 11 and 12);
-- all other multipliers lie on the unit circle and accumulate at $e^{\pm2\pi i/\omega_b}$;
+- other multipliers lie on the unit circle and accumulate at $e^{\pm2\pi i/\omega_b}$;
 - the *pinning mode*, which shifts the breather along the chain, is very close to its discrete gradient (figure 13);
 - near $\omega_b = 1$ the instability is weaker than that of the DpS equation by a factor of $O(\epsilon^{1/2})$.
 
@@ -17,10 +17,10 @@ that the breathers are almost free to move. It says that
 and `excess`, and those of the partner, against `s`, from `bond_against_s`.](fig:11)
 
 At $\omega_b = 1.1$ all of this holds except the two values of $s_0$: we find both at $s =$
-[0.1525](cell:exchange/site). But far from there, in hard wells the pinning pair leaves $+1$, and in soft wells
-others leave the circle. These numbers are hard to compute. Two multipliers are exactly $+1$ for every breather, and
-share one eigenvector, so an error $\delta$ of the matrix splits them by about $\sqrt\delta$: an error of $10^{-7}$
-becomes $10^{-4}$, half of the instability itself.
+[0.1525](cell:exchange/site). But far from there, in hard wells the pinning pair leaves $+1$; in soft wells others leave
+the circle, which the article does not exclude. These numbers are hard to compute. Two multipliers are exactly $+1$ for
+every breather, and share one eigenvector, so an error $\delta$ of the matrix splits them by about $\sqrt\delta$: an
+error of $10^{-7}$ becomes $10^{-4}$, half of the instability itself.
 
 ## Model
 

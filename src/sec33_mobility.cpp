@@ -25,7 +25,8 @@ $$\ddot y_n + y_n = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}.$$
 At $t = 0$ all beads of a breather are at rest, and the kick adds velocities $c\,g_n$ along the discrete gradient,
 $g_n\propto y_{n+1}-y_{n-1}$, close to the mode that shifts the breather (`sec33_floquet`). We take $\sum g_n^2 = 1$:
 only then does the kick add the energy $c^2/2$, as the article says. Around a bond the central contact may be compressed
-at $t = 0$ or, half a period later, stretched. Eqs. (18) and (20) have it compressed at $t = 0$; the printed speed is that of the other phase, within a unit of its last digit, so we try both and quote that one. A reflection with
+at $t = 0$ or, half a period later, stretched. Eqs. (18) and (20) have it compressed at $t = 0$; the printed speed is
+that of the other phase, to two units of its last digit, so we try both and quote that one. A reflection with
 $y_n\to-y_{-n}$ turns the sign of such a kick. Around a bond it leaves the breather as it is, and one sign of $c$ is
 enough. Around a site it leads to the other phase: one phase is enough, but both signs are to be tried. The caption of
 figure 14 says that the kick is along the pinning mode itself, and we try that, too. */
@@ -390,7 +391,9 @@ $t = 1.8\cdot10^5$ would show two sites but no pinning. By $t = 10^6$, after
 speed. The cause of the printed pinning is not known.
 
 The passage after the printed $c_c$ takes until $t =$ [3.588e4](cell:short_run/time), so runs of that length would give
-the printed threshold. But by then the site-centred breather of figure 15, in the same paragraph, has moved by [0.3688](cell:short_run/moved) sites and not by two, so the run of that figure at least was longer. The article prints no length of its runs.
+the printed threshold. But by then the site-centred breather of figure 15, in the same paragraph, has moved by
+[0.3688](cell:short_run/moved) sites and not by two, so the run of that figure at least was longer. The article prints
+no length of its runs.
 
 ## Why most of a kick is wasted
 
@@ -418,7 +421,9 @@ The mode that shifts the breather nearly solves $(\mu-\frac32M)\,v = 0$, and $g$
 $$\varphi \approx \tfrac23\mu-\mu = -\frac{\omega_b-1}3.$$
 In this limit $\tilde E_{PN}$ is $-(\omega_b-1)/5$ times $E_{PN}$, the barrier at equal frequency (`sec32_barrier`). The
 ratio of the two small factors gives $c_c^2/2 \approx \frac35E_{PN}$, so the two quantities differ but have the same
-order of magnitude there. This does not explain why they are close at $\omega_b = 1.1$: below it each of the two barriers vanishes twice, $E_{PN}$ first at [1.0146](cell:sec32_barrier/sign_changes/s=0/kind=1/zero=1/omega), and never at the same frequency, so that their ratio takes all values. At 1.1, with the contact stretched, both factors happen to
+order of magnitude there. This does not explain why they are close at $\omega_b = 1.1$: below it each of the two
+barriers vanishes twice, $E_{PN}$ first at [1.0146](cell:sec32_barrier/sign_changes/s=0/kind=1/zero=1/omega), and never
+at the same frequency, so that their ratio takes all values. At 1.1, with the contact stretched, both factors happen to
 be about 0.7 of their limits.
 
 ## The threshold

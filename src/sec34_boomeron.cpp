@@ -244,10 +244,11 @@ particle with no force but at its tip, is off by 0.072.
 | $100 < t < 220$ | [-8.73e-5 ± 7e-7](cell:acceleration/s=0/leg=out/acceleration) | [-8.75e-5 ± 7e-7](cell:s=0.005/leg=out/acceleration) | [-9.2e-5 ± 1e-6](cell:s=0.05/leg=out/acceleration) | [-0.0001459 ± 7e-7](cell:s=0.25/leg=out/acceleration) | [-0.0001539 ± 5e-7](cell:s=0.5/leg=out/acceleration) | [-0.00044](cell:s=1/velocity=1.9/leg=out/acceleration) |
 | $60 < t < 180$ | [-0.000175](cell:acceleration/s=0/leg=earlier/acceleration) | [-0.000174](cell:s=0.005/leg=earlier/acceleration) | [-0.000167](cell:s=0.05/leg=earlier/acceleration) | [-0.000226 ± 2e-6](cell:s=0.25/leg=earlier/acceleration) | [-0.000237](cell:s=0.5/leg=earlier/acceleration) | [-0.00054](cell:s=1/velocity=1.9/leg=earlier/acceleration) |
 
-In the window from 100 to 220 the modulus grows from each value of both lists to the next, in $s$ from 0.005 on (table `acceleration`), and by
-a factor of three or more in all. From 60 to 180 it falls between $v_0 = 1.1$ and 1.3, and between $s = 0.005$ and
-0.05. In linear wells a packet slows down as well, but none turns until the end of our runs (table `weakly_hard`). In
-hard wells at $v_0 = 1.5$ it slows down from quarter to quarter of the time of figure 22, and does not turn:
+In the window from 100 to 220 the modulus grows from each value of both lists to the next, in $s$ from 0.005 on (table
+`acceleration`), and by a factor of three or more in all. From 60 to 180 it falls between $v_0 = 1.1$ and 1.3, and
+between $s = 0.005$ and 0.05. In linear wells a packet slows down as well, but none turns until the end of our runs
+(table `weakly_hard`). In hard wells at $v_0 = 1.5$ it slows down from quarter to quarter of the time of figure 22, and
+does not turn:
 
 | $s=1$, $v_0=1.5$, until $t = 1000$ | first quarter | second | third | fourth |
 |---|---|---|---|---|
@@ -429,10 +430,11 @@ void report_printed_range(Report& report) {
 ## Weakly hard wells, $s = 0.005$
 
 The article sees reversals for $s\ge0.005$ and none for $s=0$, and prints neither an impact nor a time. At $s=0.005$ the
-largest impact that it prints, 1.9, turns no packet until the end of figure 22, nor do impacts thirty times as strong
-as long as we look (table `weakly_hard`); after 1.9 the packet is almost where it is in linear wells. Packets turn soon
-after an impact of 132. In linear wells one has then never moved inward by $t=450$, and still moves outward. For three values of
-$s$ between 0.005 and 1 we give an impact that turns a packet soon. Weaker ones may turn packets much farther out.
+largest impact that it prints, 1.9, turns no packet until the end of figure 22, nor do impacts thirty times as strong as
+long as we look (table `weakly_hard`); after 1.9 the packet is almost where it is in linear wells. Packets turn soon
+after an impact of 132. In linear wells one has then never moved inward by $t=450$, and still moves outward. For three
+values of $s$ between 0.005 and 1 we give an impact that turns a packet soon. Weaker ones may turn packets much farther
+out.
 
 | | article | here |
 |---|---|---|
@@ -677,10 +679,10 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** Another impact that turns is a row of `turning`, $\{v_0, s, t\}$, the length of the chain and the
-shorter of two steps. Another one whose acceleration is measured is in `list` of `report_acceleration`; figure 22 has those of
-`report_maps`, with names in its script, and figure 23 that of `pictured`. The sites `back`, `again` and `clear` define
-a turn; the smoothing is `width`. Lengths of chains and stretches of fits are chosen for these wells: try others with
-`sec34_boomeron run --well`. The figures read columns by name.
+shorter of two steps. Another one whose acceleration is measured is in `list` of `report_acceleration`; figure 22 has
+those of `report_maps`, with names in its script, and figure 23 that of `pictured`. The sites `back`, `again` and
+`clear` define a turn; the smoothing is `width`. Lengths of chains and stretches of fits are chosen for these wells: try
+others with `sec34_boomeron run --well`. The figures read columns by name.
 
 1. *Easy.* When does the packet of figure 23 turn? `build/bin/sec34_boomeron run --velocity 1.87` gives
    `apex_site` = 23.175 and `apex_time` = 493. Hint: before it turns it is slow for a long time.

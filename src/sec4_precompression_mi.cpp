@@ -225,7 +225,8 @@ The article says that the frequency has one inflection, at a wavenumber below $\
 With $c = \cos q$ the curvature is $\omega''= v_1\omega_2/\omega$, and
 $$\omega^2\omega_2 = c\,(1 + 2v_1(1-c)) - v_1(1-c^2) = c - v_1(1-c)^2$$
 grows with $c$ from $-4v_1-1$ at $q = \pi$ to 1 at $q = 0$ and is negative at $c = 0$. So it vanishes once, between
-$q = 0$ and $\pi/2$, where $\omega_2$, and with it $\Phi$ unless $\beta(q_c) = 0$, changes sign. We count these changes for
+$q = 0$ and $\pi/2$, where $\omega_2$, and with it $\Phi$ unless $\beta(q_c) = 0$, changes sign. We count these changes
+for
 compressions from $10^{-8}$ to $10^4$. For small ones the band $\omega(\pi) - 1 = (1+4v_1)^{1/2} - 1$ is as wide as
 $2v_1 = 3d^{1/2}$. */
 void report_compressions(Report& report) {
@@ -267,9 +268,9 @@ void report_compressions(Report& report) {
 }
 
 /**
-So an interval of unstable wavenumbers begins or ends at $q_c$, as the article says: *at one side of* $q_c$. It may reach
-an edge of the band or not. That does not exclude another one on the other side, where $\beta$ changes its sign too. At
-$d = 4$ and $s = 0$ waves are unstable on both sides (`band --d 4 --s 0`; table `sides`). */
+So an interval of unstable wavenumbers begins or ends at $q_c$, as the article says: *at one side of* $q_c$. It may
+reach an edge of the band or not. That does not exclude another one on the other side, where $\beta$ changes its sign
+too. At $d = 4$ and $s = 0$ waves are unstable on both sides (`band --d 4 --s 0`; table `sides`). */
 void report_sides(Report& report) {
   Table& table = report.table("sides");
   for (double at : {0.1, 0.5, 1.0, 4.0})
@@ -402,11 +403,11 @@ the most unstable one that fits on the ring, and for $s = 1$ also all others of 
 (At $s = 1$ the centre jumps between packets; the neighbouring wavenumbers give 0.55 to 0.56.) So the order holds. Does
 it depend on the wavenumber? In the hard wells [18](cell:hard_band/breathers) wavenumbers make a breather,
 [3](cell:hard_band/open) are open within our errors, and at [5](cell:hard_band/none) the energy does not gather within
-the runs, or jumps between packets. No breather reverses the order: the latest, with 61 wavelengths, gathers at [1.325e4 ± 5e1](cell:breathers/s=1/waves=61/gathered) and is also the widest, with [29.5](cell:breathers/s=1/waves=61/least_width)
-sites. For $s = 0$ the width depends on the wavenumber: with 31 wavelengths, at
-[2.80e4](cell:breathers/s=0/waves=31/gathered), the packet is as narrow as those of the other wells,
-[7.0 ± 0.1](cell:breathers/s=0/waves=31/least_width) sites. But it is late at all 37 unstable wavenumbers: by runs of the
-command `ring`, which are in no table, none gathers before $t = 27800$. */
+the runs, or jumps between packets. No breather reverses the order: the latest, with 61 wavelengths, gathers at [1.325e4 ± 5e1](cell:breathers/s=1/waves=61/gathered) and is also the widest, with
+[29.5](cell:breathers/s=1/waves=61/least_width) sites. For $s = 0$ the width depends on the wavenumber: with 31
+wavelengths, at [2.80e4](cell:breathers/s=0/waves=31/gathered), the packet is as narrow as those of the other wells,
+[7.0 ± 0.1](cell:breathers/s=0/waves=31/least_width) sites. But it is late at all 37 unstable wavenumbers: by runs of
+the command `ring`, which are in no table, none gathers before $t = 27800$. */
 // The unstable wavenumbers that fit on the ring, one in `every`, from the largest Phi on
 std::vector<double> unstable_on_ring(double s, int every = 1) {
   std::vector<double> band;

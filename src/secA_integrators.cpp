@@ -411,7 +411,8 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** Another integrator is one more entry of the row in `with_events`, from which its order follows, and a
-curve in the script of figure x05; other impacts are `velocities`. Another well is the second member of the chains, also of that in `two_beads`.
+curve in the script of figure x05; other impacts are `velocities`. Another well is the second member of the chains, also
+of that in `two_beads`.
 
 1. *Easy.* When does a run have no contact events?
    `build/bin/sec34_impact run --velocity 0.5 --s 1 --time 50 --precompression 5` gives `centre` = 67.48323. Hint:

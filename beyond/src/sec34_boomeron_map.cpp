@@ -156,9 +156,9 @@ void compute_turning_map(Sweep& sweep, const MapGrid& grid, Part part) {
 ## The law of a contour (figure x11b)
 
 The contour on which the turning point is at a given site needs more precision than the map has, so we bisect between a
-packet that escapes and one that does not in the time that we wait, with two steps. The finer step begins where the coarser one has ended; if the
-fate does not change in that last interval with the finer step too, it goes all the way by itself. The error is the
-difference of the two plus the last interval. */
+packet that escapes and one that does not in the time that we wait, with two steps. The finer step begins where the
+coarser one has ended; if the fate does not change in that last interval with the finer step too, it goes all the way by
+itself. The error is the difference of the two plus the last interval. */
 struct Bracket {
   double low, high;
 };

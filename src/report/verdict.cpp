@@ -24,8 +24,8 @@ static constexpr std::string_view hedges[] = {"",        "about", "cut", "order 
 /**
 ## What is printed
 
-It is a number, a range (`238 to 241`), a count of orders of magnitude (`3 to 4 orders`), a multiple of pi (`3 pi/2`), or words.
-A number agrees within half a unit of its last digit, one with a hedge within what the hedge allows. */
+It is a number, a range (`238 to 241`), a count of orders of magnitude (`3 to 4 orders`), a multiple of pi (`3 pi/2`),
+or words. A number agrees within half a unit of its last digit, one with a hedge within what the hedge allows. */
 struct Print {
   double low, high, unit;  // of the last digit
   int digits;
@@ -88,11 +88,11 @@ static std::string on_answer(const Claim& claim, const Estimate& ours) {
 }
 
 /**
-A number of three digits or more that is missed by no more than two units of the last one is reproduced *in part*. It is covered
-in two cases: if the article's own `accuracy` is not better than the distance, or if the
-number is a power of another printed one (`moving.c_threshold^2`) that is missed too, and ours is what is printed with that
-number in the place of our own. `method` and `memory` say what is not known, so that no verdict is passed at all. And where
-other readings spread as far as the number is missed, what is not printed decides. */
+A number of three digits or more that is missed by no more than two units of the last one is reproduced *in part*. It is
+covered in two cases: if the article's own `accuracy` is not better than the distance, or if the number is a power of
+another printed one (`moving.c_threshold^2`) that is missed too, and ours is what is printed with that number in the
+place of our own. `method` and `memory` say what is not known, so that no verdict is passed at all. And where other
+readings spread as far as the number is missed, what is not printed decides. */
 /// What is not farther than so much: yes or no, or nothing where the error bar straddles the edge.
 static std::optional<bool> is_within(const Estimate& apart, const Estimate& edge) {
   const double error = apart.error + edge.error;
@@ -153,8 +153,9 @@ static std::string on_missed(const Case& one, const Cases& all) {
 /**
 ## The verdict on comparisons
 
-An assertion that holds assumes something if another reading, or half or twice a bound of ours, has another outcome. One that fails
-is discrepant only if it fails in every reading, and where only a bound of ours speaks against it, it is quantified. */
+An assertion that holds assumes something if another reading, or half or twice a bound of ours, has another outcome. One
+that fails is discrepant only if it fails in every reading, and where only a bound of ours speaks against it, it is
+quantified. */
 // By the outcome of its comparisons
 static std::string on_comparisons(const Judged& found) {
   const bool assumes = found.is_sensitive();

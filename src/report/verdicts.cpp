@@ -3,9 +3,9 @@
 
 This program ends `make figures`. It reads the list of claims of a volume (`paper/claims.ecsv`), what we found
 (`paper/findings.ecsv`) and what other authors print (`paper/literature.ecsv`), judges every row by its statement
-(statement.hpp, verdict.hpp), writes a table of all verdicts and prints what does not agree. Beside the table `claims.ecsv` are
-all comparisons (`claims_comparisons.ecsv`) and all other readings (`claims_readings.ecsv`). Each volume has its own,
-with the statements of its own chapters. */
+(statement.hpp, verdict.hpp), writes a table of all verdicts and prints what does not agree. Beside the table
+`claims.ecsv` are all comparisons (`claims_comparisons.ecsv`) and all other readings (`claims_readings.ecsv`). Each
+volume has its own, with the statements of its own chapters. */
 
 #include <cstdio>
 #include <iostream>

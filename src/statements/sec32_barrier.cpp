@@ -109,7 +109,7 @@ STATEMENT("pn.comparable") {
 
 STATEMENT("pn.approximates") {
   const Data::Row pair = table("key_pairs").at("s", linear, "omega", 1.1);
-  answer(pair["equal_area"] / pair["equal_frequency"], "of the barrier at equal frequency");
+  answer(abs(pair["equal_area"] / pair["equal_frequency"]), "of the barrier at equal frequency");
 }
 
 // At every frequency that both wells have in common; the soft branch ends at 1.9

@@ -64,9 +64,10 @@ force is smooth but close to its singular point: $k$ steps from $t^*$ a sixth-or
 $h^{\alpha+1} k^{\alpha-6}$. At $k = 1$ this still hides the order of the scheme, at $k = 2$ it is twenty
 times less, and beyond that it shows only near $10^{-11}$. So `reach` is two.
 
-The overlaps $x_0, x_1$ and their rates $w_0, w_1$ (per step) at the two ends of the step tell where the contact was `reach` steps before and will be `reach` steps after. It is singular if any of these four overlaps is not positive, or if it dips to
-zero between positive ends. It matters only if it pushes at an end, or bulges above `small` between open ends. The
-tangents at the ends bound a dip and a bulge. */
+The overlaps $x_0, x_1$ and their rates $w_0, w_1$ (per step) at the two ends of the step tell where the contact was
+`reach` steps before and will be `reach` steps after. It is singular if any of these four overlaps is not positive, or
+if it dips to zero between positive ends. It matters only if it pushes at an end, or bulges above `small` between open
+ends. The tangents at the ends bound a dip and a bulge. */
 inline __attribute__((always_inline)) bool is_singular(double x0, double w0, double x1, double w1,
                                                        double small, double reach) {
   const double ahead = x0 + w0, behind = x1 - w1;
