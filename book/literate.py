@@ -280,8 +280,11 @@ class Book:
 
     def other_readings(self, id):
         """What other choices give, and half and twice our bounds, folded."""
-        rows = [f"<dt>{md.spelled(row['reading'])}: {md.number(md.with_error(Finding('', '', row['value'], row['error'], row['unit']))) + ', ' if row['value'] == row['value'] else ''}"
-                f"{row['outcome']}</dt><dd>{md.spelled(row['choice'])}</dd>" for row in self.readings.get(id, ())]
+        def found(row):
+            number = row["value"] == row["value"] and md.number(md.with_error(Finding("", "", row["value"], row["error"], row["unit"])))
+            return ", ".join(filter(None, [number, row["outcome"]]))
+
+        rows = [f"<dt>{md.spelled(row['reading'])}: {found(row)}</dt><dd>{md.spelled(row['choice'])}</dd>" for row in self.readings.get(id, ())]
         return f"<details><summary>{len(rows)} reading{'s' * (len(rows) > 1)}</summary><dl>{''.join(rows)}</dl></details>" if rows else ""
 
     def alone_mark(self, id):

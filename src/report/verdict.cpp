@@ -189,6 +189,7 @@ std::string verdict(const Case& one, const Cases& all) {
 }
 
 std::string outcome(const OtherReading& reading, const Claim& claim) {
+  if (!reading.outcome && !print_of(claim.printed)) return "";
   if (!reading.outcome) {
     Claim plain = claim;
     plain.covered_by.clear();

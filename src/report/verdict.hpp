@@ -38,7 +38,8 @@ struct Case {
 };
 using Cases = std::vector<Case>;
 
-/// Whether another reading of a number agrees with what is printed, or how far that of an assertion holds.
+/// Whether another reading of a number agrees with what is printed, or how far that of an assertion holds; empty for a
+/// number beside words.
 std::string outcome(const OtherReading& reading, const Claim& claim);
 
 /// What `paper/readings.ecsv` says of the choices: the text of each by (statement, name of the reading). Empty without the list.

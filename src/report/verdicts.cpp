@@ -64,17 +64,18 @@ Table table_of_readings(const Cases& rows, const Choices& choices) {
   for (const auto& [claim, found] : rows)
     for (const OtherReading& other : found.readings) {
       const Estimate value = other.value ? Estimate(*other.value) : undefined;
-      out.add(
-          {{"id", "statement", claim.id},
-           {"reading", "name of the choice, or a bound of ours that is halved or doubled",
-            other.name},
-           {"choice", "what is chosen, and why it is natural",
-            other.is_bound ? "a bound of ours" : choices.at({claim.id, other.name})},
-           {"value", "value of a number; nan of an assertion", value.value},
-           {"error", "error of the value", value.error},
-           {"unit", "unit of value and error", other.value ? other.value->unit : ""},
-           {"outcome", "a number is met, missed or undecided; an assertion holds, fails or both",
-            outcome(other, claim)}});
+      out.add({{"id", "statement", claim.id},
+               {"reading", "name of the choice, or a bound of ours that is halved or doubled",
+                other.name},
+               {"choice", "what is chosen, and why it is natural",
+                other.is_bound ? "a bound of ours" : choices.at({claim.id, other.name})},
+               {"value", "value of a number; nan of an assertion", value.value},
+               {"error", "error of the value", value.error},
+               {"unit", "unit of value and error", other.value ? other.value->unit : ""},
+               {"outcome",
+                "a number is met, missed or undecided; an assertion holds, fails or both; empty "
+                "beside words",
+                outcome(other, claim)}});
     }
   out.meta = {{"program", "verdicts"}};
   return out;

@@ -185,6 +185,8 @@ TEST_CASE("a reading of a row without verdict is met or missed", "[unit]") {
   CHECK(outcome({"x", Quantity{Estimate(0.9, 1e-6)}}, one.claim) == "missed");
   CHECK(outcome({"x", Quantity{Estimate(0.76, 1e-6)}}, one.claim) == "met");
   CHECK(outcome({"x", Quantity{Estimate(0.77, 0.1)}}, one.claim) == "undecided");
+  one.claim.printed = "robust";
+  CHECK(outcome({"x", Quantity{Estimate(0.77, 0.1)}}, one.claim).empty());
 }
 
 TEST_CASE("by how much a number is missed has an error, and so have readings", "[unit]") {

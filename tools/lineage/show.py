@@ -54,8 +54,8 @@ def judged(id, root, verdict):
         yield "", text
     yield from compared(rows)
     for row in joined(read_readings, all).get(id, []):
-        number = "" if math.isnan(row["value"]) else f"{with_error(row['value'], row['error'])} {row['unit']}, "
-        yield "reading", f"{row['reading']}: {number}{row['outcome']} ({row['choice']})"
+        number = "" if math.isnan(row["value"]) else f"{with_error(row['value'], row['error'])} {row['unit']}"
+        yield "reading", f"{row['reading']}: {', '.join(filter(None, [number, row['outcome']]))} ({row['choice']})"
 
 
 def of_number(name, finding, claims, numbers, verdict, root):
