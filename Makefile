@@ -85,7 +85,7 @@ runs += $(foreach p,$(borrowed),$(D)/data/$(p)/SHA256SUMS)
 or_read := || { code=$$?; [ $$code = 141 ] || exit $$code; }
 
 # Folders have the names of some of them.
-.PHONY: all figures test beyond test-beyond ready all-figures all-data programs configure summary verdicts book weave install-book install-browse \
+.PHONY: all figures chapter test beyond test-beyond ready all-figures all-data programs configure summary verdicts book weave install-book install-browse \
   test-book test-lineage tests examples python run-tests run-tests-beyond test-faults test-fuzz test-python bench paper typeset install-paper \
   accept refresh show verify second mutants test-platforms test-slurm fresh container dist style tidy \
   install-deps burn help
@@ -219,6 +219,12 @@ tests: test
 ## examples: build the programs of examples/ against the installed library and run them
 examples: programs
 	@ctest -R '^install$$' $(CTEST_ARGS)
+
+## chapter: compute, draw and judge a chapter of one's own, a copy C=... of examples/chapter
+C := examples/chapter
+chapter: programs
+	@cmake -S "$(C)" -B "$(C)/build" -D CMAKE_PREFIX_PATH="$(abspath $(B))" -D CMAKE_BUILD_TYPE=Release > /dev/null
+	@cmake --build "$(C)/build"
 
 ## python: build the Python module, build/python/lattice
 python: configure
