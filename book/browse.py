@@ -1,7 +1,7 @@
 """Opens every page of the book in a headless Chromium, as wide as a phone: `python3 book/browse.py build/book`.
 
 A page fails if it logs an error, asks for what is not in its folder, has a formula that was not set, lacks a picture, or
-must be scrolled sideways. Ten links are followed with a click, a number shows its error on focus, the search finds a
+must be scrolled sideways, or a chapter if its code is cut in a window of 1280 pixels. Ten links are followed with a click, a number shows its error on focus, the search finds a
 chapter, and each live page that is there is run."""
 
 import csv
@@ -55,8 +55,11 @@ class Browser:
             options.add_argument("--" + flag)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
         self.driver = webdriver.Chrome(options=options, service=Service(shutil.which("chromedriver")))
-        size = {"width": 375, "height": 800, "deviceScaleFactor": 1, "mobile": False}
         self.run = self.driver.execute_script
+        self.resize(375)
+
+    def resize(self, width):
+        size = {"width": width, "height": 800, "deviceScaleFactor": 1, "mobile": False}
         self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
 
     def open(self, page):
@@ -98,6 +101,16 @@ def check_use(browser):
         yield "search.html: does not find the boomeron"
 
 
+def check_code(browser, pages):
+    """In a window of 1280 pixels no line of a chapter's code is cut."""
+    browser.resize(1280)
+    for page in (page for page in pages if page.startswith("sec")):
+        browser.open(page)
+        if cut := browser.run("return [...document.querySelectorAll('.highlight')].filter((e) => e.scrollWidth > e.clientWidth + 1).length"):
+            yield f"{page}: {cut} listings are wider than the page"
+    browser.resize(375)
+
+
 def check_live(browser, pages):
     """Each live page that is there computes to its end."""
     for name in (name for name in ("strike", "breather", "defect", "drive") if f"{name}.html" in pages):
@@ -135,7 +148,7 @@ def main(folder):
             count, found = browser.run(LOOK)
             formulas += count
             out += [f"{page}: {complaint}" for complaint in dict.fromkeys(found + browser.complaints())]
-        out += [*check_use(browser), *check_live(browser, pages)]
+        out += [*check_use(browser), *check_code(browser, pages), *check_live(browser, pages)]
     finally:
         browser.driver.quit()
         shutil.rmtree(browser.profile, ignore_errors=True)

@@ -30,12 +30,12 @@ from sphinx.util.docutils import SphinxDirective
 
 from lineage import ecsv, inventory, markdown as md
 from lineage.cells import cited, home_of, in_full, read_cells
-from lineage.chapters import explained_by, read_commands, read_costs, run_of, shown_cost
+from lineage.chapters import command_of, explained_by, read_commands, read_costs, run_of, shown_cost
 from lineage.claims import (KINDS, OBTAINED, agrees, by_name, in_plain, meanings, programs_of, read_answers, read_claims,
                             read_findings, read_literature, read_moved, read_readings, read_second, read_statements, read_verdicts, said as filled,
                             with_sentences)
 from lineage.lock import quoted, read_lock
-from lineage.refresh import command_of, printed, read_figures
+from lineage.refresh import printed, read_figures
 from lineage.sources import definitions, local_names, sources_of
 from lineage.values import Finding, distance
 from lineage.volumes import joined, volumes
@@ -44,6 +44,7 @@ from live import live
 HERE = Path(__file__).resolve().parent
 KATEX = [Path("/usr/share/javascript/katex"), Path("/usr/share/nodejs/katex/dist")]
 LISTS = ("published", "findings", "figures", "equations", "commands", "packages", "library")
+HEAD_OF_CHAPTER = re.compile(r"<!-- head -->\n.*?<!-- /head -->\n", re.S)
 STATEMENTS = re.compile(r"<!-- statements -->\n.*?<!-- /statements -->", re.S)
 ORPHAN = "---\norphan: true\n---\n"
 HEAD = re.compile(r"(?:(?:#\w+.*|using namespace.*|namespace \w+ \{|[ \t]*)\n){4,}")
@@ -195,7 +196,7 @@ class Book:
     def woven(self, text, home=""):
         """A block of prose as MyST: sentences of findings in their places, figures as directives, each formula on one
         line, since a line that begins with a minus would begin a list."""
-        text = in_full(with_sentences(text, self.findings), home)
+        text = in_full(with_sentences(HEAD_OF_CHAPTER.sub("", text), self.findings), home)
         text = re.sub(r"(```.*?```|`[^`]*`)|(\$\$?)(.+?)\2", lambda m: m[1] or m[0].replace("\n", " "), text, flags=re.S)
         return re.sub(r"!\[([^\]]*)\]\(fig:([^)]*)\)", lambda m: f"\n\n```{{fig}} {m[2]}\n{m[1]}\n```\n\n", text)
 
@@ -457,7 +458,7 @@ class Book:
         heads = dict(zip(LISTS[1:], re.split(r"\n(?=# )", ecsv.text_of(HERE / "lists.md"))))
         heads["published"] = ecsv.text_of(HERE / "published.md")
         lists = {name: heads.get(name, "") + getattr(self, f"{name}_page")() for name in LISTS}
-        lists |= {"data": self.data_page(), "machines": self.machines_page()}
+        lists |= {"symbols": ecsv.text_of(HERE / "symbols.md"), "data": self.data_page(), "machines": self.machines_page()}
         lists |= {name: ecsv.text_of(folder / f"{name}.md") + live.SCRIPT for folder, name in self.lives}
         notebooks = sorted((self.root / "python").glob("*.ipynb"))
         lists |= {f"notebook-{path.stem.replace('_', '-')}": self.notebook_page(path) for path in notebooks}

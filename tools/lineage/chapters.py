@@ -6,6 +6,7 @@ paper/costs.ecsv, a row for each program, which `make refresh` renews from what 
 
 import math
 import re
+import textwrap
 from pathlib import Path
 
 from . import ecsv
@@ -40,6 +41,11 @@ def run_of(program):
     return f"build/bin/{program}"
 
 
+def command_of(figure):
+    """How a reader asks for a figure: `make fig07`, `make x03`."""
+    return "make " + (figure if figure.startswith("x") else "fig" + figure)
+
+
 def read_commands(root):
     """Commands that compute one number alone, and what they call it, by its name: book/commands.txt."""
     out, path = {}, Path(root) / "book/commands.txt"
@@ -49,6 +55,28 @@ def read_commands(root):
             command, _, quantity = command.partition("#")
             out[id] = command.strip(), quantity.strip()
     return out
+
+
+def own_commands(root, program):
+    """The commands of a program and what they are about, by the structs that its `main` lists."""
+    text = ecsv.text_of(Path(root) / f"src/{program}.cpp")
+    listed = re.search(r"commands<([^>]*)>\(\)", text)
+    where = [text, *(ecsv.text_of(path) for path in sorted(Path(root).glob("src/commands/*.hpp")))]
+    titles = {name: (command, "".join(re.findall(r'"([^"]*)"', words))) for source in where for name, command, words in re.findall(
+        r'struct (\w+)[^;{]*\{(?:(?!\nstruct ).)*?Title title\{\s*"(\w+)",\s*((?:"[^"]*"\s*)+)', source, re.S)}
+    return [titles[name] for name in re.findall(r"\w+", listed[1])] if listed else []
+
+
+def head_lines(root, program, figures):
+    """What stands at the head of a chapter: its command, what that costs and writes, its figures, its other commands."""
+    tables = sum(name.startswith(program + "/") for name in ecsv.sums_of(Path(root) / "paper/full.sha256"))
+    seconds = read_costs(root).get(program, math.nan)
+    drawn = [command_of(id) for id, row in figures.items() if row["program"] == program]
+    said = [f"`{run_of(program)}` computes this chapter in {'less than 1' if seconds < 1 else shown_cost(seconds)} s on two cores "
+            f"and writes {tables} tables to `build/data/{program}`."]
+    said += [f"Its figures: {', '.join(f'`{command}`' for command in drawn)}."] * bool(drawn)
+    said += [f"With your parameters: {'; '.join(f'`{name}`, {words}' for name, words in own_commands(root, program))}."] * bool(own_commands(root, program))
+    return textwrap.wrap(" ".join(said), 120, break_long_words=False, break_on_hyphens=False)
 
 
 # What it costs

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from . import ecsv
 from .cells import home_of, with_links
-from .chapters import costs_text, renewed_costs
+from .chapters import command_of, costs_text, head_lines, renewed_costs
 from .claims import (MARKED, by_name, check_quotations, in_plain, meanings, programs_of, read_claims, read_findings, read_literature,
                      read_verdicts, shown_at)
 from .inventory import modules
@@ -67,17 +67,7 @@ def discrepancy_rows(claims, numbers, verdicts):
     yield "|---|---|---|---|"
     for id, c in claims.items():
         if verdicts[id]["verdict"] == "discrepant":
-            ours = here(id, c, numbers, verdicts)
-            yield f"| {c['quantity']} | {printed(c)} | {ours if id in numbers else f'fails: {ours}'} | {c['cause']} |"
-
-
-def partial_rows(claims, verdicts):
-    """What holds in part, and what of it does not."""
-    yield "| statement | article | where not |"
-    yield "|---|---|---|"
-    for id, c in claims.items():
-        if verdicts[id]["verdict"] == "in part":
-            yield f"| {c['quantity']} | {printed(c)} | {c['cause']} |"
+            yield f"| {c['quantity']} | {printed(c)} | {here(id, c, numbers, verdicts) if id in numbers else 'fails'} | {c['cause']} |"
 
 
 def found_rows(findings, numbers):
@@ -104,14 +94,15 @@ def tally(claims, verdicts):
 
 
 def index_rows(root, figures):
-    """Every chapter, in the article's order, with its figures and what judges its statements."""
-    rows = []
+    """Every chapter, in the order in which the book is read, with its figures and what judges its statements."""
+    contents = Path(root) / "book/contents.txt"
+    rows, order = [], ecsv.text_of(contents).split("\n") if contents.exists() else []
     for program in programs_of(root):
         section, title = re.match(r"/\*\*\n# (\w[\w.]*):? (.*)", ecsv.text_of(Path(root) / f"src/{program}.cpp")).groups()
         shown = [id for id, row in figures.items() if row["program"] == program]
         judged = f"src/statements/{program}.cpp"
-        link = f"[`{program}.cpp`]({judged})" if (Path(root) / judged).exists() else ""
-        rows.append((section, min(shown, default="x"), f"| {section} | [{title[0].upper() + title[1:]}](src/{program}.cpp) | "
+        link = f"[judged]({judged})" if (Path(root) / judged).exists() else ""
+        rows.append((order.index(program) if program in order else len(order), f"| {section} | [{title[0].upper() + title[1:]}](src/{program}.cpp) | "
                      f"{', '.join(id.lstrip('0') for id in shown)} | {link} |"))
     return ["| section | chapter | figures | statements |", "|---|---|---|---|", *(row for *_, row in sorted(rows))]
 
@@ -122,11 +113,6 @@ def module_rows(root):
     return ["| module | what it is about |", "|---|---|", *rows]
 
 
-def command_of(figure):
-    """How a reader asks for a figure: `make fig07`, `make x03`."""
-    return "make " + (figure if figure.startswith("x") else "fig" + figure)
-
-
 def generated_tables(root, claims, numbers):
     """Every table that the page may show, by the name in its marks."""
     judged, verdicts = Path(root) == article(root), read_verdicts(root)
@@ -134,7 +120,6 @@ def generated_tables(root, claims, numbers):
             "modules": module_rows(root) if (Path(root) / "src/modules.ecsv").exists() else None,
             "index": index_rows(root, read_figures(root)) if judged else None,
             "summary": tally(claims, verdicts) if judged else None,
-            "in_part": list(partial_rows(claims, verdicts)) if judged else None,
             "discrepant": list(discrepancy_rows(claims, numbers, verdicts)) if judged else None}
 
 
@@ -174,13 +159,15 @@ def fresh_texts(root, measured):
         except ecsv.Fault as fault:
             raise ecsv.Fault(f"{path}: {str(fault).removeprefix(f'{path}: ')}") from None
 
-    findings, verdicts = read_findings(root), read_verdicts(root)
+    findings, verdicts, figures = read_findings(root), read_verdicts(root), read_figures(root)
     told = {id: finding_lines(row, numbers) for id, row in findings.items()}
     printed_rows = (claims if root == article(root) else {}) | read_literature(root)
     for path in sources(root):
         home = home_of(path)
         rows = {id: row for id, row in printed_rows.items() if row["program"] == home}
         marked = told | {"statements": statement_rows(rows, numbers, verdicts)}
+        if "<!-- head -->" in ecsv.text_of(path):
+            marked["head"] = head_lines(root, path.stem, figures)
         yield fresh(path, lambda text: fresh_page(with_numbers(text, numbers, home), marked))
     if (root / "paper/findings.ecsv").exists():
         yield fresh(root / "paper/findings.ecsv", lambda text: with_numbers(text, numbers))

@@ -6,11 +6,11 @@ import re
 
 from . import ecsv
 from .cells import read_cells
-from .chapters import chapter_of, explained_by, read_commands, read_costs, run_of, shown_cost
+from .chapters import chapter_of, command_of, explained_by, read_commands, read_costs, run_of, shown_cost
 from .claims import (agrees, by_name, code_of, in_plain, programs_of, read_answers, read_claims, read_comparisons, read_findings,
                      read_readings, read_second, read_statements, read_verdicts, runs_of, said)
 from .lock import read_lock
-from .refresh import command_of, read_figures
+from .refresh import read_figures
 from .volumes import joined, volumes
 
 
