@@ -80,9 +80,6 @@ class Here(unittest.TestCase):
         self.none(f"{path}: {what}" for path, text in self.texts.items() for what in unreadable(text))
         self.none(f"{path} -> {name}" for path, text in self.texts.items() if re.match(r"src/(sec\w+|commands)/", path)
                   for name in foreign(path, text))
-        self.none(f"{path}: {count} numbers in sentences (allowed: 14, others are rows of tables)" for path, text in self.texts.items()
-                  if VOLUME == ROOT and re.match(r"src/sec\w+\.cpp$", path)
-                  and (count := sum(len(re.findall(r"\]\((?:cell|statement):", line)) for line in text.split("\n") if line[:1] != "|")) > 14)
 
     def test_the_tests_have_the_folders_of_src(self):
         """And each begins with a sentence on what it holds."""
