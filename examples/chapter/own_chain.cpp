@@ -3,8 +3,8 @@
 
 How fast does the packet of an impact travel if every other bead is light? The equation of motion is Eq. (9) with masses,
 $$\mu_n\ddot y_n = -W'(y_n) + (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},\qquad W = \cosh y - 1,$$
-with $\mu_n = 1$ and $\mu_n = \mu$ in turn. A light bead oscillates faster in its well, by $\mu^{-1/2}$, so that neighbours are out
-of tune and hand on less: the packet is slow. */
+with $\mu_n = 1$ and $\mu_n = \mu$ in turn. A light bead oscillates faster in its well, by the factor $\mu^{-1/2}$. So
+neighbours are out of tune, and we expect a slow packet. */
 #include <cmath>
 #include <vector>
 

@@ -4,6 +4,7 @@
 #include "report/statement.hpp"
 
 #include <algorithm>
+#include <iostream>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
@@ -507,6 +508,22 @@ static std::map<std::string, Registered>& registered() {
 
 const std::map<std::string, Registered>& statements() {
   return registered();
+}
+
+bool all_hold(const std::filesystem::path& folder) {
+  Tables tables(folder);
+  bool all = !statements().empty();
+  for (const auto& [id, statement] : statements()) {
+    const Judged found = statement.judge(tables);
+    const bool holds = found.lost.empty() && found.not_run.empty() && !found.lost_control() &&
+                       outcome_of(found.comparisons) == Outcome::holds;
+    std::cout << id << (holds ? " holds: " : " FAILS: ")
+              << (found.not_run.empty() ? found.lost + found.text()
+                                        : found.not_run + " has not run")
+              << '\n';
+    all = all && holds;
+  }
+  return all;
 }
 
 Register::Register(const std::string& id, const char* file, int line,

@@ -334,6 +334,10 @@ struct Registered {
 };
 const std::map<std::string, Registered>& statements();
 
+/// Judges all that are linked on the tables below `folder` and prints a line for each; whether all hold. For a chapter of
+/// one's own, which has no list of what is printed.
+bool all_hold(const std::filesystem::path& folder);
+
 /// Adds one; throws std::logic_error for an id that is there.
 struct Register {
   template <class One>
