@@ -510,6 +510,7 @@ const std::map<std::string, Registered>& statements() {
   return registered();
 }
 
+// All that are linked, for a chapter of one's own
 bool all_hold(const std::filesystem::path& folder) {
   Tables tables(folder);
   bool all = !statements().empty();
