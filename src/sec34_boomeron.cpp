@@ -2,7 +2,7 @@
 # 3.4 Packets that reverse their direction in hard wells
 
 After an impact in hard wells, $s > 0$, the travelling breather slows down, turns round, comes back to the end that was
-hit and is reflected there. How far does it get, what force slows it down, and for how long can its motion be predicted?
+hit and is reflected there. How far does it get, how does it slow down, and for how long can its motion be predicted?
 Section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) compares it with *boomerons*, solitons that reverse
 their direction, and says that
 
@@ -13,11 +13,11 @@ their direction, and says that
 - it turns for $s\ge0.005$ and not for $s = 0$.
 
 We find the first. For the rest there are limits. At $v_0=1.87$ the packet is near its turning point at those times, but
-reaches it much later. The force is not almost constant: it is not even a function of the position, since at one site it
-differs between the way out and the way back. Whether it grows with $v_0$ depends on the time over which it is averaged.
-At $s=0.005$ only impacts far above those of the figures turn a packet as long as we look. The packet's position is
-predictable beyond its first reflection if $v_0$ is known to a millionth. A chapter of volume two (`sec34_boomeron_map`)
-asks which packets turn, and why.
+reaches it much later. The acceleration is not almost constant: it is not even a function of the position, since at one
+site it differs between the way out and the way back. Whether it grows with $v_0$ depends on the time over which it is
+averaged. At $s=0.005$ only impacts far above those of the figures turn a packet as long as we look. And the position is
+predictable beyond the first reflection only if $v_0$ is known to a millionth. A chapter of volume two
+(`sec34_boomeron_map`) asks which packets turn, and why.
 
 ![Energy density after impacts with 1.5 and 1.9, a zoom, and the spread of an ensemble. Drawn by
 fig22_turning_maps.py: `e` over `t` and `n` from the table `density_maps`, `mean`, `low` and `high` from `ensemble`, the
@@ -58,11 +58,11 @@ using namespace lattice;
 
 We strike the chain, follow the packet, smooth its path and find the turn. `strike` (impact.hpp) integrates Eq. (9) by
 Runge–Kutta–Nyström steps of order six, corrected where a contact opens or closes, and records $X(t)$ every 0.2 units of
-time (`path_sampling`). It throws if the last bead has moved, so that nothing can have come back from there. The beads of
-the packet oscillate with a period of about four, and $X$ oscillates with them. So `smooth` averages it over 15 units
-(`path_smoothing`) with the weight $1+\cos(2\pi t/15)$. `turn_of` (turning.hpp) finds three moments of the smoothed path:
-the first *stop*, where the velocity vanishes; the *turning point*, the farthest one before the packet has come back by
-five sites; and the *reflection*, the nearest one before it has moved out again by three. */
+time (`path_sampling`). It throws if the last bead has moved, so that nothing can have come back from there. The beads
+of the packet oscillate with a period of about four, and $X$ oscillates with them. So `smooth` averages it over 15 units
+(`path_smoothing`) with the weight $1+\cos(2\pi t/15)$. `turn_of` (turning.hpp) finds three moments of the smoothed
+path: the first *stop*, where the velocity vanishes; the *turning point*, the farthest one before the packet has come
+back by five sites; and the *reflection*, the nearest one before it has moved out again by three. */
 constexpr double article_turning = 1.9, article_moderate = 1.5, article_profile = 1.87;  // v0
 constexpr double reflected_for = 60;  // time after a reflection at which the packet is looked for
 constexpr double most_drift = 1e-3;   // of the energy
@@ -101,8 +101,8 @@ double centre_at(const Path& path, double t) {
 /**
 ## The motion (figure 22)
 
-A map of snapshots would show spurious stripes, since it would sample the packet's oscillation at nearly its own rate. So
-figure 22 shows averages over four or five units of time, and over one in the zoom. The dashed line is the time up to
+A map of snapshots would show spurious stripes, since it would sample the packet's oscillation at nearly its own rate.
+So figure 22 shows averages over four or five units of time, and over one in the zoom. The dashed line is the time up to
 which a millionth in $v_0$ moves the packet by less than half a site (*How long the motion is predictable*). */
 struct Panel {
   int number;
@@ -146,7 +146,7 @@ robust. The packet of 1.5, the article's example of slow deceleration, turns in 
 | $s=1$ | $v_0 = 1.5$ | 1.85 | 1.9 | 1.95 |
 |---|---|---|---|---|
 | turning point, site | [183](cell:turns/velocity=1.5/apex_site) | [24.0](cell:velocity=1.85/apex_site) | [20.1](cell:velocity=1.9/apex_site) | [16.9](cell:velocity=1.95/apex_site) |
-| turning point, time (article, 1.5: not by 1000) | [4.36e3 ± 2e1](cell:turns/velocity=1.5/apex_time) | [3.7e2](cell:velocity=1.85/apex_time) | [4.7e2](cell:velocity=1.9/apex_time) | [3.4e2](cell:velocity=1.95/apex_time) |
+| turning point, time (article, 1.5: not by 1000) | [4.36e3 ± 2e1](cell:turns/velocity=1.5/apex_time) | [373.8 ± 0.9](cell:velocity=1.85/apex_time) | [467 ± 1](cell:velocity=1.9/apex_time) | [337 ± 1](cell:velocity=1.95/apex_time) |
 | reflection, time | | [1060](cell:turns/velocity=1.85/return_time) | [898](cell:velocity=1.9/return_time) | [680](cell:velocity=1.95/return_time) |
 
 An error has a part from the step and one from the smoothing: what half the width changes (`estimate_turn`). Near its
@@ -191,9 +191,9 @@ void report_turns(Report& report) {
 /**
 ## How long the motion is predictable (figure 22, last panel)
 
-We draw impacts at random from an interval around $v_0 = 1.9$ of relative width $10^{-4}$, $10^{-6}$ or $10^{-8}$ and see
-how the standard deviation $\sigma_X$ of the centres grows. Centres of smoothed paths are compared; otherwise the phases
-of the oscillations would count as a spread. */
+We draw impacts at random from an interval around $v_0 = 1.9$ of relative width $10^{-4}$, $10^{-6}$ or $10^{-8}$ and
+see how the standard deviation $\sigma_X$ of the centres grows. Centres of smoothed paths are compared; otherwise the
+phases of the oscillations would count as a spread. */
 constexpr double compared_every = 10;  // of time
 constexpr double lost = 0.5;           // sites: the position is unpredictable from there on
 constexpr unsigned long seed = 20130501;
@@ -217,9 +217,9 @@ std::vector<Spread> spreads(const std::vector<double>& v0, double step, double t
 /**
 Up to the first reflection, near $t = 900$, the three curves are one curve, shifted: $\sigma_X$ is proportional to the
 width of the interval and grows by a factor of 75 between $t=100$ and 900. Most is lost at the reflection and after it:
-within 100 units $\sigma_X$ grows by a factor of 26, and then by a factor of ten in about 120 units, until it is as large
-as the way of the packet. With an interval of a millionth, seven digits of $v_0$, the position is known to half a site
-until [1.29e3 ± 4e1](cell:predictable/noise=1e-6/t). Figure 22 marks this time; the later part of its map is one
+within 100 units $\sigma_X$ grows by a factor of 26, and then by a factor of ten in about 120 units, until it is as
+large as the way of the packet. With an interval of a millionth, seven digits of $v_0$, the position is known to half a
+site until [1.29e3 ± 4e1](cell:predictable/noise=1e-6/t). Figure 22 marks this time; the later part of its map is one
 possibility among many. Our steps of 0.05 and 0.025 differ as much as two impacts that differ by $10^{-8}$.
 
 ![Spread of the centres against time for three widths of the interval of impacts, and the difference of two steps. Drawn
@@ -232,8 +232,8 @@ by x51_spread.gp: `deviation` against `t` from the table `ensemble`, `apart` fro
 | $\sigma_X$, mean for $2000 < t < 2600$ | [8 ± 4](cell:spread/noise=1e-4/part=late/deviation) | [9 ± 1](cell:noise=1e-6/part=late/deviation) | [8 ± 2](cell:noise=1e-8/part=late/deviation) |
 
 Long after the first reflection the motion is erratic, as the article says. Centres that are equally likely to be
-anywhere up to the turning point would have a deviation of six sites; after $t = 2000$ at least a tenth of the packets is
-beyond it, up to site 34. */
+anywhere up to the turning point would have a deviation of six sites; after $t = 2000$ at least a tenth of the packets
+is beyond it, up to site 34. */
 void report_ensemble(Report& report) {
   const std::size_t members = report.quick ? 8 : 24;
   const double time = report.quick ? 2200 : 2600;
@@ -287,8 +287,8 @@ void report_steps(Report& report) {
 /**
 ## The acceleration of the packet
 
-Is the force almost constant? The mass of a packet is unknown, even in sign; so we compare accelerations and not forces. A
-parabola, fitted to the smoothed path over 120 units of time, gives the mean acceleration $\ddot X$
+Is the force almost constant? The mass of a packet is unknown, even in sign; so we compare accelerations and not forces.
+A parabola, fitted to the smoothed path over 120 units of time, gives the mean acceleration $\ddot X$
 (sec34/acceleration.hpp). Its errors are the changes made by twice the step and by half the smoothing.
 
 ![Acceleration of the packet against its position on the way out and back, for three impacts. Drawn by
@@ -329,12 +329,13 @@ void report_path(Report& report) {
 }
 
 /**
-The article's sentence is quantified by the mean acceleration *around the turn*, where the packet is above nine tenths of
-its turning point: it is [0.14](statement:boomeron.constant_force) of that on the way out, for $100 < t < 220$. *Back* is
-from there to three tenths. At 1.93, which rounds to 1.9 too, the three differ by less than a factor of two. In figure 22
-the path looks like a parabola, since it is off one by only [0.060](cell:arcs/arc=1/deviation) of its range (root mean
-square), and from the first reflection to the second one by [0.0401 ± 0.0006](cell:arcs/arc=2/deviation). This says little: a wedge,
-the path of a particle with no force but at its tip, is off by $(\frac1{12}-\frac5{64})^{1/2} = 0.072$.
+The article's sentence is quantified by the mean acceleration *around the turn*, where the packet is above nine tenths
+of its turning point: it is [0.14](statement:boomeron.constant_force) of that on the way out, for $100 < t < 220$.
+*Back* is from there to three tenths. At 1.93, which rounds to 1.9 too, the three differ by less than a factor of two.
+In figure 22 the path looks like a parabola, since it is off one by only [0.060](cell:arcs/arc=1/deviation) of its range
+(root mean square), and from the first reflection to the second one by [0.0401 ± 0.0006](cell:arcs/arc=2/deviation).
+This says little: a wedge, the path of a particle with no force but at its tip, is off by $(\frac1{12}-\frac5{64})^{1/2}
+= 0.072$.
 
 | $\ddot X$, sites per squared unit of time | out | around the turn | back |
 |---|---|---|---|
@@ -342,8 +343,9 @@ the path of a particle with no force but at its tip, is off by $(\frac1{12}-\fra
 | $s=1$, $v_0=1.93$ | [-0.00045](cell:acceleration/s=1/velocity=1.93/part=out/acceleration) | [-0.000297](cell:part=between/acceleration) | [-0.00042](cell:part=back/acceleration) |
 
 Does it grow with $s$ and $v_0$? For $100 < t < 220$ its modulus grows from each of nine impacts from 1.1 to 2 to the
-next, and from each of six wells from $s = 0.005$ to 1 to the next (table `acceleration`). Earlier, for $60 < t < 180$, it
-falls from $v_0 = 1.1$ to 1.3 and from $s = 0.005$ to 0.05. In linear wells a packet slows down too, most of all at first.
+next, and from each of six wells from $s = 0.005$ to 1 to the next (table `acceleration`). Earlier, for $60 < t < 180$,
+it falls from $v_0 = 1.1$ to 1.3 and from $s = 0.005$ to 0.05. In linear wells a packet slows down too, most of all at
+first.
 
 | $\ddot X$ on the way out | $100 < t < 220$ | $60 < t < 180$ |
 |---|---|---|
@@ -432,12 +434,12 @@ void report_slowing(Report& report) {
 ## Profiles close to the turning (figure 23)
 
 The article shows the velocities of all beads at $v_0 = 1.87$ for two times at which, it says, the packet is close to
-turning. It is close in place, not in time: at $t = 238$ the centre is nearer to its turning point than half the width of
-the packet, but still moves with a fifth of the speed with which it left the end, and it turns at 493. A velocity profile
-does not distinguish a packet at rest from one that moves slowly. Rounding does not explain the difference: of eleven
-impacts from 1.865 to 1.875 none stops before [296](cell:printed_range/velocity=1.868/smoothed_less), even with half the
-smoothing. (The stop, other than the turning point, depends on the smoothing: with all of it the same eleven stop between
-320 and 493.)
+turning. It is close in place, not in time: at $t = 238$ the centre is nearer to its turning point than half the width
+of the packet, but still moves with a fifth of the speed with which it left the end, and it turns at 493. A velocity
+profile does not distinguish a packet at rest from one that moves slowly. Rounding does not explain the difference: of
+eleven impacts from 1.865 to 1.875 none stops before [296](cell:printed_range/velocity=1.868/smoothed_less), even with
+half the smoothing. (The stop, other than the turning point, depends on the smoothing: with all of it the same eleven
+stop between 320 and 493.)
 
 ![Velocities close to the turning. Drawn by fig23_turning_profiles.gp: `v` against `n` for two `t`, from the table
 `turning_profiles`.](fig:23)
@@ -507,8 +509,8 @@ void report_printed_range(Report& report) {
 The article sees reversals for $s\ge0.005$ and none for $s=0$, and prints neither an impact nor a time. Our packets turn
 soon where $\chi = s\,v_0^{3/2}$ is above 2.5, and not as long as we look where it is below; with the impacts of the
 figures $\chi$ is a hundredth at $s=0.005$, and the packet of 1.9 is almost where it is in linear wells. After 132 a
-packet turns soon; in linear wells one that strong has never moved inward. That $\chi$ decides soon is a guess from these
-impacts; what decides in general is the question of volume two. Weaker ones may turn farther out.
+packet turns soon; in linear wells one that strong has never moved inward. That $\chi$ decides soon is a guess from
+these impacts; what decides in general is the question of volume two. Weaker ones may turn farther out.
 
 | | $\chi$ | followed until | turning point, site | centre at the end, site |
 |---|---|---|---|---|
@@ -553,10 +555,10 @@ void report_weakly_hard(Report& report) {
 /**
 ## Checks
 
-Two other integrators check ours, and the program stops with an error where they disagree. GSL's adaptive method of order
-eight, which has no event detection, has to arrive at the same state at $t=100$ within $10^{-7}$. For the whole motion,
-where GSL would be slow, another scheme, with fourteen stages, has to give the time of the reflection within 0.2. The
-article does not say how it integrates or averages, or how long its chain is. */
+Two other integrators check ours, and the program stops with an error where they disagree. GSL's adaptive method of
+order eight, which has no event detection, has to arrive at the same state at $t=100$ within $10^{-7}$. For the whole
+motion, where GSL would be slow, another scheme, with fourteen stages, has to give the time of the reflection within
+0.2. The article does not say how it integrates or averages, or how long its chain is. */
 void check_by_other_routes(bool quick) {
   const Experiment out{.time = 100, .sites = 60};
   distance_from_reference({out.sites, Quartic{out.s}}, struck(out.sites, out.v0), out.time,
@@ -604,15 +606,15 @@ void reproduce(Report& report) {
 
 **To change it.** Another impact that turns is a row of `turning`; if it does not turn within its `time`, its cells are
 `nan`. Its chain has to be so long that the packet and the waves do not cross it: the program says so. Another one whose
-acceleration is measured is in the lists of `report_acceleration` or `report_path`. The article's impacts are the constants
-`article_*`. What counts as a turn are the defaults of `find_turn`, the smoothing is `path_smoothing` (turning.hpp), of which
-volume two makes use as well. The figures read columns by name.
+acceleration is measured is in the lists of `report_acceleration` or `report_path`. The article's impacts are the
+constants `article_*`. What counts as a turn are the defaults of `find_turn`, the smoothing is `path_smoothing`
+(turning.hpp), of which volume two makes use as well. The figures read columns by name.
 
 1. *Easy.* When does the packet of figure 23 turn? `build/bin/sec34_boomeron run --velocity 1.87` gives
    `apex_site` = 23.175 and `apex_time` = 493. Hint: before it turns it is slow for a long time.
 2. *Harder.* When do the *states* of two impacts that differ by $10^{-8}$ part, all beads and phases included?
-   `build/bin/sec34_boomeron run --velocity 2.2` gives `decorrelation_time` = 580. Hint: this packet stays near the struck
-   end and meets its own waves again and again. Try 1.9, and compare with the spread of the centres.
+   `build/bin/sec34_boomeron run --velocity 2.2` gives `decorrelation_time` = 580. Hint: this packet stays near the
+   struck end and meets its own waves again and again. Try 1.9, and compare with the spread of the centres.
 
 `run` takes wells, contacts and a length of your choice, and a tolerance instead of a step (commands/one_turn.hpp). */
 int main(int argc, char** argv) {

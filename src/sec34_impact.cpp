@@ -14,10 +14,10 @@ We find the first and the last as printed, if amplitudes are measured suitably, 
 
 - *Energy.* It falls with the scaled anharmonicity $\chi = |s|\,v_0^{3/2}$, to less than half for strong impacts: from
   $v_0 = 1.54$ at $s = -\frac16$ (not at 2.11) and from 0.65 at $s = -0.7$ on.
-- *Where it stays.* Most of it is then near the first bead, except after three impacts just before the first escape. Newton's
-  method finds the surface mode as a periodic orbit, weakly unstable at the frequency of figure 20.
-- *Blow-up.* Up to the ends of our scans every impact above a threshold blows up, but below it impacts after which a bead
-  escapes alternate with others.
+- *Where it stays.* Most of it is then near the first bead, except after three impacts just before the first escape.
+  Newton's method finds the surface mode as a periodic orbit, weakly unstable at the frequency of figure 20.
+- *Blow-up.* Up to the ends of our scans every impact above a threshold blows up, but below it impacts after which a
+  bead escapes alternate with others.
 
 ![Energy density and speed of the packet against impact velocity. Drawn by fig19_impact_velocity.gp: `peak` and `speed`
 against `velocity`, from the table `velocity_sweep`.](fig:19)
@@ -28,9 +28,9 @@ The beads obey Eq. (9) with the wells of Eq. (10), $W(y) = y^2/2 + s\,y^4/4$, wh
 is struck, Eq. (26). All quantities are dimensionless, and both ends are free:
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}, \qquad
   y_n(0) = 0,\quad \dot y_n(0) = v_0\,\delta_{n,1}.$$
-At the amplitude of the impact, $v_0$, the anharmonic force $|s|\,v_0^3$ and the contact force $v_0^{3/2}$ have the ratio
-$\chi$. The energy density of Eq. (23) and its centre, Eq. (24), locate the packet. The sums run over the $m = 5$ sites on
-either side of the packet's largest density $e_{n'}$:
+At the amplitude of the impact, $v_0$, the anharmonic force $|s|\,v_0^3$ and the contact force $v_0^{3/2}$ have the
+ratio $\chi$. The energy density of Eq. (23) and its centre, Eq. (24), locate the packet. The sums run over the $m = 5$
+sites on either side of the packet's largest density $e_{n'}$:
 $$e_n = \tfrac12\dot y_n^2 + W(y_n) + \tfrac25 (y_n-y_{n+1})_+^{5/2}, \qquad
   X = \frac{\sum_{n=n'-m}^{n'+m} n\,e_n}{\sum_{n=n'-m}^{n'+m} e_n}.$$
 The article does not say where it fits speeds, for which $s$ it draws figure 19, or how it integrates. We fit between
@@ -57,10 +57,10 @@ using namespace lattice;
 ## The experiment
 
 We strike the chain and follow the foremost packet until it has passed site 60. `strike` (impact.hpp) integrates by a
-Runge–Kutta–Nyström method of order six, corrected where contacts open and close, in steps of at most 0.2, and samples the
-motion at least every 0.2 units of time, a thirtieth of an internal period. The packet is found from the far end, as the
-first site whose density is the largest of eleven (`front_packet`), since slower packets behind can carry as much energy.
-A run throws if the last bead has moved, so that nothing can have come back from there.
+Runge–Kutta–Nyström method of order six, corrected where contacts open and close, in steps of at most 0.2, and samples
+the motion at least every 0.2 units of time, a thirtieth of an internal period. The packet is found from the far end, as
+the first site whose density is the largest of eleven (`front_packet`), since slower packets behind can carry as much
+energy. A run throws if the last bead has moved, so that nothing can have come back from there.
 
 `refined(tolerance, run)` halves the step, and the distance of the samples with it, until the *end states* of two runs
 agree to `tolerance`, relative to their largest entry. The finer run gives the numbers, its difference from the coarser
@@ -103,9 +103,9 @@ Followed followed(const EventCorrected& method, double s, double v0, double time
 ## Speed and energy against impact velocity (figure 19)
 
 For each velocity of the sweep we compute the speed, the slope of the least-squares line through $X(t)$; the largest
-maximum in time of $e_{n'}$ while $20 < X < 60$; and the energy of the packet when it passes site 60, with the fraction of
-all energy on the first sites then. How long a run may last follows from the chapter before: at small $\epsilon = v_0/2$
-the speed tends to [0.361](cell:sec34_dps_impact/speeds/model=dps/per_slow_time) times $\epsilon^{1/2}$. */
+maximum in time of $e_{n'}$ while $20 < X < 60$; and the energy of the packet when it passes site 60, with the fraction
+of all energy on the first sites then. How long a run may last follows from the chapter before: at small $\epsilon =
+v_0/2$ the speed tends to [0.361](cell:sec34_dps_impact/speeds/model=dps/per_slow_time) times $\epsilon^{1/2}$. */
 // Three times what the slowest packets need to reach the end
 double time_for(double velocity) {
   return 3 * fit_to / (0.36 * std::sqrt(velocity / 2));
@@ -130,10 +130,10 @@ struct SweepPoint {
 };
 
 /**
-A bead that passes the maximum of a soft well, at $|y| = |s|^{-1/2}$, escapes to infinity. So each soft well has a largest
-velocity of the sweep, and a range that is scanned for escapes. A curve ends below the first velocity at which a bead
-escapes (*The blow-up*); its last 0.05 are marked in the figure (`ending`), since the first bead almost escapes there
-before it returns, and the outcome is erratic. */
+A bead that passes the maximum of a soft well, at $|y| = |s|^{-1/2}$, escapes to infinity. So each soft well has a
+largest velocity of the sweep, and a range that is scanned for escapes. A curve ends below the first velocity at which a
+bead escapes (*The blow-up*); its last 0.05 are marked in the figure (`ending`), since the first bead almost escapes
+there before it returns, and the outcome is erratic. */
 struct SweptWell {
   double s, fastest;
   double scan_from = 0, scan_to = 0;
@@ -182,8 +182,8 @@ std::vector<Curve> report_sweep(Report& report, const std::vector<double>& ends)
 /**
 As $v_0 \to 0$ the DpS equation takes over, in which $s$ does not occur, so the three curves must *meet* there. They do:
 what a soft well takes from the packet's energy falls in proportion to $\chi$. Divided by $\chi$ it is the same in both
-wells after weak impacts, and tends to a constant near 0.5 along a line in $v_0^{1/2}$, the size of the corrections to the
-DpS limit. After strong impacts it is two to three times as large, and at equal $\chi$ the wells differ by a fifth.
+wells after weak impacts, and tends to a constant near 0.5 along a line in $v_0^{1/2}$, the size of the corrections to
+the DpS limit. After strong impacts it is two to three times as large, and at equal $\chi$ the wells differ by a fifth.
 
 ![Energy that a soft well takes from the packet, against the scaled anharmonicity. Drawn by x57_energy_deficit.gp:
 `deficit` against `chi`, from the table `deficit`.](fig:x57)
@@ -194,9 +194,10 @@ DpS limit. After strong impacts it is two to three times as large, and at equal 
 | $s = -0.7$ | [0.613](cell:deficit/s=-0.7/velocity=0.02/per_chi) | [0.735](cell:velocity=0.1/per_chi) | [1.21](cell:velocity=0.5/per_chi) |
 
 For strong impacts, which we take to begin at $v_0 = 0.3$, a soft well lowers speed, peak and energy at *every* velocity
-of the sweep. Weak packets are as fast as in linear wells within their errors. The ripple of the peak density in figure 19
-is resolved; a packet passes a site in a time comparable to its internal period, and we guess that the largest density
-depends on the phase between the two.
+of the sweep. Weak packets are as fast as in linear wells within their errors. All packets still slow down: in linear
+wells the speed between sites 40 and 60 is lower than that between 20 and 60 by 1.2 to 1.6 per cent. The ripple of the
+peak density in figure 19 is resolved; a packet passes a site in a time comparable to its internal period, and we guess
+that the largest density depends on the phase between the two.
 
 Is a packet slower because it has less energy? A weaker impact on linear wells makes a packet of the same energy. This
 packet is *slower* than that of the soft well, by up to 3 per cent: the loss of energy explains more than the whole
@@ -247,11 +248,11 @@ void report_lost_energy(Report& report, const std::vector<Curve>& curves) {
 /**
 ## The error against the step
 
-How good are these numbers? We repeat the impact of 0.94 at $s=-0.7$ with fixed steps and equal samples. The errors of speed, energy
-and peak, taken from the difference to a step of 1/160, fall like the fifth power of the step: the method is of order six
-between contact events and of about 4.5 at them. At the longest step of the tables, 0.2, they are below $10^{-5}$. The
-errors in the tables are larger, since they hold the fit of the line, limited by the ripple of $X(t)$, and the distance
-of the samples.
+How good are these numbers? We repeat the impact of 0.94 at $s=-0.7$ with fixed steps and equal samples. The errors of
+speed, energy and peak, taken from the difference to a step of 1/160, fall like the fifth power of the step: the method
+is of order six between contact events and of about 4.5 at them. At the longest step of the tables, 0.2, they are below
+$10^{-5}$. The errors in the tables are larger, since they hold the fit of the line, limited by the ripple of $X(t)$,
+and the distance of the samples.
 
 ![Error of speed, energy and peak against the step. Drawn by x50_error_against_step.gp from the table
 `convergence`.](fig:x50)
@@ -319,9 +320,9 @@ void report_forces(Report& report) {
 
 /**
 We call energy *trapped* if the first five sites hold more than the packet long after the impact, when the packet passes
-site 60; the rest are waves between. At $v_0 = 0.94$ the softer well adds more to the first five sites than it takes from
-the packet. But trapping is not robust so close to the escape: at 0.95 the first bead gives its energy away, most of it
-to slow waves, and at 0.96 it keeps it again. The last row is the impact of figure 21.
+site 60; the rest are waves between. At $v_0 = 0.94$ the softer well adds more to the first five sites than it takes
+from the packet. But trapping is not robust so close to the escape: at 0.95 the first bead gives its energy away, most
+of it to slow waves, and at 0.96 it keeps it again. The last row is the impact of figure 21.
 
 | $v_0$, $s$ | first five sites | packet | rest | speed of the packet |
 |---|---|---|---|---|
@@ -373,9 +374,9 @@ void report_shares(Report& report) {
 Why does a soft well keep energy? In linear wells all beads oscillate at frequency 1 between contacts, whatever their
 amplitude, so energy passes resonantly from one to the next. In a soft well the frequency of a free bead falls with its
 amplitude, and the contacts raise it. After $v_0=0.94$ the first bead oscillates at 0.86. Its neighbours follow at this
-frequency, to a fifth of a per cent, though by themselves they would be faster: they are driven below their resonance. The
-fourth oscillates by itself (table `surface_mode_beads`, means after $t = 150$). After $v_0 = 0.5$
-the argument predicts that nothing stays, and it does not: all beads have nearly the frequency and the amplitude of the
+frequency, to a fifth of a per cent, though by themselves they would be faster: they are driven below their resonance.
+The fourth oscillates by itself (table `surface_mode_beads`, means after $t = 150$). After a weaker impact the argument
+predicts that nothing stays, and after 0.5 nothing does: all beads have nearly the frequency and the amplitude of the
 first one. In linear wells the same holds after 0.94.
 
 | $s=-0.7$ | bead 1 | 2 | 3 | 4 |
@@ -388,33 +389,34 @@ constexpr double settled = 150;                 // time after which beads are wa
 constexpr std::size_t watched = 6, locked = 3;  // beads; those of them that follow the first one
 constexpr std::size_t orbit_sites = 16;  // its force on the next bead would be below rounding
 
-Watched watched_after(const Struck& of, const EventCorrected& method) {
+WatchedBeads watched_after(const Struck& of, const EventCorrected& method) {
   return watch_beads(
       method, {.velocity = of.velocity, .chain = {80, Quartic{of.s}}, .time = until_figure_20},
       watched, settled);
 }
 
 /**
-Is there such a mode, or only a transient? A breather is a periodic orbit, and so is a surface mode that lasts. We look for
-one by Newton's method (shooting.hpp): starting from rest at $y(0)$, all beads are at rest again after half a period,
-$\dot y_n(T_b/2) = 0$, as many equations as sites. The frequency is that of bead 1 in the run, the first guess the mean
-displacements of three beads where the first one turns back towards the end. The method converges to machine precision, to a
-state near the mean of the run, with nearly the energy of the first five sites (tables `surface_mode`, `surface_orbit`).
+Is there such a mode, or only a transient? A breather is a localised periodic orbit (Flach and Gorbach 2008 for a
+review), and so is a surface mode that lasts. We look for one by Newton's method (shooting.hpp): starting from rest at
+$y(0)$, all beads are at rest again after half a period, $\dot y_n(T_b/2) = 0$, as many equations as sites. The
+frequency is that of bead 1 in the run, the first guess the mean displacements of three beads where the first one turns
+back towards the end. The method converges, to a state near the mean of the run, with nearly the energy of the first
+five sites (tables `surface_mode`, `surface_orbit`).
 
 | $s=-0.7$, $v_0=0.94$ | bead 1 | 2 | 3 | 4 | 5 | energy |
 |---|---|---|---|---|---|---|
 | run, mean at these moments | [0.74](cell:surface_mode/n=1/run) | [0.310](cell:n=2/run) | [0.144](cell:n=3/run) | [0.058](cell:n=4/run) | [0.024](cell:n=5/run) | [0.355](cell:surface_orbit/trapped) |
 | periodic orbit | [0.752](cell:surface_mode/n=1/orbit) | [0.302](cell:n=2/orbit) | [0.132](cell:n=3/orbit) | [0.042](cell:n=4/orbit) | [0.011](cell:n=5/orbit) | [0.341](cell:surface_orbit/energy) |
 
-So the surface mode is, apart from waves that pass through it, a breather at the end of the chain. Surprisingly it is not
-stable: one pair of Floquet multipliers is real and negative, and a perturbation changes its sign and grows by a factor of
-[1.12](cell:surface_orbit/modulus) each period. What this does to the mode in the long run is not known. */
+So the surface mode is, apart from waves that pass through it, a breather at the end of the chain. Surprisingly it is
+not stable: one pair of Floquet multipliers is real and negative, and a perturbation changes its sign and grows by a
+factor of [1.12](cell:surface_orbit/modulus) each period. What this does to the mode in the long run is not known. */
 struct SurfaceMode {
   double omega, energy, modulus;
   std::vector<double> y;
 };
 
-SurfaceMode surface_mode(const Watched& run, double s) {
+SurfaceMode surface_mode(const WatchedBeads& run, double s) {
   const double omega = run.beads[0].frequency();
   const Chain chain{orbit_sites, Quartic{s}, Hertz{.floor = 0}};
   Vector<double> guess = Vector<double>::Zero(orbit_sites);
@@ -436,14 +438,14 @@ void report_beads(Report& report) {
     const auto runs =
         refined(tolerance, [&](const EventCorrected& method) { return watched_after(of, method); });
     for (std::size_t n = 0; n < watched; ++n) {
-      const auto amplitude = [n](const Watched& w) { return w.beads[n].amplitude(); };
-      const auto alone = [&](const Watched& w) { return free_frequency(s, amplitude(w)); };
+      const auto amplitude = [n](const WatchedBeads& w) { return w.beads[n].amplitude(); };
+      const auto alone = [&](const WatchedBeads& w) { return free_frequency(s, amplitude(w)); };
       table.add(
           {{"velocity", "impact velocity", v0},
            {"s", "anharmonicity of the well", s},
            {"n", "site", n + 1, "site"},
            {"frequency", "mean frequency of the bead, t = 150 to 300",
-            runs.of([n](const Watched& w) { return w.beads[n].frequency(); }), radian},
+            runs.of([n](const WatchedBeads& w) { return w.beads[n].frequency(); }), radian},
            {"amplitude", "largest displacement of the bead in this time", runs.of(amplitude)},
            {"alone", "frequency of a free bead with this displacement", runs.of(alone), radian}});
     }
@@ -454,12 +456,12 @@ void report_beads(Report& report) {
     for (std::size_t n = 0; n < watched; ++n)
       profile.add({{"n", "site", n + 1, "site"},
                    {"run", "displacement, mean over the moments when bead 1 turns towards the end",
-                    runs.of([n](const Watched& w) { return w.inner[n]; }), "",
+                    runs.of([n](const WatchedBeads& w) { return w.inner[n]; }), "",
                     "against the largest: difference of two resolutions"},
                    {"orbit", "of the periodic orbit that begins at rest",
                     modes.of([n](const SurfaceMode& m) { return m.y[n]; }), "",
                     "against the largest: difference of two resolutions"}});
-    const auto trapped = [](const Watched& w) {
+    const auto trapped = [](const WatchedBeads& w) {
       return boundary_share(w.density) * total(w.density);
     };
     report.table("surface_orbit")
@@ -516,11 +518,11 @@ void report_snapshot(Report& report) {
 
 How many sites carry a packet? The article says mainly seven, up to moderate velocities, and does not say how it counts.
 By energy, seven sites about the peak hold most of the eleven of Eq. (24) at all times. By *amplitude*, here
-$(e_n/e_{n'})^{1/2}$, the width is read off the undisturbed side: if $k$ sites ahead of the peak ever exceed one per cent,
-which a drawing still shows, the width is $2k+1$. The two answer differently: by amplitude there are seven sites after the
-impact of the chapter before and eleven after impacts of 1 and 1.5. The tail is the largest amplitude on the ten sites
-that follow the eleven. All is taken in linear wells while the centre moves from site 40 to 60. Later in the same section
-the article calls an impact of 1.5 moderate, and so do we.
+$(e_n/e_{n'})^{1/2}$, the width is read off the undisturbed side: if $k$ sites ahead of the peak ever exceed one per
+cent, which a drawing still shows, the width is $2k+1$. The two answer differently: by amplitude there are seven sites
+after the impact of the chapter before and eleven after impacts of 1 and 1.5. The tail is the largest amplitude on the
+ten sites that follow the eleven. All is taken in linear wells while the centre moves from site 40 to 60. Later in the
+same section the article calls an impact of 1.5 moderate, and so do we.
 
 | $v_0$ | 0.0019 | 0.05 | 0.1 | 0.5 | 1 | 1.5 |
 |---|---|---|---|---|---|---|
@@ -530,8 +532,8 @@ the article calls an impact of 1.5 moderate, and so do we.
 | amplitude of the tail (article: small) | [0.081](cell:packet_shape/velocity=0.0019096/tail) | [0.084](cell:velocity=0.05/tail) | [0.086](cell:velocity=0.1/tail) | [0.093](cell:velocity=0.5/tail) | [0.098](cell:velocity=1/tail) | [0.102](cell:velocity=1.5/tail) |
 
 An exponential falls by one factor from each site to the next. On the six sites ahead of the packet's centre this factor
-itself falls, after each of seven impacts (table `packet_decay`): the decay is faster than exponential as far as we follow
-it. If the sites are counted from that of the peak, which jumps from site to site, this is so up to 0.5 only.
+itself falls, after each of seven impacts (table `packet_decay`): the decay is faster than exponential as far as we
+follow it. If the sites are counted from that of the peak, which jumps from site to site, this is so up to 0.5 only.
 
 | amplitude ahead of the centre | 1 site | 2 | 3 | 4 | 5 | 6 |
 |---|---|---|---|---|---|---|
@@ -578,8 +580,8 @@ Conservation of energy gives a lower bound. No bead escapes unless the energy of
 potential:
 $$v_0^2/2 > W\bigl(|s|^{-1/2}\bigr) = 1/(4|s|).$$
 Above this bound escapes do not begin at one velocity: between velocities at which a bead escapes lie islands at which
-none does. So we scan 801 velocities up to $t = 500$ (table `blowup_scan`) and quote a band, from the lowest velocity with
-an escape to the highest without one (table `blowup_bands`).
+none does. So we scan 801 velocities up to $t = 500$ (table `blowup_scan`) and quote a band, from the lowest velocity
+with an escape to the highest without one (table `blowup_bands`).
 
 <!-- blowup.bands -->
 In two soft wells the blow-up after an impact has no single threshold. Up to $t = 500$ the smallest impact velocity at
@@ -641,7 +643,7 @@ std::vector<double> report_blowup(Report& report) {
           Estimate(band.last_survivor, spacing), "", "spacing of the scan"},
          {"disputed", "velocities at which two resolutions disagree on the outcome", band.disputed},
          {"latest", "time at which the latest escape is seen", Estimate(band.latest, seen_every),
-          "", "time between two looks, known to 6 per cent"}});
+          "", "time between two samples, known to 6 per cent"}});
     ends.push_back(band.first_escape - spacing);
   }
   return ends;
@@ -668,10 +670,10 @@ std::vector<double> report_blowup(Report& report) {
 ## Try it
 
 **To change it.** Another well of figure 19 is a row of `wells`, a curve in its script, and a number in `soft_wells` of
-the statements, if it is to be judged; its scan has to begin with survivors and end with escapes, or the program says so.
-Another kind of well is `Quartic` in `followed`; one that beads cannot leave needs no scan. Another observation of the
-packet is a member of `Followed`, a line of its `watch`, a line of `SweepPoint::measure` and a column. The stretch ends at
-`fit_to`, and the chain is 30 sites longer. The figures read columns by name.
+the statements, if it is to be judged; its scan has to begin with survivors and end with escapes, or the program says
+so. Another kind of well is `Quartic` in `followed`; one that beads cannot leave needs no scan. Another observation of
+the packet is a member of `Followed`, a line of its `watch`, a line of `SweepPoint::measure` and a column. The stretch
+ends at `fit_to`, and the chain is 30 sites longer. The figures read columns by name.
 
 1. *Easy.* Where is the energy in a soft well? `build/bin/sec34_impact run --s -0.7 --velocity 0.9` gives
    `boundary_energy_fraction` = 0.76318 and `packet_energy_fraction` = 0.073459. Hint: with `--s 0` the packet has most,

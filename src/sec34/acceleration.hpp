@@ -2,8 +2,9 @@
 /**
 # How a packet moves
 
-Speeds, returns and accelerations are read from the smoothed path of its centre. The path of a particle on which a constant force acts is a parabola. We fit one to a part of the smoothed path: its
-second derivative is the mean acceleration, and its distance from the path shows how constant the force is. */
+Speeds, returns and accelerations are read from the smoothed path of its centre. The path of a particle on which a
+constant force acts is a parabola. We fit one to a part of the smoothed path: its second derivative is the mean
+acceleration, and its distance from the path shows how constant the force is. */
 
 #include "lattice/impact/turning.hpp"
 #include "lattice/numerics/estimate.hpp"
@@ -24,8 +25,8 @@ struct PathFit {
 };
 PathFit fit_parabola(const Path& smoothed, Stretch of);
 
-/// How far a smoothed path is from a parabola (`PathFit`) until the first reflection, arc 1, or from there to the second
-/// one, arc 2.
+/// How far a smoothed path is from a parabola (`PathFit`) until the first reflection, arc 1, or from there to the
+/// second one, arc 2.
 double deviation_of_arc(const Path& smoothed, int arc);
 
 /// Mean speed between two times, from two runs; half the smoothing shows what the smoothing does.
@@ -45,8 +46,8 @@ struct WayPart {
   double from = 0, to = 0;  ///< of `times`
 };
 
-/// Mean acceleration on a part of the way, and the velocity lost between its ends, as slopes over ten units of time, in a
-/// unit of time.
+/// Mean acceleration on a part of the way, and the velocity lost between its ends, as slopes over ten units of time, in
+/// a unit of time.
 struct Acceleration {
   Estimate mean, lost;
 };

@@ -2,8 +2,8 @@
 /**
 # How far equal packets spread
 
-Impacts that differ in late digits only make packets whose paths differ more and more. We compare the centres of smoothed
-paths; otherwise the phases of the oscillations would count as a spread. */
+Impacts that differ in late digits only make packets whose paths differ more and more. We compare the centres of
+smoothed paths; otherwise the phases of the oscillations would count as a spread. */
 
 #include <vector>
 

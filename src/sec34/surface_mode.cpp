@@ -2,9 +2,9 @@
 
 namespace lattice {
 
-Watched watch_beads(const EventCorrected& method, const Impact& impact, std::size_t beads,
-                    double settled) {
-  Watched out;
+WatchedBeads watch_beads(const EventCorrected& method, const Impact& impact, std::size_t beads,
+                         double settled) {
+  WatchedBeads out;
   out.beads.resize(beads);
   out.inner.assign(beads, 0.0);
   double before = 0, turns = 0;  // velocity of bead 1

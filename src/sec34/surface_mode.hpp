@@ -14,13 +14,13 @@ when the first one turns back towards the end. */
 namespace lattice {
 
 /// A run in which the first beads are watched.
-struct Watched : ImpactRun {
+struct WatchedBeads : ImpactRun {
   std::vector<Oscillation> beads{};
   std::vector<double> inner{};  ///< mean displacements where bead 1 turns back
 };
 
 /// An impact whose first `beads` are watched after the time `settled`.
-Watched watch_beads(const EventCorrected& method, const Impact& impact, std::size_t beads,
-                    double settled);
+WatchedBeads watch_beads(const EventCorrected& method, const Impact& impact, std::size_t beads,
+                         double settled);
 
 }  // namespace lattice
