@@ -6,9 +6,9 @@ from matplotlib.colors import PowerNorm
 
 data, out = draw.arguments()
 maps = draw.read(f"{data}/sec34_boomeron/density_maps.ecsv")
-spread = draw.read(f"{data}/sec34_boomeron/ensemble.ecsv")
-pairs = draw.read(f"{data}/sec34_boomeron/decorrelation.ecsv")
-apart = draw.where(pairs, "delta", 1e-6)["t"]
+spread = draw.where(draw.read(f"{data}/sec34_boomeron/ensemble.ecsv"), "noise", 1e-6)
+known = draw.read(f"{data}/sec34_boomeron/predictable.ecsv")
+until = draw.where(known, "noise", 1e-6)["t"]
 
 figure, panels = plt.subplots(4, 1, figsize=(draw.TWO_COLUMNS, 150 * draw.MM),
                               height_ratios=[1.3, 1, 1, 0.8], layout="constrained")
@@ -21,7 +21,7 @@ for axes, panel, name in zip(panels, [1, 2, 3], names):
     axes.set_ylabel("site $n$")
     axes.text(0.01, 0.94, name, transform=axes.transAxes, va="top")
 for axes in (panels[1], panels[3]):
-    axes.axvline(apart[0], color="black", lw=0.8, ls=(0, (4, 2)))
+    axes.axvline(until[0], color="black", lw=0.8, ls=(0, (4, 2)))
 axes = panels[3]
 axes.fill_between(spread["t"], spread["low"], spread["high"], color="#56B4E9", lw=0, alpha=0.6,
                   label="10th to 90th percentile")

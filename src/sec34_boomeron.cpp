@@ -1,662 +1,588 @@
 /**
 # 3.4 Packets that reverse their direction in hard wells
 
-After an impact in hard wells, $s > 0$, the travelling breather slows down, turns round and comes back to the struck
-end, which reflects it. How far does it get, how does it slow down, and for how long is its motion predictable? We
-follow its energy centre with two steps, and compare impacts that differ in late digits. Section 3.4 of James,
-Kevrekidis and Cuevas (Physica D 251, 2013) compares the packet with *boomerons*, solitons that reverse their direction,
-and says that
+After an impact in hard wells, $s > 0$, the travelling breather slows down, turns round, comes back to the end that was
+hit and is reflected there. How far does it get, how does it slow down, and for how long can its motion be predicted?
+Section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) compares it with *boomerons*, solitons that reverse
+their direction, and says that
 
-- with $s=1$ and $v_0=1.9$ the packet turns and returns, and after some reflections its motion is erratic, while with
-  $v_0 = 1.5$ it only slows down (figure 22);
+- with $s=1$ and $v_0=1.9$ the packet turns, returns and is reflected several times until its motion is erratic, while
+  with $v_0 = 1.5$ it only slows down (figure 22);
 - with $v_0=1.87$ it is close to turning at $t = 238$ and 241 (figure 23);
 - during a few reflections its centre moves like a particle in an almost constant force, which grows with $s$ and $v_0$;
 - it turns for $s\ge0.005$ and not for $s = 0$.
 
+We find the first. For the rest there are limits. At $v_0=1.87$ the packet is near its turning point at those times, but
+reaches it much later. The acceleration is not almost constant: it is not even a function of the position, since at one
+site it differs between the way out and the way back. Whether it grows with $v_0$ depends on the time over which it is
+averaged. At $s=0.005$ only impacts far above those of the figures turn a packet as long as we look. And the position is
+predictable beyond the first reflection only if $v_0$ is known to a millionth. A chapter of volume two
+(`sec34_boomeron_map`) asks which packets turn, and why.
+
 ![Energy density after impacts with 1.5 and 1.9, a zoom, and the spread of an ensemble. Drawn by
 fig22_turning_maps.py: `e` over `t` and `n` from the table `density_maps`, `mean`, `low` and `high` from `ensemble`, the
-dashed line from `decorrelation`.](fig:22)
-
-We find this, with four qualifications. The acceleration is largest near the end that was hit and, at $v_0=1.9$, several
-times smaller around the turning point. At $v_0=1.87$ the packet comes to rest later than figure 23 suggests. At
-$s=0.005$ we see packets turn only after impacts far above those of the figures. And *grows* depends on the stretch of
-the way: on an early one the acceleration falls from one moderate $v_0$ to the next. A chapter of volume two asks which
-packets turn, and why (`sec34_boomeron_map`).
+dashed line from `predictable`.](fig:22)
 
 ## Model
 
 The chain has the wells of Eq. (10), and only its first bead moves at $t=0$, Eqs. (9) and (26):
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},
   \qquad y_n(0) = 0,\quad \dot y_n(0) = v_0\,\delta_{n,1}.$$
-All is dimensionless. The end at $n=1$ is free, and the chain is so long that the other end stays at rest. We locate the
-packet by its energy, Eqs. (23) and (24) with $m=5$,
+All quantities are dimensionless and both ends are free. At the amplitude of the impact, $v_0$, the anharmonic force
+$s\,v_0^3$ and the contact force $v_0^{3/2}$ have the ratio $\chi = s\,v_0^{3/2}$, which says how anharmonic an impact
+is; for $s=1$ and $v_0=1.9$ it is 2.6. The packet is located by its energy, Eqs. (23) and (24) with $m=5$,
 $$e_n = \tfrac12\dot y_n^2 + W(y_n) + V(y_{n+1}-y_n),\qquad
   X = \sum_{|n-n'|\le m} n\,e_n \Big/ \sum_{|n-n'|\le m} e_n,$$
 where $V$ is the energy of the contact to the right. Here $n'$ is the site of the largest $e_n$ in the whole chain,
-because a packet on its way back need not be the foremost one. The beads of the packet oscillate with a period of about
-four, and its centre $X$ oscillates with them. */
+because a packet on its way back need not be the foremost one. */
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "commands/one_turn.hpp"
+#include "lattice/diagnostics/path.hpp"
 #include "lattice/gsl/random.hpp"
 #include "lattice/gsl/reference.hpp"
+#include "lattice/impact/impact.hpp"
 #include "lattice/impact/turning.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
 #include "sec34/acceleration.hpp"
+#include "sec34/ensemble.hpp"
 
 using namespace lattice;
 
 /**
 ## The experiment
 
-We strike the chain, follow the packet, smooth its path and find the turn. `evolve` integrates Eq. (9) by
-Runge–Kutta–Nyström steps of order six, corrected where a contact opens or closes (event_corrected.hpp), and reports the
-state every 0.2 units of time. `smooth` averages $X(t)$ over 15 units, about four periods, with the weight
-$1+\cos(2\pi t/15)$. `find_turn` reads three moments from the smoothed trajectory: the first at which the *velocity
-vanishes* (`stop`), beyond site 8; the *turning point* (`apex`), the furthest one before the packet has come back by
-five sites; and the *reflection* (`rebound`), the nearest one before it has moved out again by three. A packet can stop,
-drift on and turn later, so the first two may differ. A parabola through three samples interpolates each moment; if one
-does not occur, it is `nan`. */
+We strike the chain, follow the packet, smooth its path and find the turn. `strike` (impact.hpp) integrates Eq. (9) by
+Runge–Kutta–Nyström steps of order six, corrected where a contact opens or closes, and records $X(t)$ every 0.2 units of
+time (`path_sampling`). It throws if the last bead has moved, so that nothing can have come back from there. The beads
+of the packet oscillate with a period of about four, and $X$ oscillates with them. So `smooth` averages it over 15 units
+(`path_smoothing`) with the weight $1+\cos(2\pi t/15)$. `turn_of` (turning.hpp) finds three moments of the smoothed
+path: the first *stop*, where the velocity vanishes; the *turning point*, the farthest one before the packet has come
+back by five sites; and the *reflection*, the nearest one before it has moved out again by three. */
+constexpr double article_turning = 1.9, article_moderate = 1.5, article_profile = 1.87;  // v0
+constexpr double reflected_for = 60;  // time after a reflection at which the packet is looked for
+constexpr double most_drift = 1e-3;   // of the energy
+
 struct Experiment {
-  double v0, s, time;
+  double v0 = article_turning, s = 1, time = 1200;
   std::size_t sites = 150;
+  double step = 0.05;  // the shorter one of two
 };
-struct Trajectory {
-  Path path{}, smoothed{};     // time, centre X and energy, sample by sample
-  Turn turn{}, other_width{};  // read from the smoothed path; with half the smoothing
-  State<double> end{};
-  Run run{};  // energy drift
-};
-constexpr double sample = 0.2, width = 15;        // of time
-constexpr double pictured = 1.87;                 // impact of figure 23
-constexpr double back = 5, again = 3, clear = 8;  // sites, which define a turn
-using Seen = std::function<void(double t, const std::vector<double>& e)>;
 
-/// The strongest packet after an impact.
-Trajectory trajectory(const Experiment& impact, const Method& method, const Seen& look = {}) {
-  const Chain chain{impact.sites, Quartic{impact.s}};
-  State<double> state(impact.sites);  // y = 0, v = 0
-  state.v[0] = impact.v0;
-  Trajectory out;
-  out.run = evolve(method, chain, state, impact.time, sample, [&](const State<double>& now) {
-    const std::vector<double> e = energy_density(chain, now);
-    const auto strongest = std::max_element(e.begin(), e.end()) - e.begin();
-    out.path.add(now.t, e, std::size_t(strongest));
-    if (look) look(now.t, e);
-    if (std::abs(now.v.back()) > 1e-9 * impact.v0) throw Failure("the far end has moved");
-  });
-  if (!(out.run.energy_drift < 1e-3)) throw Failure("the energy is not conserved");
-  out.end = state;
-  out.smoothed = smooth(out.path, width);
-  out.turn = find_turn(out.smoothed, back, again, clear);
-  out.other_width = find_turn(smooth(out.path, width / 2), back, again, clear);
-  return out;
+ImpactRun follow(const Experiment& of, const EventCorrected& method, const ImpactLook& look = {}) {
+  const Impact impact{.velocity = of.v0,
+                      .chain = {of.sites, Quartic{of.s}},
+                      .time = of.time,
+                      .every = path_sampling,
+                      .denser = false,
+                      .packet = WhichPacket::strongest};
+  ImpactRun run = strike(method, impact, look);
+  if (!(run.run.energy_drift < most_drift)) throw Failure("the energy is not conserved");
+  return run;
 }
 
-/// The same impact with two steps; `.of(number)` is the finer result with its difference from the coarser one.
-TwoRuns<Trajectory> two_runs(const Experiment& impact, double step) {
-  return {trajectory(impact, EventCorrected{2 * step}), trajectory(impact, EventCorrected{step})};
+/// Twice, with a step and half of it; `.of(number)` is the finer result with its difference from the coarser one.
+TwoRuns<ImpactRun> two_runs(const Experiment& of) {
+  return {follow(of, EventCorrected{2 * of.step}), follow(of, EventCorrected{of.step})};
 }
 
-double centre_at(const Trajectory& run, double t) {
-  return run.smoothed.centre.at(std::size_t(std::lround((t - run.smoothed.t[0]) / sample)));
+Path smoothed(const ImpactRun& run) {
+  return smooth(run.path, path_smoothing);
 }
 
-/**
-A moment of the turn has an error from the step and one from the width of the smoothing. The width is our choice, and a
-shorter step does not reduce its part of the error, which is the change that half the width makes. */
-Estimate measured(const TwoRuns<Trajectory>& runs, Moment Turn::*moment, double Moment::*number) {
-  Estimate e = runs.of([&](const Trajectory& run) { return run.turn.*moment.*number; });
-  e.error += std::abs(runs.fine.other_width.*moment.*number - e.value);
-  return e;
+double centre_at(const Path& path, double t) {
+  return path.centre.at(std::size_t(std::lround((t - path.t[0]) / path_sampling)));
 }
 
 /**
 ## The motion (figure 22)
 
-A map of snapshots would show spurious stripes, since it would sample the oscillation of the packet at nearly its own
-rate. So figure 22 shows averages over four or five units of time, and over one in the zoom. The dashed line is the time
-beyond which the motion depends on unknown digits of $v_0$ (see *How long the motion is predictable*). */
+A map of snapshots would show spurious stripes, since it would sample the packet's oscillation at nearly its own rate.
+So figure 22 shows averages over four or five units of time, and over one in the zoom. The dashed line is the time up to
+which a millionth in $v_0$ moves the packet by less than half a site (*How long the motion is predictable*). */
+struct Panel {
+  int number;
+  double v0, time, interval;
+  std::size_t sites;
+};
+const std::vector<Panel> panels = {{1, article_moderate, 1000, 4, 110},
+                                   {2, article_turning, 2500, 5, 40},
+                                   {3, article_turning, 900, 1, 28}};
+
 void report_maps(Report& report) {
-  struct Panel {
-    std::int64_t number;
-    double v0, time, interval;
-    std::size_t sites;
-  };
   Table& table = report.table(
       "density_maps", {count("panel", "1: v0 = 1.5, 2: v0 = 1.9, 3: beginning of panel 2"),
                        number("t", "time"), count("n", "site", "site"),
                        number("e", "energy density, averaged between two successive times")});
-  for (const Panel& panel :
-       {Panel{1, 1.5, 1000, 4, 110}, {2, 1.9, 2500, 5, 40}, {3, 1.9, 900, 1, 28}}) {
+  for (const Panel& panel : panels) {
     std::vector<double> sum(panel.sites, 0.0);
-    double samples = 0, next = panel.interval;
-    const auto average = [&](double t, const std::vector<double>& e) {
+    double samples = 0, until = panel.interval;
+    const auto average = [&](const State<double>& now, const std::vector<double>& e) {
       for (std::size_t n = 0; n < panel.sites; ++n) sum[n] += e[n];
-      if (++samples, t < next - 1e-9) return;
+      ++samples;
+      if (now.t < until - 1e-9) return;
       for (std::size_t n = 0; n < panel.sites; ++n)
-        table.add({panel.number, next - panel.interval / 2, n + 1, sum[n] / samples});
-      std::fill(sum.begin(), sum.end(), 0.0);
-      samples = 0, next += panel.interval;
+        table.add({panel.number, until - panel.interval / 2, n + 1, sum[n] / samples});
+      sum.assign(panel.sites, 0.0);
+      samples = 0;
+      until += panel.interval;
     };
-    trajectory({panel.v0, 1, panel.time, 400}, EventCorrected{report.quick ? 0.2 : 0.05}, average);
+    follow({.v0 = panel.v0, .time = panel.time, .sites = 400},
+           EventCorrected{report.quick ? 0.2 : 0.05}, average);
   }
 }
 
 /**
 ## Where and when the packet turns
 
-At $v_0=1.9$ the packet stops, drifts on by a fifth of a site, turns, and comes back to the struck end. The packet of
-$v_0=1.5$, the article's example of a slow deceleration, turns in the end too, far outside the figure. Near a turning
-point a packet is almost at rest, and small errors decide in which direction it moves. So the steps are short, and the
-time at which the velocity vanishes is known least.
+At $v_0=1.9$ the packet reaches site 20, comes back and is reflected. But this impact is printed with two digits, and
+what rounds to 1.9 turns at sites from 17 to 24: turning point and times belong to exactly 1.9, only their existence is
+robust. The packet of 1.5, the article's example of slow deceleration, turns in the end too, far outside the figure.
 
-| $s=1$ | article | here |
-|---|---|---|
-| $v_0 = 1.9$: velocity vanishes first, time | | [289 ± 7](cell:turns/velocity=1.9/stop_time) |
-| its site | | [19.9](cell:turns/velocity=1.9/stop_site) |
-| $v_0 = 1.9$: turning point, site | | [20.1](cell:turns/velocity=1.9/apex_site) |
-| $v_0 = 1.9$: turning point, time | | [467 ± 1](cell:turns/velocity=1.9/apex_time) |
-| $v_0 = 1.9$: reflection, time | | [898](cell:turns/velocity=1.9/return_time) |
-| $v_0 = 1.5$: velocity vanishes first, time | not by 1000 | [4.36e3 ± 4e1](cell:turns/velocity=1.5/stop_time) |
-| $v_0 = 1.5$: turning point, site | | [183](cell:turns/velocity=1.5/apex_site) |
-| $v_0 = 1.5$: turning point, time | not by 1000 | [4.36e3 ± 2e1](cell:turns/velocity=1.5/apex_time) | */
-struct TurningImpact {
-  Experiment impact;
-  double step;
-};
-// At v0 = 1.5 the way out takes most of the run; 1.85 and 1.95 are the ends of what rounds to 1.9. Those of the last row
-// belong to the section on weakly hard wells
-const std::vector<TurningImpact> turning = {
-    {{1.5, 1, 5500, 260}, 0.025}, {{pictured, 1, 1300}, 0.025}, {{1.9, 1, 1200}, 0.025},
-    {{1.85, 1, 1200}, 0.025},     {{1.95, 1, 900}, 0.025},      {{132, 0.005, 400, 800}, 0.01},
-    {{44, 0.02, 500, 400}, 0.02}, {{12, 0.1, 530, 300}, 0.025}, {{3.5, 0.5, 450}, 0.025}};
+| $s=1$ | $v_0 = 1.5$ | 1.85 | 1.9 | 1.95 |
+|---|---|---|---|---|
+| turning point, site | [183](cell:turns/velocity=1.5/apex_site) | [24.0](cell:velocity=1.85/apex_site) | [20.1](cell:velocity=1.9/apex_site) | [16.9](cell:velocity=1.95/apex_site) |
+| turning point, time (article, 1.5: not by 1000) | [4.36e3 ± 2e1](cell:turns/velocity=1.5/apex_time) | [373.8 ± 0.9](cell:velocity=1.85/apex_time) | [467 ± 1](cell:velocity=1.9/apex_time) | [337 ± 1](cell:velocity=1.95/apex_time) |
+| reflection, time | | [1060](cell:turns/velocity=1.85/return_time) | [898](cell:velocity=1.9/return_time) | [680](cell:velocity=1.95/return_time) |
+
+An error has a part from the step and one from the smoothing: what half the width changes (`estimate_turn`). Near its
+turning point a packet is almost at rest, so that small errors decide in which direction it moves, and steps are short.
+*/
+const std::vector<Experiment> turning = {
+    {.v0 = article_moderate, .time = 5500, .sites = 260, .step = 0.025},  // a long way out
+    {.v0 = article_profile, .time = 1300, .step = 0.025},
+    {.v0 = article_turning, .time = 1200, .step = 0.025},
+    {.v0 = 1.85, .time = 1200, .step = 0.025},
+    {.v0 = 1.95, .time = 900, .step = 0.025},
+    {.v0 = 132, .s = 0.005, .time = 400, .sites = 800, .step = 0.01},  // weakly hard wells
+    {.v0 = 44, .s = 0.02, .time = 500, .sites = 400, .step = 0.02},
+    {.v0 = 12, .s = 0.1, .time = 530, .sites = 300, .step = 0.025},
+    {.v0 = 3.5, .s = 0.5, .time = 450, .step = 0.025}};
 
 void report_turns(Report& report) {
-  const auto row = [&](const TurningImpact& of) -> Row {
-    const auto runs = two_runs(of.impact, report.quick ? 4 * of.step : of.step);
-    constexpr auto stop = &Turn::stop, apex = &Turn::apex, rebound = &Turn::rebound;
+  const auto row = [&](Experiment of) -> Row {
+    if (report.quick) of.step *= 4;
+    const auto runs = two_runs(of);
+    const TurnEstimate turn = estimate_turn(runs.coarse.path, runs.fine.path);
+    const auto out_again = [](const ImpactRun& run) {
+      const Path path = smoothed(run);
+      const double then = find_turn(path).rebound.time + reflected_for;
+      return then < path.t.back() ? centre_at(path, then) : std::nan("");
+    };
     const char *well = "from step and smoothing, known to 4 per cent; nan where there is none",
                *poorly = "from step and smoothing, known to 40 per cent; nan where there is none";
-    const Estimate out_again = runs.of([](const Trajectory& run) {
-      const double then = run.turn.rebound.time + 60;
-      return then < run.smoothed.t.back() ? centre_at(run, then) : std::nan("");
-    });
-    return {
-        {"s", "anharmonicity", of.impact.s},
-        {"velocity", "impact velocity", of.impact.v0},
-        {"stop_time", "time at which the velocity first vanishes",
-         measured(runs, stop, &Moment::time), "", poorly},
-        {"stop_site", "site at which it vanishes", measured(runs, stop, &Moment::site), "site",
-         poorly},
-        {"apex_site", "turning point, the farthest site reached on the way out",
-         measured(runs, apex, &Moment::site), "site", well},
-        {"apex_time", "time of the turning point", measured(runs, apex, &Moment::time), "", well},
-        {"return_time", "time of the reflection at the struck end",
-         measured(runs, rebound, &Moment::time), "", well},
-        {"return_site", "site of the reflection", measured(runs, rebound, &Moment::site), "site",
-         poorly},
-        {"out_again", "site of the centre 60 units of time after the reflection", out_again, "site",
-         poorly}};
+    return {{"s", "anharmonicity", of.s},
+            {"velocity", "impact velocity", of.v0},
+            {"apex_site", "turning point, the farthest site reached on the way out", turn.apex_site,
+             "site", well},
+            {"apex_time", "time of the turning point", turn.apex_time, "", well},
+            {"return_time", "time of the reflection at the struck end", turn.return_time, "", well},
+            {"return_site", "site of the reflection", turn.return_site, "site", poorly},
+            {"out_again", "site of the centre 60 units of time after the reflection",
+             runs.of(out_again), "site", poorly}};
   };
   report.table("turns").fill(turning, row, "turning packets");
 }
 
 /**
+## How long the motion is predictable (figure 22, last panel)
+
+We draw impacts at random from an interval around $v_0 = 1.9$ of relative width $10^{-4}$, $10^{-6}$ or $10^{-8}$ and
+see how the standard deviation $\sigma_X$ of the centres grows. Centres of smoothed paths are compared; otherwise the
+phases of the oscillations would count as a spread. */
+constexpr double compared_every = 10;  // of time
+constexpr double lost = 0.5;           // sites: the position is unpredictable from there on
+constexpr unsigned long seed = 20130501;
+
+/// Impacts within a fraction `noise` of 1.9.
+std::vector<double> draws(double noise, std::size_t count) {
+  Random random(seed);
+  std::vector<double> v0(count);
+  for (double& v : v0) v = article_turning * (1 + random.uniform(-noise / 2, noise / 2));
+  return v0;
+}
+
+std::vector<Spread> spreads(const std::vector<double>& v0, double step, double time) {
+  std::vector<Path> paths(v0.size());
+  parallel_for(v0.size(), [&](std::size_t i) {
+    paths[i] = smoothed(follow({.v0 = v0[i], .time = time, .sites = 300}, EventCorrected{step}));
+  });
+  return spread_of(paths, std::size_t(std::lround(compared_every / path_sampling)));
+}
+
+/**
+Up to the first reflection, near $t = 900$, the three curves are one curve, shifted: $\sigma_X$ is proportional to the
+width of the interval and grows by a factor of 75 between $t=100$ and 900. Most is lost at the reflection and after it:
+within 100 units $\sigma_X$ grows by a factor of 26, and then by a factor of ten in about 120 units, until it is as
+large as the way of the packet. With an interval of a millionth, seven digits of $v_0$, the position is known to half a
+site until [1.29e3 ± 4e1](cell:predictable/noise=1e-6/t). Figure 22 marks this time; the later part of its map is one
+possibility among many. Our steps of 0.05 and 0.025 differ as much as two impacts that differ by $10^{-8}$.
+
+![Spread of the centres against time for three widths of the interval of impacts, and the difference of two steps. Drawn
+by x51_spread.gp: `deviation` against `t` from the table `ensemble`, `apart` from `steps`.](fig:x51)
+
+| interval of $v_0$, relative | $10^{-4}$ | $10^{-6}$ | $10^{-8}$ |
+|---|---|---|---|
+| half a site reached at $t$ | [9.7e2 ± 3e1](cell:predictable/noise=1e-4/t) | [1.29e3 ± 4e1](cell:noise=1e-6/t) | [1.43e3 ± 5e1](cell:noise=1e-8/t) |
+| $\sigma_X$, mean until $t = 850$, out and back | [0.017](cell:spread/noise=1e-4/part=out_and_back/deviation) | [0.00022 ± 4e-5](cell:noise=1e-6/part=out_and_back/deviation) | [1.4e-6](cell:noise=1e-8/part=out_and_back/deviation) |
+| $\sigma_X$, mean for $2000 < t < 2600$ | [8 ± 4](cell:spread/noise=1e-4/part=late/deviation) | [9 ± 1](cell:noise=1e-6/part=late/deviation) | [8 ± 2](cell:noise=1e-8/part=late/deviation) |
+
+Long after the first reflection the motion is erratic, as the article says. Centres that are equally likely to be
+anywhere up to the turning point would have a deviation of six sites; after $t = 2000$ at least a tenth of the packets
+is beyond it, up to site 34. */
+void report_ensemble(Report& report) {
+  const std::size_t members = report.quick ? 8 : 24;
+  const double time = report.quick ? 2200 : 2600;
+  Table& table = report.table(
+      "ensemble", {number("noise", "relative width of the interval of impacts"),
+                   number("t", "time"), number("mean", "mean of the packets' centres", "site"),
+                   number("deviation", "standard deviation of the packets' centres", "site"),
+                   number("low", "lower decile of the centres", "site"),
+                   number("high", "upper decile of the centres", "site")});
+  table.meta = {{"seed", std::to_string(seed)}, {"members", std::to_string(members)}};
+  Table &parts = report.table("spread"), &predictable = report.table("predictable");
+  // Half as many impacts from the wider interval and from the narrower one
+  for (const double noise : {1e-6, 1e-4, 1e-8}) {
+    if (report.quick && noise != 1e-6) continue;
+    const std::vector<double> v0 = draws(noise, noise == 1e-6 ? members : members / 2);
+    const TwoRuns<std::vector<Spread>> both{spreads(v0, 0.2, time), spreads(v0, 0.1, time)};
+    for (const Spread& at : both.fine)
+      table.add({noise, at.t, at.mean, at.deviation, at.low, at.high});
+    // Its mean over two parts of the motion, and when it reaches half a site
+    const auto add = [&](const char* part, double from, double to) {
+      parts.add({{"noise", "the relative width of the interval of impacts", noise},
+                 {"part", "part of the motion", part},
+                 {"from", "its first time", from},
+                 {"to", "its last time", to},
+                 {"deviation", "mean of the standard deviation of the centres",
+                  both.of([&](const auto& all) { return mean_deviation(all, from, to); }), "site",
+                  "difference of two resolutions, known to 50 per cent"}});
+    };
+    add("out_and_back", 0, 850);
+    add("late", report.quick ? 1900 : 2000, time);
+    Estimate t = both.of([](const auto& all) { return time_to_spread(all, lost); });
+    t.error += compared_every;
+    predictable.add({{"noise", "the relative width of the interval of impacts", noise},
+                     {"t", "time at which the standard deviation exceeds half a site", t, "",
+                      "two steps, and the time between two comparisons; known to 5 per cent"}});
+  }
+}
+
+// How far two steps lead one packet apart
+void report_steps(Report& report) {
+  Table& table = report.table("steps");
+  const double step = report.quick ? 0.1 : 0.025;
+  const auto runs = two_runs({.time = report.quick ? 2200. : 2600., .sites = 300, .step = step});
+  const Path coarse = smoothed(runs.coarse), fine = smoothed(runs.fine);
+  for (double t = fine.t[0]; t < fine.t.back(); t += compared_every)
+    table.add({{"t", "time", t},
+               {"apart", "distance of the centres of one packet with steps of 0.05 and 0.025",
+                std::abs(centre_at(coarse, t) - centre_at(fine, t)), "site"}});
+}
+
+/**
 ## The acceleration of the packet
 
-Is the force almost constant, and does it grow with $s$ and $v_0$? A particle on which a constant force acts moves on a
-parabola. So we fit one to the smoothed path of the centre; its bend is the mean acceleration $\ddot X$
-(sec34/acceleration.hpp). We measure it on the way *out*, for $100 < t < 220$ and, to see whether this choice matters,
-for $60 < t < 180$ and $140 < t < 260$; *between* the ways, where the packet is above nine tenths of its turning
-point; and on the way *back*, from there to three tenths. The errors are the changes made by twice the step and by half
-the smoothing width.
+Is the force almost constant? The mass of a packet is unknown, even in sign; so we compare accelerations and not forces.
+A parabola, fitted to the smoothed path over 120 units of time, gives the mean acceleration $\ddot X$
+(sec34/acceleration.hpp). Its errors are the changes made by twice the step and by half the smoothing.
 
-To infer a force one also needs a mass, and that of a packet nobody has measured. So the acceleration is the force but
-for a factor, whose sign is not known.
+![Acceleration of the packet against its position on the way out and back, for three impacts. Drawn by
+x58_acceleration.gp: `acceleration` against `centre` from the table `acceleration_path`.](fig:x58)
 
-| $\ddot X$, sites per squared unit of time | out | between | back |
+The acceleration depends on more than the position. At $v_0 = 1.9$ it falls from the struck end to the turning point,
+where for a while it is even directed outwards, and it is smaller on the way back: at site 14.8 we find
+[-0.00051](cell:acceleration_path/velocity=1.9/t=125/acceleration) on the way out and
+[-0.00020](cell:acceleration_path/velocity=1.9/t=725/acceleration) on the way back. So the packet does not move like a
+particle in a force field, constant or not. At one site a stronger impact need not be decelerated more either: after 1.5
+it is [-0.00063](cell:acceleration_path/velocity=1.5/t=85/acceleration) at site 14.6. */
+constexpr double fitted_over = 120, fitted_every = 10;  // of time
+
+void report_path(Report& report) {
+  Table& table = report.table("acceleration_path");
+  const double step = report.quick ? 0.1 : 0.05;
+  for (const Experiment& of : {Experiment{.v0 = article_moderate, .time = 1000, .step = step},
+                               {.v0 = article_turning, .time = 1100, .step = step},
+                               {.v0 = 2, .time = 700, .step = step}}) {
+    const auto runs = two_runs(of);
+    const Path path = smoothed(runs.fine);
+    const Turn turn = find_turn(path);
+    const double half = fitted_over / 2,
+                 end = (turn.rebound.found() ? turn.rebound.time : of.time) - path_smoothing;
+    for (double t = path_smoothing + half; t + half < end; t += fitted_every) {
+      const WayPart around{"around", WayPart::Kind::times, t - half, t + half};
+      const bool back = turn.apex.found() && t > turn.apex.time;
+      table.add({{"velocity", "impact velocity; s = 1", of.v0},
+                 {"t", "time", t},
+                 {"way", "1 before the turning point, 2 after it", back ? 2 : 1},
+                 {"centre", "the packet's centre at this time", centre_at(path, t), "site"},
+                 {"acceleration", "mean acceleration over 120 units of time around it",
+                  acceleration_of(runs.coarse.path, runs.fine.path, around).mean,
+                  "site per squared unit of time",
+                  "against the largest: from the time step and the smoothing"}});
+    }
+  }
+}
+
+/**
+The article's sentence is quantified by the mean acceleration *around the turn*, where the packet is above nine tenths
+of its turning point: it is [0.14](statement:boomeron.constant_force) of that on the way out, for $100 < t < 220$.
+*Back* is from there to three tenths. At 1.93, which rounds to 1.9 too, the three differ by less than a factor of two.
+In figure 22 the path looks like a parabola, since it is off one by only [0.060](cell:arcs/arc=1/deviation) of its range
+(root mean square), and from the first reflection to the second one by [0.0401 ± 0.0006](cell:arcs/arc=2/deviation).
+This says little: a wedge, the path of a particle with no force but at its tip, is off by $(\frac1{12}-\frac5{64})^{1/2}
+= 0.072$.
+
+| $\ddot X$, sites per squared unit of time | out | around the turn | back |
 |---|---|---|---|
-| $s=1$, $v_0=1.9$ | [-0.00044](cell:acceleration/s=1/velocity=1.9/leg=out/acceleration) | [-6e-5](cell:leg=between/acceleration) | [-0.00028](cell:leg=back/acceleration) |
-| second half minus first half, over the mean | [-0.2](cell:acceleration/s=1/velocity=1.9/leg=out/change) | [-0.3](cell:leg=between/change) | [1.2](cell:leg=back/change) |
-| $s=1$, $v_0=1.93$ | [-0.00045](cell:acceleration/s=1/velocity=1.93/leg=out/acceleration) | [-0.000297](cell:leg=between/acceleration) | [-0.00042](cell:leg=back/acceleration) |
+| $s=1$, $v_0=1.9$ | [-0.00044](cell:acceleration/s=1/velocity=1.9/part=out/acceleration) | [-6e-5](cell:part=between/acceleration) | [-0.00028](cell:part=back/acceleration) |
+| $s=1$, $v_0=1.93$ | [-0.00045](cell:acceleration/s=1/velocity=1.93/part=out/acceleration) | [-0.000297](cell:part=between/acceleration) | [-0.00042](cell:part=back/acceleration) |
 
-The article does not quantify *almost constant*. Around the turning point the acceleration is
-[0.14](statement:boomeron.constant_force) of that on the way out. On the way back it grows, so it is largest near the
-end that was hit. How small it is in between depends on digits of $v_0$ that are not printed: at 1.93, which rounds to
-1.9 too, the three differ by less than a factor of two. The path is off a parabola by
-[0.060](cell:arcs/arc=1/deviation) of its range (root mean square). This says little, since a wedge, the path of a
-particle with no force but at its tip, is off by 0.072.
+Does it grow with $s$ and $v_0$? For $100 < t < 220$ its modulus grows from each of nine impacts from 1.1 to 2 to the
+next, and from each of six wells from $s = 0.005$ to 1 to the next (table `acceleration`). Earlier, for $60 < t < 180$,
+it falls from $v_0 = 1.1$ to 1.3 and from $s = 0.005$ to 0.05. In linear wells a packet slows down too, most of all at
+first.
 
-| way out, $s=1$ | $v_0 = 1.1$ | 1.3 | 1.5 | 1.9 | 2 |
-|---|---|---|---|---|---|
-| $100 < t < 220$ | [-0.0001454 ± 8e-7](cell:acceleration/s=1/velocity=1.1/leg=out/acceleration) | [-0.000149](cell:velocity=1.3/leg=out/acceleration) | [-0.000163](cell:velocity=1.5/leg=out/acceleration) | [-0.00044](cell:velocity=1.9/leg=out/acceleration) | [-0.00057](cell:velocity=2/leg=out/acceleration) |
-| $60 < t < 180$ | [-0.000238 ± 2e-6](cell:acceleration/s=1/velocity=1.1/leg=earlier/acceleration) | [-0.000233](cell:velocity=1.3/leg=earlier/acceleration) | [-0.000254](cell:velocity=1.5/leg=earlier/acceleration) | [-0.00054](cell:velocity=1.9/leg=earlier/acceleration) | [-0.00066](cell:velocity=2/leg=earlier/acceleration) |
+| $\ddot X$ on the way out | $100 < t < 220$ | $60 < t < 180$ |
+|---|---|---|
+| $s=1$, $v_0 = 1.1$ | [-0.0001454 ± 8e-7](cell:acceleration/s=1/velocity=1.1/part=out/acceleration) | [-0.000238 ± 2e-6](cell:part=earlier/acceleration) |
+| $s=1$, $v_0 = 1.3$ | [-0.000149](cell:acceleration/s=1/velocity=1.3/part=out/acceleration) | [-0.000233](cell:part=earlier/acceleration) |
+| $s=1$, $v_0 = 2$ | [-0.00057](cell:acceleration/s=1/velocity=2/part=out/acceleration) | [-0.00066](cell:part=earlier/acceleration) |
+| $s=0$, $v_0 = 1.9$ | [-8.73e-5 ± 7e-7](cell:acceleration/s=0/part=out/acceleration) | [-0.000175](cell:part=earlier/acceleration) |
+| $s=0.005$, $v_0 = 1.9$ | [-8.75e-5 ± 7e-7](cell:acceleration/s=0.005/part=out/acceleration) | [-0.000174](cell:part=earlier/acceleration) |
+| $s=0.05$, $v_0 = 1.9$ | [-9.2e-5 ± 1e-6](cell:acceleration/s=0.05/part=out/acceleration) | [-0.000167](cell:part=earlier/acceleration) |
+| $s=1$, $v_0 = 1.9$ | [-0.00044](cell:acceleration/s=1/velocity=1.9/part=out/acceleration) | [-0.00054](cell:part=earlier/acceleration) | */
+const std::vector<WayPart> way_out = {{"out", WayPart::Kind::times, 100, 220},
+                                      {"earlier", WayPart::Kind::times, 60, 180},
+                                      {"later", WayPart::Kind::times, 140, 260}};
+const std::vector<WayPart> whole_way = {way_out[0],
+                                        way_out[1],
+                                        way_out[2],
+                                        {"between", WayPart::Kind::turn},
+                                        {"back", WayPart::Kind::back}};
 
-| way out, $v_0=1.9$ | $s=0$ | 0.005 | 0.05 | 0.25 | 0.5 | 1 |
-|---|---|---|---|---|---|---|
-| $100 < t < 220$ | [-8.73e-5 ± 7e-7](cell:acceleration/s=0/leg=out/acceleration) | [-8.75e-5 ± 7e-7](cell:s=0.005/leg=out/acceleration) | [-9.2e-5 ± 1e-6](cell:s=0.05/leg=out/acceleration) | [-0.0001459 ± 7e-7](cell:s=0.25/leg=out/acceleration) | [-0.0001539 ± 5e-7](cell:s=0.5/leg=out/acceleration) | [-0.00044](cell:s=1/velocity=1.9/leg=out/acceleration) |
-| $60 < t < 180$ | [-0.000175](cell:acceleration/s=0/leg=earlier/acceleration) | [-0.000174](cell:s=0.005/leg=earlier/acceleration) | [-0.000167](cell:s=0.05/leg=earlier/acceleration) | [-0.000226 ± 2e-6](cell:s=0.25/leg=earlier/acceleration) | [-0.000237](cell:s=0.5/leg=earlier/acceleration) | [-0.00054](cell:s=1/velocity=1.9/leg=earlier/acceleration) |
-
-In the window from 100 to 220 the modulus grows from each value of both lists to the next, in $s$ from 0.005 on (table
-`acceleration`), and by a factor of three or more in all. From 60 to 180 it falls between $v_0 = 1.1$ and 1.3, and
-between $s = 0.005$ and 0.05. In linear wells a packet slows down as well, but none turns until the end of our runs
-(table `weakly_hard`). In hard wells at $v_0 = 1.5$ it slows down from quarter to quarter of the time of figure 22, and
-does not turn:
-
-| $s=1$, $v_0=1.5$, until $t = 1000$ | first quarter | second | third | fourth |
-|---|---|---|---|---|
-| speed, sites per unit of time | [0.129](cell:slowing/quarter=1/speed) | [0.0936](cell:quarter=2/speed) | [0.0785](cell:quarter=3/speed) | [0.0660](cell:quarter=4/speed) | */
-struct Accelerated {
-  double v0, s;
-  bool turns = false;
-};
-using Way = Leg::Kind;
-const std::vector<std::pair<const char*, Leg>> ways_out = {{"out", {Way::out, 100, 220}},
-                                                           {"earlier", {Way::out, 60, 180}},
-                                                           {"later", {Way::out, 140, 260}}},
-                                               other_ways = {{"between", {Way::between}},
-                                                             {"back", {Way::back}}};
-
-// The packet of v0 = 1.5 within the time of figure 22
-void report_slowing(Report& report, double step) {
-  Table& slowing = report.table(
-      "slowing", {count("quarter", "quarter of the time until 1000"),
-                  estimate("speed", "mean speed at v0 = 1.5, s = 1", "site per unit of time")});
-  const auto slow = two_runs({1.5, 1, 1000}, step);
-  for (std::size_t quarter = 0; quarter < 4; ++quarter)
-    slowing.add({quarter + 1, slow.of([&](const Trajectory& run) {
-                   const std::vector<double>&t = run.smoothed.t, &x = run.smoothed.centre;
-                   const std::size_t n = t.size() / 4, from = quarter * n,
-                                     to = std::min(from + n, t.size() - 1);
-                   return (x[to] - x[from]) / (t[to] - t[from]);
-                 })});
-}
-
-// From the impact to the first reflection, and from there to the second one
-void report_arcs(Report& report, double step) {
-  const auto runs = two_runs({1.9, 1, 1900}, step / 2);
-  const auto deviation = [](const Trajectory& run, int arc) {
-    const Path& p = run.smoothed;
-    const double first = run.turn.rebound.time;
-    if (arc == 1) return fit_parabola(p, stretch(p, 0, first)).deviation;
-    Path rest;
-    for (std::size_t i = stretch(p, first, first).first; i < p.t.size(); ++i)
-      rest.add(p.t[i], p.centre[i]);
-    return fit_parabola(p, stretch(p, first, find_turn(rest, back, again, clear).rebound.time))
-        .deviation;
-  };
-  Table& table = report.table(
-      "arcs", {count("arc", "1: until the first reflection, 2: from there to the second one"),
-               estimate("deviation",
-                        "root mean square distance of the path at v0 = 1.9, s = 1, from the best "
-                        "parabola, over its range",
-                        "", "difference of two steps, known to 40 per cent")});
-  for (int arc : {1, 2})
-    table.add({arc, runs.of([&](const Trajectory& run) { return deviation(run, arc); })});
-}
-
-// Each impact twice; where packets turn, also between rebounds and on the way back
 void report_acceleration(Report& report) {
   const double step = report.quick ? 0.1 : 0.05;
-  std::vector<Accelerated> list;
-  for (double v0 : {1.1, 1.3, 1.5, 1.6, 1.7, 1.8, pictured, 2.0}) list.push_back({v0, 1});
-  for (double s : {0.0, 0.005, 0.05, 0.25, 0.5, 0.75}) list.push_back({1.9, s});
-  for (double v0 : {1.9, 1.93}) list.push_back({v0, 1, true});
+  std::vector<Experiment> list;
+  for (double v0 : {1.1, 1.3, 1.5, 1.6, 1.7, 1.8, article_profile, 2.0})
+    list.push_back({.v0 = v0, .time = 300, .step = step});
+  for (double s : {0.0, 0.005, 0.05, 0.25, 0.5, 0.75})
+    list.push_back({.s = s, .time = 300, .step = step});
+  for (double v0 : {article_turning, 1.93}) list.push_back({.v0 = v0, .time = 1100, .step = step});
   std::vector<std::vector<Cells>> rows(list.size());
   parallel_for(list.size(), [&](std::size_t i) {
-    const auto [v0, s, turns] = list[i];
-    const auto runs = two_runs({v0, s, turns ? 1100.0 : 300.0}, step);
-    auto legs = ways_out;
-    if (turns) legs.insert(legs.end(), other_ways.begin(), other_ways.end());
-    for (const auto& [name, leg] : legs) {
-      const Acceleration seen = acceleration_of(runs.coarse.path, runs.fine.path, leg);
-      rows[i].push_back({s, v0, name, seen.mean, seen.change, seen.lost});
+    const Experiment& of = list[i];
+    const auto runs = two_runs(of);
+    for (const WayPart& part : of.time < 1000 ? way_out : whole_way) {
+      const Acceleration seen = acceleration_of(runs.coarse.path, runs.fine.path, part);
+      rows[i].push_back({of.s, of.v0, part.name, seen.mean, seen.lost});
     }
   });
   const std::string from = "from the time step and the smoothing; known to ";
   Table& table = report.table(
       "acceleration",
       {number("s", "anharmonicity"), number("velocity", "impact velocity"),
-       label("leg",
-             "the part of the way: out (t from 100 to 220), earlier (60 to 180), later "
+       label("part",
+             "part of the way: out (t from 100 to 220), earlier (60 to 180), later "
              "(140 to 260), between (above nine tenths of the turning point), back"),
        estimate("acceleration", "mean acceleration of the packet's centre",
                 "site per squared unit of time", from + "2 per cent"),
-       estimate("change",
-                "acceleration in the second half of the leg minus that in the first, relative to "
-                "that of the whole",
-                "", "relative; " + from + "40 per cent"),
-       estimate("lost", "velocity at the end of the leg minus that at its beginning, over the time",
+       estimate("lost",
+                "velocity at the end of the part minus that at its beginning, over the time",
                 "site per squared unit of time", from + "90 per cent")});
   for (const auto& of_one : rows)
     for (const Cells& row : of_one) table.add(row);
-  report_slowing(report, step);
-  report_arcs(report, step);
+}
+
+/**
+At $v_0=1.5$ the packet slows down from quarter to quarter of the time of figure 22 and does not turn in it. The article
+calls this slow: for $100<t<220$ the acceleration at 1.1, 1.3 and 1.5 is less than half of that at 1.9.
+
+| $s=1$, $v_0=1.5$, until $t = 1000$ | first quarter | second | third | fourth |
+|---|---|---|---|---|
+| speed, sites per unit of time | [0.129](cell:slowing/quarter=1/speed) | [0.0936](cell:quarter=2/speed) | [0.0785](cell:quarter=3/speed) | [0.0660](cell:quarter=4/speed) | */
+void report_slowing(Report& report) {
+  const double step = report.quick ? 0.1 : 0.05;
+  const auto slow = two_runs({.v0 = article_moderate, .time = 1000, .step = step});
+  Table &slowing = report.table("slowing"), &arcs = report.table("arcs");
+  for (std::size_t quarter = 1; quarter <= 4; ++quarter) {
+    const auto speed = [&](const ImpactRun& run) {
+      return speed_in_quarter(smoothed(run), quarter);
+    };
+    slowing.add(
+        {{"quarter", "quarter of the time until 1000", quarter},
+         {"speed", "mean speed at v0 = 1.5, s = 1", slow.of(speed), "site per unit of time"}});
+  }
+  // How far the path of 1.9 is from a parabola
+  const auto runs = two_runs({.time = 1900, .step = step / 2});
+  for (int arc : {1, 2}) {
+    const auto off = [&](const ImpactRun& run) { return deviation_of_arc(smoothed(run), arc); };
+    arcs.add(
+        {{"arc", "1: until the first reflection, 2: from there to the second one", arc},
+         {"deviation",
+          "root mean square distance of the path at v0 = 1.9, s = 1, from the best parabola, over "
+          "its range",
+          runs.of(off), "", "difference of two steps, known to 40 per cent"}});
+  }
 }
 
 /**
 ## Profiles close to the turning (figure 23)
 
 The article shows the velocities of all beads at $v_0 = 1.87$ for two times at which, it says, the packet is close to
-turning. At the first of them the centre is two and a half sites short of its turning point, nearer than half the width
-of the packet, and still moves with a fifth of the speed that it had when it left the end. The time at which its
-velocity first vanishes is poorly determined, because the trajectory is almost flat there: with half the smoothing it is
-[315](cell:printed_range/velocity=1.87/smoothed_less), still later than the article's times. So the packet is close to
-turning in place, but not in time. Between it and the end the beads move with up to
-[0.27](cell:turning_profiles/t=238/n=15/v), a third of its largest velocity; a few sites ahead of it all are at rest.
+turning. It is close in place, not in time: at $t = 238$ the centre is nearer to its turning point than half the width
+of the packet, but still moves with a fifth of the speed with which it left the end, and it turns at 493. A velocity
+profile does not distinguish a packet at rest from one that moves slowly. Rounding does not explain the difference: of
+eleven impacts from 1.865 to 1.875 none stops before [296](cell:printed_range/velocity=1.868/smoothed_less), even with
+half the smoothing. (The stop, other than the turning point, depends on the smoothing: with all of it the same eleven
+stop between 320 and 493.)
 
 ![Velocities close to the turning. Drawn by fig23_turning_profiles.gp: `v` against `n` for two `t`, from the table
-`turning_profiles`.](fig:23) */
-/// How fast the centre moves between two times; half the smoothing shows what the smoothing does.
-Estimate mean_speed(const TwoRuns<Trajectory>& runs, double from, double to) {
-  const auto speed = [&](const Path& p) {
-    const Stretch of = stretch(p, from, to);
-    return (p.centre[of.last - 1] - p.centre[of.first]) / (p.t[of.last - 1] - p.t[of.first]);
-  };
-  Estimate e = runs.of([&](const Trajectory& run) { return speed(run.smoothed); });
-  e.error += std::abs(speed(smooth(runs.fine.path, width / 2)) - e.value);
-  return e;
-}
+`turning_profiles`.](fig:23)
 
+| $s=1$, $v_0=1.87$ | $t = 238$ | 241 |
+|---|---|---|
+| distance from the turning point, sites (article: close) | [2.46](cell:close_to_turning/t=238/distance) | [2.36](cell:t=241/distance) |
+| speed, sites per unit of time | [0.031](cell:close_to_turning/t=238/speed) | [0.032](cell:t=241/speed) |
+| speed from $t=10$ to 30 | [0.14](cell:close_to_turning/t=238/first_speed) | |
+| turning point, site | [23.2](cell:turns/velocity=1.87/apex_site) | |
+| its time | [493](cell:turns/velocity=1.87/apex_time) | |
+
+Between the packet and the struck end the beads move with up to [0.27](cell:turning_profiles/t=238/n=15/v), a third of
+the packet's largest velocity; a few sites ahead of it all are at rest. */
 void report_profiles(Report& report) {
-  Table& table =
-      report.table("turning_profiles",
-                   {number("t", "time"), count("n", "site", "site"),
-                    estimate("v", "velocity", "", "against the largest: difference of two steps")});
-  Table& near = report.table(
-      "close_to_turning", {number("t", "time"),
-                           estimate("distance", "distance of the centre from its turning point",
-                                    "site", "from the time step and the smoothing"),
-                           estimate("speed", "over ten units of time", "site per unit of time",
-                                    "from the time step and the smoothing, known to 20 per cent"),
-                           estimate("first_speed", "between t = 10 and 30", "site per unit of time",
-                                    "from the time step and the smoothing, known to 20 per cent")});
   const double step = report.quick ? 0.1 : 0.025;
-  const auto whole = two_runs({pictured, 1, 1300}, step);
-  const Estimate apex = measured(whole, &Turn::apex, &Moment::site);
+  const auto whole = two_runs({.v0 = article_profile, .time = 1300, .step = step});
+  const Path &coarse = whole.coarse.path, &fine = whole.fine.path;
+  const Estimate apex = estimate_turn(coarse, fine).apex_site;
+  Table &profiles = report.table("turning_profiles"), &near = report.table("close_to_turning");
   for (double time : {238.0, 241.0}) {
-    const auto runs = two_runs({pictured, 1, time}, step);
+    const auto runs = two_runs({.v0 = article_profile, .time = time, .step = step});
     for (std::size_t n = 0; n < 40; ++n)
-      table.add({time, n + 1, runs.of([&](const Trajectory& run) { return run.end.v[n]; })});
-    const Estimate here = whole.of([&](const Trajectory& run) { return centre_at(run, time); });
-    near.add({time, Estimate(apex.value - here.value, apex.error + here.error),
-              mean_speed(whole, time - 5, time + 5), mean_speed(whole, 10, 30)});
+      profiles.add({{"t", "time", time},
+                    {"n", "site", n + 1, "site"},
+                    {"v", "velocity", runs.of([n](const ImpactRun& run) { return run.end.v[n]; }),
+                     "", "against the largest: difference of two steps"}});
+    // Where the packet is, and how fast
+    const auto centre = [time](const ImpactRun& run) { return centre_at(smoothed(run), time); };
+    const Estimate here = whole.of(centre);
+    const char *both = "from the time step and the smoothing",
+               *poorly = "from the time step and the smoothing, known to 20 per cent";
+    near.add({{"t", "time", time},
+              {"distance", "distance of the centre from its turning point",
+               Estimate(apex.value - here.value, apex.error + here.error), "site", both},
+              {"speed", "over ten units of time", mean_speed(coarse, fine, time - 5, time + 5),
+               "site per unit of time", poorly},
+              {"first_speed", "between t = 10 and 30", mean_speed(coarse, fine, 10, 30),
+               "site per unit of time", poorly}});
   }
 }
 
-/**
-Can the rounding of $v_0$ explain this? It leaves a range from 1.865 to 1.875, of which we take eleven impacts (table
-`printed_range`). The velocity first vanishes at [319.8 ± 0.8](cell:printed_range/velocity=1.875/stop_time) at the
-earliest, with half the smoothing at [296](cell:printed_range/velocity=1.868/smoothed_less), well after the article's
-240. A velocity profile does not distinguish a packet at rest from one that moves slowly.
-
-| $s=1$, $v_0=1.87$ | article | here |
-|---|---|---|
-| distance from the turning point at $t=238$, sites | close | [2.46](cell:close_to_turning/t=238/distance) |
-| at $t=241$ | close | [2.36](cell:close_to_turning/t=241/distance) |
-| speed at $t=238$, sites per unit of time | | [0.031](cell:close_to_turning/t=238/speed) |
-| speed from $t=10$ to 30 | | [0.14](cell:close_to_turning/t=238/first_speed) |
-| turning point, site | | [23.2](cell:turns/velocity=1.87/apex_site) |
-| turning point, time | | [493](cell:turns/velocity=1.87/apex_time) |
-| velocity vanishes first, time | close to 238 and 241 | [5e2 ± 2e2](cell:turns/velocity=1.87/stop_time) |
-| $v_0=1.865$: the same | | [3.7e2 ± 3e1](cell:printed_range/velocity=1.865/stop_time) |
-| $v_0=1.875$: the same | | [319.8 ± 0.8](cell:printed_range/velocity=1.875/stop_time) | */
+// Impacts that round to the printed one: when the velocity vanishes first
 void report_printed_range(Report& report) {
+  const double lowest = 1.865, unit = 0.01;
   std::vector<double> velocities(report.quick ? 3 : 11);
   for (std::size_t i = 0; i < velocities.size(); ++i)
-    velocities[i] = 1.865 + 0.01 * double(i) / double(velocities.size() - 1);
-  Table& table = report.table(
-      "printed_range", {number("velocity", "impact velocity"),
-                        estimate("stop_time", "time at which the velocity first vanishes", "",
-                                 "from the time step and the smoothing; known to 40 per cent"),
-                        estimate("smoothed_less", "the same with half the smoothing", "",
-                                 "difference of two steps, known to 5 per cent")});
-  const auto row = [](double v0) {
-    const auto runs = two_runs({v0, 1, 700}, 0.1);
-    return Cells{v0, measured(runs, &Turn::stop, &Moment::time),
-                 runs.of([](const Trajectory& run) { return run.other_width.stop.time; })};
+    velocities[i] = lowest + unit * double(i) / double(velocities.size() - 1);
+  const auto row = [](double v0) -> Row {
+    const auto runs = two_runs({.v0 = v0, .time = 700, .step = 0.1});
+    const auto less = [](const ImpactRun& run) {
+      return turn_of(run.path, path_smoothing / 2).stop.time;
+    };
+    return {{"velocity", "impact velocity", v0},
+            {"stop_time", "time at which the velocity first vanishes",
+             estimate_turn(runs.coarse.path, runs.fine.path).stop_time, "",
+             "from the time step and the smoothing; known to 40 per cent"},
+            {"smoothed_less", "the same with half the smoothing", runs.of(less), "",
+             "difference of two steps, known to 5 per cent"}};
   };
-  table.fill(velocities, row, "impacts within the printed digits");
+  report.table("printed_range").fill(velocities, row, "impacts within the printed digits");
 }
 
 /**
 ## Weakly hard wells, $s = 0.005$
 
-The article sees reversals for $s\ge0.005$ and none for $s=0$, and prints neither an impact nor a time. At $s=0.005$ the
-largest impact that it prints, 1.9, turns no packet until the end of figure 22, nor do impacts thirty times as strong as
-long as we look (table `weakly_hard`); after 1.9 the packet is almost where it is in linear wells. Packets turn soon
-after an impact of 132. In linear wells one has then never moved inward by $t=450$, and still moves outward. For three
-values of $s$ between 0.005 and 1 we give an impact that turns a packet soon. Weaker ones may turn packets much farther
-out.
+The article sees reversals for $s\ge0.005$ and none for $s=0$, and prints neither an impact nor a time. Our packets turn
+soon where $\chi = s\,v_0^{3/2}$ is above 2.5, and not as long as we look where it is below; with the impacts of the
+figures $\chi$ is a hundredth at $s=0.005$, and the packet of 1.9 is almost where it is in linear wells. After 132 a
+packet turns soon; in linear wells one that strong has never moved inward. That $\chi$ decides soon is a guess from
+these impacts; what decides in general is the question of volume two. Weaker ones may turn farther out.
 
-| | article | here |
-|---|---|---|
-| $s=0.005$, $v_0=132$: turning point, site | turns | [26.8](cell:turns/velocity=132/apex_site) |
-| reflection, time | | [310](cell:turns/velocity=132/return_time) |
-| $s=0.02$, $v_0=44$: turning point, site | turns | [24.9](cell:turns/velocity=44/apex_site) |
-| $s=0.1$, $v_0=12$: turning point, site | turns | [19.5](cell:turns/velocity=12/apex_site) |
-| $s=0.5$, $v_0=3.5$: turning point, site | turns | [12.9](cell:turns/velocity=3.5/apex_site) |
-| $s=0$, $v_0=132$: centre by $t=450$, site | does not turn | [434](cell:weakly_hard/s=0/velocity=132/centre) |
-| $s=0$, $v_0=1.9$: centre by $t=2500$, site | does not turn | [566](cell:weakly_hard/s=0/velocity=1.9/centre) |
-| $s=0.005$, $v_0=1.9$: the same | turns? | [565](cell:weakly_hard/s=0.005/velocity=1.9/centre) | */
+| | $\chi$ | followed until | turning point, site | centre at the end, site |
+|---|---|---|---|---|
+| $s=0.005$, $v_0=132$ | 7.6 | 400 | [26.8](cell:turns/velocity=132/apex_site) | |
+| $s=0.02$, $v_0=44$ | 5.8 | 500 | [24.9](cell:turns/velocity=44/apex_site) | |
+| $s=0.1$, $v_0=12$ | 4.2 | 530 | [19.5](cell:turns/velocity=12/apex_site) | |
+| $s=0.5$, $v_0=3.5$ | 3.3 | 450 | [12.9](cell:turns/velocity=3.5/apex_site) | |
+| $s=1$, $v_0=1.9$ | 2.6 | 1200 | [20.1](cell:turns/velocity=1.9/apex_site) | |
+| $s=0.005$, $v_0=60$ | 2.3 | 800 | none | [404.7](cell:weakly_hard/s=0.005/velocity=60/centre) |
+| $s=0.005$, $v_0=27$ | 0.70 | 900 | none | [469.2](cell:weakly_hard/s=0.005/velocity=27/centre) |
+| $s=0.005$, $v_0=5$ | 0.056 | 1500 | none | [488.4](cell:weakly_hard/s=0.005/velocity=5/centre) |
+| $s=0.005$, $v_0=1.9$ | 0.013 | 2500 | none | [565](cell:weakly_hard/s=0.005/velocity=1.9/centre) |
+| $s=0$, $v_0=1.9$ | 0 | 2500 | none | [566](cell:weakly_hard/s=0/velocity=1.9/centre) |
+| $s=0$, $v_0=132$ | 0 | 450 | none | [434](cell:weakly_hard/s=0/velocity=132/centre) | */
 void report_weakly_hard(Report& report) {
-  std::vector<TurningImpact> list = {
-      {{1.5, 0, 1000, 620}, 0.1},     {{1.9, 0, 2500, 620}, 0.1},     {{132, 0, 450, 620}, 0.01},
-      {{1.5, 0.005, 1000, 620}, 0.1}, {{1.9, 0.005, 2500, 620}, 0.1}, {{5, 0.005, 1500, 620}, 0.1},
-      {{27, 0.005, 900, 620}, 0.05},  {{60, 0.005, 800, 620}, 0.025}};
-  const auto row = [&](const TurningImpact& of) -> Row {
-    const auto runs = two_runs(of.impact, report.quick ? 2 * of.step : of.step);
-    const auto last = [](const Trajectory& p) { return p.smoothed.centre.back(); };
-    const auto speed = [](const Trajectory& p) {
-      const auto& [t, x, energy, peak] = p.smoothed;
-      return (x.back() - x[x.size() - 51]) / (t.back() - t[t.size() - 51]);
-    };
-    const auto fallen = [](const Trajectory& p) {
-      double most = p.smoothed.centre[0], back = 0;
-      for (double x : p.smoothed.centre) most = std::max(most, x), back = std::max(back, most - x);
-      return back;
-    };
-    return {
-        {"s", "anharmonicity", of.impact.s},
-        {"velocity", "impact velocity", of.impact.v0},
-        {"until", "end of the run", of.impact.time},
-        {"centre", "centre of the packet, at the end of the smoothed path", runs.of(last), "site"},
-        {"speed", "its speed in the last ten units of time", runs.of(speed),
-         "site per unit of time"},
-        {"fallen_back", "the farthest that it has ever fallen back", runs.of(fallen), "site"}};
-  };
+  std::vector<Experiment> list = {{.v0 = 1.5, .s = 0, .time = 1000, .sites = 620, .step = 0.1},
+                                  {.v0 = 1.9, .s = 0, .time = 2500, .sites = 620, .step = 0.1},
+                                  {.v0 = 132, .s = 0, .time = 450, .sites = 620, .step = 0.01},
+                                  {.v0 = 1.5, .s = 0.005, .time = 1000, .sites = 620, .step = 0.1},
+                                  {.v0 = 1.9, .s = 0.005, .time = 2500, .sites = 620, .step = 0.1},
+                                  {.v0 = 5, .s = 0.005, .time = 1500, .sites = 620, .step = 0.1},
+                                  {.v0 = 27, .s = 0.005, .time = 900, .sites = 620, .step = 0.05},
+                                  {.v0 = 60, .s = 0.005, .time = 800, .sites = 620, .step = 0.025}};
   if (report.quick) list.resize(1);
+  const auto row = [&](Experiment of) -> Row {
+    if (report.quick) of.step *= 2;
+    const auto runs = two_runs(of);
+    const TwoRuns<Path> paths{smoothed(runs.coarse), smoothed(runs.fine)};
+    return {{"s", "anharmonicity", of.s},
+            {"velocity", "impact velocity", of.v0},
+            {"until", "end of the run", of.time},
+            {"centre", "centre of the packet, at the end of the smoothed path",
+             paths.of([](const Path& p) { return p.centre.back(); }), "site"},
+            {"speed", "its speed in the last ten units of time",
+             paths.of([](const Path& p) { return last_speed(p, 10); }), "site per unit of time"},
+            {"fallen_back", "the farthest that it has ever fallen back", paths.of(farthest_return),
+             "site"}};
+  };
   report.table("weakly_hard").fill(list, row, "weakly hard wells");
 }
 
 /**
-## How long the motion is predictable
+## Checks
 
-The motion is chaotic: two runs that differ by as little as a rounding error separate sooner or later. We call them
-*decorrelated* when their states differ by a tenth of the largest displacement or velocity. One impact with two steps
-shows for how long we can compute the motion. Two impacts that differ by a fraction $\delta$ show for how long it is
-predictable if $v_0$ is known to that accuracy; half a unit of the last digit of 1.87 is $\delta\approx3\cdot10^{-3}$.
-*/
-constexpr double compared_every = 2;  // of time
-
-double decorrelation_time(double v0, double step, double other_v0, double other_step) {
-  const Chain chain{150, Quartic{1}};
-  State<double> one(chain.sites), other(chain.sites);
-  one.v[0] = v0, other.v[0] = other_v0;
-  for (double t = 0; t < 1700; t += compared_every) {
-    if (distance(one, other) > 0.1) return t;
-    evolve(EventCorrected{step}, chain, one, compared_every, compared_every);
-    evolve(EventCorrected{other_step}, chain, other, compared_every, compared_every);
-    for (const auto& [state, v] : {std::pair{&one, v0}, {&other, other_v0}}) {
-      if (std::abs(state->v.back()) > 1e-9 * v) throw Failure("the far end has moved");
-      if (!(std::abs(energy(chain, *state) / (v * v / 2) - 1) < 1e-3))
-        throw Failure("the energy is not conserved");
-    }
-  }
-  throw Failure("two impacts have not decorrelated");
-}
-
-/**
-Two steps agree until well beyond the first reflection. Figure 22 marks the time at which two impacts that differ by
-$10^{-6}$ decorrelate, since velocities are hardly ever printed with more digits. So turning point and first reflection
-are well defined, and the much later part of the map is one possibility among many. With three digits two impacts
-decorrelate even before they turn.
-
-| $s=1$, $v_0=1.9$ | decorrelated at |
-|---|---|
-| one impact, steps of 0.05 and 0.025 | [1.38e3 ± 6e1](cell:decorrelation/coarse=0.05/t) |
-| two impacts, $\delta = 3\cdot10^{-3}$ | [58 ± 2](cell:decorrelation/delta=0.003/t) |
-| $\delta = 10^{-4}$ | [632 ± 2](cell:decorrelation/delta=1e-4/t) |
-| $\delta = 10^{-6}$ | [1.05e3 ± 1e1](cell:decorrelation/delta=1e-6/t) |
-| $\delta = 10^{-8}$ | [1.33e3 ± 1e1](cell:decorrelation/delta=1e-8/t) | */
-void report_decorrelation(Report& report) {
-  struct Pair {
-    double delta, coarse, fine;
-  };
-  std::vector<Pair> pairs{{0, 0.1, 0.05}, {0, 0.05, 0.025}};
-  for (double delta : {3e-3, 1e-4, 1e-6, 1e-8}) pairs.push_back({delta, 0.1, 0.1});
-  if (report.quick) pairs = {{0, 0.2, 0.1}, {1e-6, 0.1, 0.1}};
-  Table& table = report.table(
-      "decorrelation",
-      {number("delta",
-              "relative difference of the impact velocities; 0 for one impact with two time steps"),
-       number("coarse", "first time step"), number("fine", "second time step"),
-       estimate("t", "time at which the two runs have decorrelated", "",
-                "change made by steps twice as long, and the time between two comparisons; known "
-                "to 26 per cent")});
-  const auto row = [](const Pair& p) {
-    const auto time = [&](double longer) {
-      return decorrelation_time(1.9, longer * p.coarse, 1.9 * (1 + p.delta), longer * p.fine);
-    };
-    const double t = time(1);
-    return Cells{p.delta, p.coarse, p.fine, Estimate(t, std::abs(t - time(2)) + compared_every)};
-  };
-  table.fill(pairs, row, "pairs of runs");
-}
-
-/**
-## Erratic motion (figure 22, last panel)
-
-Beyond that time only statements about ensembles make sense. So we draw 24 impacts at random from an interval of
-relative width $10^{-6}$ around $v_0 = 1.9$ and see how far the centres of their packets spread. Centres that are
-equally likely to be anywhere up to the turning point would have a standard deviation of six sites; after $t = 2000$ at
-least a tenth of the packets is beyond it, up to site 34. With twelve impacts we try an interval a hundred times as wide
-and one of a hundredth of the width.
-
-| standard deviation of the centres, sites | article | here |
-|---|---|---|
-| mean until $t = 850$, out and back | | [0.00022 ± 4e-5](cell:spread/noise=1e-6/part=out_and_back/deviation) |
-| mean for $2000 < t < 2600$ | erratic | [9 ± 1](cell:spread/noise=1e-6/part=late/deviation) |
-| relative width $10^{-4}$: until $t = 850$ | | [0.017](cell:spread/noise=1e-4/part=out_and_back/deviation) |
-| relative width $10^{-8}$: for $2000 < t < 2600$ | | [8 ± 2](cell:spread/noise=1e-8/part=late/deviation) | */
-struct Spread {
-  double t, mean, deviation, low, high;  // of the centres; the tenths
-};
-
-// Of smoothed trajectories, every ten units of time; otherwise the phases of the oscillations would count as a spread
-std::vector<Spread> spreads(const std::vector<double>& v0, double step, double time) {
-  const std::size_t members = v0.size(), tenth = members / 10;
-  std::vector<Path> paths(members);
-  parallel_for(members, [&](std::size_t i) {
-    paths[i] = trajectory({v0[i], 1, time, 300}, EventCorrected{step}).smoothed;
-  });
-  std::vector<Spread> out;
-  for (std::size_t k = 0; k < paths[0].t.size(); k += 50) {
-    std::vector<double> x;
-    double mean = 0, square = 0;
-    for (const Path& p : paths) x.push_back(p.centre.at(k)), mean += x.back() / double(members);
-    for (double c : x) square += (c - mean) * (c - mean) / double(members - 1);
-    std::sort(x.begin(), x.end());
-    out.push_back({paths[0].t[k], mean, std::sqrt(square), x[tenth], x[members - 1 - tenth]});
-  }
-  return out;
-}
-
-/// Impacts within a fraction `noise` of 1.9, drawn at random.
-constexpr unsigned long seed = 20130501;
-std::vector<double> draws(double noise, std::size_t count) {
-  Random random(seed);
-  std::vector<double> v0(count);
-  for (double& v : v0) v = 1.9 * (1 + random.uniform(-noise / 2, noise / 2));
-  return v0;
-}
-
-// The deviation, averaged over a part of the time; with more and less noise for fewer impacts
-void report_ensemble(Report& report) {
-  const std::size_t members = report.quick ? 8 : 24;
-  const double time = report.quick ? 2200 : 2600;
-  Table& table = report.table(
-      "ensemble", {number("t", "time"), number("mean", "mean of the packets' centres", "site"),
-                   number("deviation", "standard deviation of the packets' centres", "site"),
-                   number("low", "lower decile of the centres", "site"),
-                   number("high", "upper decile of the centres", "site")});
-  table.meta = {{"seed", std::to_string(seed)}, {"members", std::to_string(members)}};
-  Table& parts = report.table(
-      "spread", {number("noise", "the relative width of the interval of impacts"),
-                 label("part", "part of the motion"), number("from", "its first time"),
-                 number("to", "its last time"),
-                 estimate("deviation", "mean of the standard deviation of the centres", "site",
-                          "difference of two resolutions, known to 50 per cent")});
-  for (const double noise : {1e-6, 1e-4, 1e-8}) {
-    if (report.quick && noise != 1e-6) continue;
-    const std::vector<double> v0 = draws(noise, noise == 1e-6 ? members : members / 2);
-    const TwoRuns<std::vector<Spread>> both{spreads(v0, 0.2, time), spreads(v0, 0.1, time)};
-    if (noise == 1e-6)
-      for (const Spread& at : both.fine) table.add({at.t, at.mean, at.deviation, at.low, at.high});
-    const auto add = [&](const char* part, double from, double to) {
-      parts.add({noise, part, from, to, both.of([&](const std::vector<Spread>& all) {
-                   double sum = 0, n = 0;
-                   for (const Spread& at : all)
-                     if (at.t >= from && at.t <= to) sum += at.deviation, ++n;
-                   return sum / n;
-                 })});
-    };
-    add("out_and_back", 0, 850);
-    add("late", report.quick ? 1900 : 2000, time);
-  }
-}
-
-/**
-## Accuracy and checks
-
-Every number comes from two resolutions. Only those of the last two sections and of the second arc depend on chaos.
-Every run, also those whose decorrelation we time, stops with an error if its far end moves or if its energy drifts by
-more than a thousandth. Two other integrators check ours, and the program fails where they disagree. GSL's adaptive
-method of order eight, which has no event detection, has to arrive at the same state at $t=100$ within $10^{-7}$. For
-the whole trajectory, where GSL would be slow, another scheme, with fourteen stages, has to give the time of the
-reflection within 0.2. The tests check `find_turn` and `fit_parabola` on constructed trajectories. The article does not
-say how it integrates or averages, or how long its chain is. */
+Two other integrators check ours, and the program stops with an error where they disagree. GSL's adaptive method of
+order eight, which has no event detection, has to arrive at the same state at $t=100$ within $10^{-7}$. For the whole
+motion, where GSL would be slow, another scheme, with fourteen stages, has to give the time of the reflection within
+0.2. The article does not say how it integrates or averages, or how long its chain is. */
 void check_by_other_routes(bool quick) {
-  const Experiment out{1.9, 1, 100, 60};
-  State<double> start(out.sites);
-  start.v[0] = out.v0;
-  distance_from_reference({out.sites, Quartic{out.s}}, start, out.time,
-                          trajectory(out, EventCorrected{0.0125}).end, 1e-7);  // or it throws
+  const Experiment out{.time = 100, .sites = 60};
+  distance_from_reference({out.sites, Quartic{out.s}}, struck(out.sites, out.v0), out.time,
+                          follow(out, EventCorrected{0.0125}).end, 1e-7);  // or it throws
 
   const EventCorrected usual{quick ? 0.1 : 0.025}, other{usual.step, nystrom(blanes_moan_6_14())};
-  const auto back = [](const EventCorrected& method) {
-    return trajectory({1.9, 1, 1200}, method).turn.rebound.time;
+  const auto reflected = [](const EventCorrected& method) {
+    return turn_of(follow({}, method).path).rebound.time;
   };
-  if (!(std::abs(back(other) - back(usual)) < 0.2))
+  if (!(std::abs(reflected(other) - reflected(usual)) < 0.2))
     throw Failure("another integrator returns at another time");
 }
 
 void reproduce(Report& report) {
   report_maps(report);
   report_turns(report);
-  report_profiles(report);
-  report_decorrelation(report);
+  report_ensemble(report);
+  report_steps(report);
+  report_path(report);
   report_acceleration(report);
+  report_slowing(report);
+  report_profiles(report);
   report_printed_range(report);
   report_weakly_hard(report);
-  report_ensemble(report);
   check_by_other_routes(report.quick);
 }
 
@@ -673,21 +599,22 @@ void reproduce(Report& report) {
 | `boomeron.any_s`: reversal takes place for s >= 0.005 and not for s = 0 | s >= 0.005 | turns.apex_site (s = 0.5), turns.return_site (s = 0.5): 6.692 < 12.88 (the closest of 8) | holds, assuming |
 | `boomeron.erratic`: after some rebounds the motion is trapped or erratic | erratic | spread.deviation (noise = 1e-06, part = out_and_back): 0.000216 < 0.25; spread.deviation (noise = 1e-06, part = late): 3 < 8.964 | holds |
 | `boomeron.constant_force`: during a few rebounds the centre moves like a particle in an almost constant force field | almost constant | 0.139 | quantified |
-| `boomeron.force_grows`: the effective force increases with s and with the impact velocity | increases | acceleration.acceleration (s = 1, velocity = 1.1, leg = out), (s = 1, velocity = 1.3, leg = out): 0.0001454 < 0.0001493 (the closest of 14) | holds, assuming |
+| `boomeron.force_grows`: the effective force increases with s and with the impact velocity | increases | acceleration.acceleration (s = 1, velocity = 1.1, part = out), (s = 1, velocity = 1.3, part = out): 0.0001454 < 0.0001493 (the closest of 14) | holds, assuming |
 <!-- /statements -->
 
 ## Try it
 
-**To change it.** Another impact that turns is a row of `turning`, $\{v_0, s, t\}$, the length of the chain and the
-shorter of two steps. Another one whose acceleration is measured is in `list` of `report_acceleration`; figure 22 has
-those of `report_maps`, with names in its script, and figure 23 that of `pictured`. The sites `back`, `again` and
-`clear` define a turn; the smoothing is `width`. Lengths of chains and stretches of fits are chosen for these wells: try
-others with `sec34_boomeron run --well`. The figures read columns by name.
+**To change it.** Another impact that turns is a row of `turning`; if it does not turn within its `time`, its cells are
+`nan`. Its chain has to be so long that the packet and the waves do not cross it: the program says so. Another one whose
+acceleration is measured is in the lists of `report_acceleration` or `report_path`. The article's impacts are the
+constants `article_*`. What counts as a turn are the defaults of `find_turn`, the smoothing is `path_smoothing`
+(turning.hpp), of which volume two makes use as well. The figures read columns by name.
 
 1. *Easy.* When does the packet of figure 23 turn? `build/bin/sec34_boomeron run --velocity 1.87` gives
    `apex_site` = 23.175 and `apex_time` = 493. Hint: before it turns it is slow for a long time.
-2. *Harder.* For how long is a harder impact predictable? `build/bin/sec34_boomeron run --velocity 2.2` gives
-   `decorrelation_time` = 580. Hint: this packet stays near the struck end and meets its own waves again and again.
+2. *Harder.* When do the *states* of two impacts that differ by $10^{-8}$ part, all beads and phases included?
+   `build/bin/sec34_boomeron run --velocity 2.2` gives `decorrelation_time` = 580. Hint: this packet stays near the
+   struck end and meets its own waves again and again. Try 1.9, and compare with the spread of the centres.
 
 `run` takes wells, contacts and a length of your choice, and a tolerance instead of a step (commands/one_turn.hpp). */
 int main(int argc, char** argv) {

@@ -4,8 +4,11 @@
 
 #include "commands/one_turn.hpp"
 #include "lattice/dps/dps_impact.hpp"
+#include "lattice/gsl/reference.hpp"
 #include "lattice/impact/impact.hpp"
 #include "sec34/acceleration.hpp"
+#include "sec34/ensemble.hpp"
+#include "sec34/escapes.hpp"
 #include "sec34/packet.hpp"
 #include "support/check.hpp"
 
@@ -122,4 +125,76 @@ TEST_CASE("two impacts part because they differ, not because of the step", "[pro
     check_close(t.numbers("value")[3], when, 1e-9);
     CHECK(t.numbers("error")[3] <= 4.1);
   }
+}
+
+TEST_CASE("another integrator finds the same packet", "[property]") {
+  const Impact impact{
+      .velocity = 0.94, .chain = {90, Quartic{-0.7}}, .time = 600, .denser = false, .until = 62};
+  const Path ours = strike(method_for(1e-4, largest_step, 3), impact).path;
+  // By GSL, of order eight, sample by sample
+  State<double> state = struck(impact.chain.sites, impact.velocity);
+  Path other;
+  while (other.t.empty() || other.centre.back() < *impact.until) {
+    evolve_reference(impact.chain, state, impact.every, 1e-10);
+    const std::vector<double> e = energy_density(impact.chain, state);
+    if (const auto peak = front_packet(e)) other.add(state.t, e, *peak);
+  }
+  check_close(packet_speed(other, 60).value, packet_speed(ours, 60).value, 0, 1e-6);
+  check_close(other.energy_at(60), ours.energy_at(60), 0, 1e-6);
+  check_close(other.largest_peak(20, 60).value, ours.largest_peak(20, 60).value, 0, 1e-6);
+}
+
+TEST_CASE("a free bead in a soft well is the slower the farther it moves", "[unit]") {
+  check_close(free_frequency(0, 0.3), 1, 1e-14);
+  State<double> bead(1);
+  bead.y[0] = 0.9;
+  Oscillation seen;
+  evolve(EventCorrected{0.01}, Chain{1, Quartic{-0.7}}, bead, 150, 0.01,
+         [&](const State<double>& now) { seen.add(now.t, now.y[0], now.v[0]); });
+  check_close(seen.frequency(), free_frequency(-0.7, 0.9), 0, 1e-4);
+  check_close(seen.amplitude(), 0.9, 0, 1e-6);
+}
+
+TEST_CASE("a speed between two packets is that of a power law", "[unit]") {
+  std::vector<PacketSpeed> packets;
+  for (double e : {0.1, 0.2, 0.4, 0.9}) packets.push_back({e, std::pow(e, 0.3)});
+  for (double e : {0.05, 0.1, 0.3, 0.8})
+    check_close(speed_at_energy(packets, e).value, std::pow(e, 0.3), 1e-13);
+  CHECK_THROWS_AS(speed_at_energy(packets, 1), std::runtime_error);
+}
+
+TEST_CASE("the band of escapes leaves disputed impacts out", "[unit]") {
+  const double never = HUGE_VAL;
+  const std::vector<Trial> trials{{1, never, never}, {2, 8, never}, {3, 9, 9.5},
+                                  {4, never, never}, {5, 7, 7},     {6, never, 3}};
+  const EscapeBand band = band_of(trials);
+  CHECK(band.first_escape == 3);
+  CHECK(band.last_survivor == 4);
+  CHECK(band.latest == 9.5);
+  CHECK(band.disputed == 2);
+  CHECK_THROWS_AS(band_of({{1, never, never}}), std::runtime_error);
+}
+
+TEST_CASE("the spread of paths is that of their centres", "[unit][boomeron]") {
+  std::vector<Path> paths(3);
+  for (int i = 0; i < 100; ++i)
+    for (int k = 0; k < 3; ++k) paths[std::size_t(k)].add(i, 5 + 0.01 * i * (k - 1));
+  const std::vector<Spread> all = spread_of(paths, 10);
+  REQUIRE(all.size() == 10);
+  check_close(all[3].mean, 5, 1e-12);
+  check_close(all[3].deviation, 0.3, 1e-12);
+  CHECK(time_to_spread(all, 0.45) == 50);
+  CHECK_THROWS_AS(time_to_spread(all, 10), std::runtime_error);
+  check_close(mean_deviation(all, 20, 40), 0.3, 1e-12);
+}
+
+TEST_CASE("what a path falls back, and how fast it is at its end", "[unit][boomeron]") {
+  Path path;
+  for (int i = 0; i <= 400; ++i) {
+    const double t = path_sampling * i;
+    path.add(t, t < 40 ? t : 60 - 0.5 * t);
+  }
+  check_close(farthest_return(path), 19.9, 0.2);
+  check_close(last_speed(path, 10), -0.5, 1e-12);
+  check_close(speed_in_quarter(path, 1), 1, 1e-12);
 }

@@ -1,9 +1,10 @@
 #pragma once
 /**
-# The acceleration of a packet
+# How a packet moves
 
-The path of a particle on which a constant force acts is a parabola. We fit one to a part of the smoothed path: its bend
-is the mean acceleration, and how far the path is from it shows how constant the force is. */
+Speeds, returns and accelerations are read from the smoothed path of its centre. The path of a particle on which a
+constant force acts is a parabola. We fit one to a part of the smoothed path: its second derivative is the mean
+acceleration, and its distance from the path shows how constant the force is. */
 
 #include "lattice/impact/turning.hpp"
 #include "lattice/numerics/estimate.hpp"
@@ -24,21 +25,34 @@ struct PathFit {
 };
 PathFit fit_parabola(const Path& smoothed, Stretch of);
 
-/// The ways of a packet that turns: between two given times on the way out; *between* the ways, while it is above nine
-/// tenths of its turning point; and on the way *back*, from there to three tenths.
-struct Leg {
-  enum class Kind { out, between, back } kind;
-  double from = 0, to = 0;  ///< on the way out
+/// How far a smoothed path is from a parabola (`PathFit`) until the first reflection, arc 1, or from there to the
+/// second one, arc 2.
+double deviation_of_arc(const Path& smoothed, int arc);
+
+/// Mean speed between two times, from two runs; half the smoothing shows what the smoothing does.
+Estimate mean_speed(const Path& coarse, const Path& fine, double from, double to);
+/// Mean speed in a quarter of the whole time, 1 to 4.
+double speed_in_quarter(const Path& smoothed, std::size_t quarter);
+/// Speed over the last `duration`.
+double last_speed(const Path& smoothed, double duration);
+/// The most that the centre has ever fallen back from the farthest site reached before, in sites.
+double farthest_return(const Path& smoothed);
+
+/// A part of the way of a packet: between two times; *around the turn*, while it is above nine tenths of its turning
+/// point; and on the way *back*, from there to three tenths.
+struct WayPart {
+  const char* name;
+  enum class Kind { times, turn, back } kind;
+  double from = 0, to = 0;  ///< of `times`
 };
 
-/// Mean acceleration on a leg; how much it is larger in the second half of the leg than in the first, relative to the mean; and
-/// the velocity lost between both ends, as slopes over ten units of time, in a unit of time.
+/// Mean acceleration on a part of the way, and the velocity lost between its ends, as slopes over ten units of time, in
+/// a unit of time.
 struct Acceleration {
-  Estimate mean, change, lost;
+  Estimate mean, lost;
 };
 
-/// The acceleration on a leg, from the paths of two runs. The errors are what the other step and half the smoothing
-/// change.
-Acceleration acceleration_of(const Path& coarse, const Path& fine, Leg leg);
+/// From the paths of two runs. The errors are what the other step and half the smoothing change.
+Acceleration acceleration_of(const Path& coarse, const Path& fine, WayPart part);
 
 }  // namespace lattice

@@ -1,5 +1,6 @@
 #include "sec34/packet.hpp"
 
+#include <numbers>
 #include <stdexcept>
 
 namespace lattice {
@@ -24,6 +25,34 @@ double residue(const std::vector<double>& e, std::size_t peak) {
   double most = 0;
   for (std::size_t n = m; n + 4 * m < peak; ++n) most = std::max(most, window_sum(e, n));
   return most / window_sum(e, peak);
+}
+
+Estimate speed_at_energy(const std::vector<PacketSpeed>& packets, double energy) {
+  std::size_t i = 1;
+  while (i + 1 < packets.size() && packets[i].energy < energy) ++i;
+  const PacketSpeed &below = packets[i - 1], &above = packets[i];
+  if (energy > above.energy) throw std::runtime_error("no packet has as much energy");
+  const double part = std::log(energy / below.energy) / std::log(above.energy / below.energy);
+  const double speed = below.speed.value * std::pow(above.speed.value / below.speed.value, part);
+  return {speed, std::max(below.speed.error, above.speed.error)};
+}
+
+// With the velocity v the bead was at zero the time y/v ago
+void Oscillation::add(double t, double y, double v) {
+  if (y >= 0 && last_ < 0) passages_.push_back(t - y / v);
+  amplitude_ = std::max(amplitude_, std::abs(y));
+  last_ = y;
+}
+
+double Oscillation::frequency() const {
+  if (passages_.size() < 2) throw std::runtime_error("a bead that does not oscillate");
+  const double periods = double(passages_.size()) - 1;
+  return 2 * std::numbers::pi * periods / (passages_.back() - passages_.front());
+}
+
+double free_frequency(double s, double A) {
+  const double q = std::sqrt(1 + s * A * A / 2), k = std::sqrt(-s / 2) * A / q;
+  return std::numbers::pi * q / (2 * std::comp_ellint_1(k));
 }
 
 // The lower of two peaks, at the end and around the packet, over the highest wave in between

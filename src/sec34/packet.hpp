@@ -11,6 +11,7 @@ around it. */
 #include <vector>
 
 #include "lattice/diagnostics/path.hpp"
+#include "lattice/numerics/estimate.hpp"
 
 namespace lattice {
 
@@ -70,6 +71,33 @@ class Front {
                       least_ = std::vector<double>(packet_half_width + 1, 1.0);
   double behind_ = 0;
 };
+
+/// A packet's energy and speed.
+struct PacketSpeed {
+  double energy;
+  Estimate speed;
+};
+/// The speed at this energy, between packets of rising energies, for powers of them. Throws std::runtime_error beyond
+/// the strongest.
+Estimate speed_at_energy(const std::vector<PacketSpeed>& packets, double energy);
+
+/// The oscillation of one bead, sample by sample: the times at which it passes zero upwards, and its largest
+/// displacement.
+class Oscillation {
+ public:
+  void add(double t, double y, double v);
+  /// Mean frequency between the first and the last passage. Throws std::runtime_error if there are less than two.
+  double frequency() const;
+  double amplitude() const { return amplitude_; }
+
+ private:
+  std::vector<double> passages_{};
+  double amplitude_ = 0, last_ = 0;
+};
+
+/// Frequency of a free bead in the well y^2/2 + s y^4/4, s <= 0, that oscillates between -A and A: with the complete
+/// elliptic integral K, it is pi q / (2 K(k)), where q^2 = 1 + s A^2/2 and k^2 = -s A^2/(2 q^2).
+double free_frequency(double s, double A);
 
 /// The height of the lower of two excitations, on the first five sites and about `peak`, over the highest wave in
 /// between: both are visible if it exceeds one.

@@ -7,8 +7,8 @@ using namespace lattice;
 
 STATEMENT("boomeron.reversal") {
   const Data ways = table("acceleration").where("s", 1).where("velocity", 1.9);
-  less(ways.at("leg", "out")["acceleration"], 0);
-  less(ways.at("leg", "back")["acceleration"], 0);
+  less(ways.at("part", "out")["acceleration"], 0);
+  less(ways.at("part", "back")["acceleration"], 0);
 
   // It comes back, to the end that was hit, and moves out again
   const Data turns = table("turns").where("s", 1);
@@ -30,7 +30,7 @@ STATEMENT("boomeron.moderate") {
   for (int quarter : {1, 2, 3})
     less(quarters.at("quarter", quarter + 1)["speed"], quarters.at("quarter", quarter)["speed"]);
   less(0, quarters.at("quarter", 4)["speed"]);
-  const Data out = table("acceleration").where("s", 1).where("leg", "out");
+  const Data out = table("acceleration").where("s", 1).where("part", "out");
   const auto turning = out.at("velocity", 1.9)["acceleration"];
   for (double velocity : {1.1, 1.3, 1.5}) {
     const auto moderate = out.at("velocity", velocity)["acceleration"];
@@ -94,9 +94,9 @@ STATEMENT("boomeron.erratic") {
 
 STATEMENT("boomeron.constant_force") {
   const Data hard = table("acceleration").where("s", 1);
-  const auto over_out = [&](double velocity, const char* leg) {
+  const auto over_out = [&](double velocity, const char* part) {
     const Data ways = hard.where("velocity", velocity);
-    return ways.at("leg", leg)["acceleration"] / ways.at("leg", "out")["acceleration"];
+    return ways.at("part", part)["acceleration"] / ways.at("part", "out")["acceleration"];
   };
   answer(over_out(1.9, "between"), "");
   reading("out and back", over_out(1.9, "back"));
@@ -108,8 +108,8 @@ STATEMENT("boomeron.constant_force") {
 
 STATEMENT("boomeron.force_grows") {
   const Data all = table("acceleration");
-  const auto grows = [&](const char* leg, const char* measure) {
-    const Data out = all.where("leg", leg);
+  const auto grows = [&](const char* part, const char* measure) {
+    const Data out = all.where("part", part);
     const auto from_each_to_the_next = [&](const Data& rows, const char* along) {
       for (const auto& one : rows) {
         const Data::Row* next = nullptr;

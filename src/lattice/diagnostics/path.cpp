@@ -27,9 +27,9 @@ static std::pair<std::size_t, double> passage(const Path& path, double x) {
   return {i, (x - path.centre[i - 1]) / (path.centre[i] - path.centre[i - 1])};
 }
 
-double Path::energy_at(double x) const {
+double Path::when_at(double x, const std::vector<double>& series) const {
   const auto [i, part] = passage(*this, x);
-  return energy[i - 1] + part * (energy[i] - energy[i - 1]);
+  return series.at(i - 1) + part * (series.at(i) - series.at(i - 1));
 }
 
 double Path::travelled(double site, double duration) const {

@@ -64,9 +64,11 @@ struct Path {
   /// Speed between two times, with the error of the fit. Throws std::invalid_argument if fewer than three samples lie
   /// there.
   Estimate speed_during(double from, double to) const;
-  /// Energy of the packet at the instant when its centre first passes `x`, between two samples.
-  /// Throws std::runtime_error if it never does.
-  double energy_at(double x) const;
+  /// What `series`, one entry a sample, is at the instant when the centre first passes `x`, between two samples. Throws
+  /// std::runtime_error if it never does.
+  double when_at(double x, const std::vector<double>& series) const;
+  /// Energy of the packet at this instant.
+  double energy_at(double x) const { return when_at(x, energy); }
   /// Sites by which the centre moves on in `duration` after it has passed `site`. Throws
   /// std::runtime_error if the path ends before.
   double travelled(double site, double duration) const;

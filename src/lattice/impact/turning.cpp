@@ -42,7 +42,8 @@ TurnEstimate estimate_turn(const Path& coarse, const Path& fine) {
           both([](const Turn& t) { return t.stop.site; }),
           both([](const Turn& t) { return t.apex.time; }),
           both([](const Turn& t) { return t.apex.site; }),
-          both([](const Turn& t) { return t.rebound.time; })};
+          both([](const Turn& t) { return t.rebound.time; }),
+          both([](const Turn& t) { return t.rebound.site; })};
 }
 
 }  // namespace lattice

@@ -43,7 +43,7 @@ Turn turn_of(const Path& path, double width = path_smoothing);
 /// reading of the finer run with half the width differs.
 struct TurnEstimate {
   /// Of the first stop and of the apex; the return is the rebound.
-  Estimate stop_time, stop_site, apex_time, apex_site, return_time;
+  Estimate stop_time, stop_site, apex_time, apex_site, return_time, return_site;
 };
 
 /// The turn of the finer of two paths, with both errors.
