@@ -53,7 +53,8 @@ constexpr double period = 2 * std::numbers::pi;  // of the motions without wells
 constexpr double unevenness = 0.15;  // largest deviation of masses and stiffnesses from 1
 constexpr std::size_t ring_sites = 8, box_sites = 6;
 constexpr double alpha_ring = 1.5, alpha_box = 2;
-constexpr double omega_b = 1.5;                                // of the breathers in wells
+constexpr double off = 0.001;    // relative displacement of a bead in the control
+constexpr double omega_b = 1.5;  // of the breathers in wells
 constexpr double coarse_tolerance = 1e-11, tolerance = 1e-13;  // of GSL
 
 /**
@@ -163,12 +164,12 @@ all contacts, those of the control differ by almost a thousandth.
 | uneven, ring, $\alpha = 3/2$ | [1.00000](cell:mean_forces/motion=uneven_ring/n=1/relative) | [1.00000](cell:n=2/relative) | [1.00000](cell:n=4/relative) |
 | uneven, between walls, $\alpha = 2$ | [1.00000](cell:mean_forces/motion=walls/n=1/relative) | [1.00000](cell:n=2/relative) | [1.00000](cell:n=4/relative) |
 | uneven, ring, does not return | [0.999579](cell:mean_forces/motion=not_returning/n=1/relative) | [0.999243](cell:n=2/relative) | [1.00000](cell:n=4/relative) | */
-Motion on_uneven_ring(double off = 0) {
+Motion on_uneven_ring(double displaced = 0) {
   Motion m{"uneven_ring", uneven_chain(ring_sites, Ends::periodic, alpha_ring, 1),
            standing_wave(ring_sites, Ends::periodic, alpha_ring), period};
-  if (off != 0) m.name = "not_returning";
-  m.returns = off == 0;
-  m.start.y[0] *= 1 + off;
+  if (displaced != 0) m.name = "not_returning";
+  m.returns = displaced == 0;
+  m.start.y[0] *= 1 + displaced;
   return m;
 }
 
@@ -207,7 +208,7 @@ Motion breather_in_wells(Centre centre) {
 void report_means(Report& report) {
   constexpr const char* from = "difference of two tolerances, against the largest force";
   Table& table = report.table("mean_forces");
-  for (const Motion& m : {wave_on_ring(), on_uneven_ring(), between_walls(), on_uneven_ring(0.001),
+  for (const Motion& m : {wave_on_ring(), on_uneven_ring(), between_walls(), on_uneven_ring(off),
                           breather_in_wells(Centre::bond), breather_in_wells(Centre::site)}) {
     const Means coarse = mean_forces(m, coarse_tolerance), fine = mean_forces(m, tolerance);
     check(m, fine);
@@ -235,7 +236,7 @@ does not fall: there it is physics, and not error.
 
 ![Spread of the mean forces on a ring against the tolerance of the integration.](fig:x41) */
 void report_accuracy(Report& report) {
-  const Motion periodic = on_uneven_ring(), control = on_uneven_ring(0.001);
+  const Motion periodic = on_uneven_ring(), control = on_uneven_ring(off);
   const auto spread = [](const Motion& m, double allowed) {
     const std::vector<double> push = mean_forces(m, allowed).push;
     const auto [least, most] = std::minmax_element(push.begin(), push.end());
@@ -403,9 +404,10 @@ void reproduce(Report& report) {
 
 ## Try it
 
-**To change it.** The constants under *Model* are the knobs. Another chain without wells is a function like
-`between_walls`, its name in the list of `report_means` and in x16_mean_force.py; another localized state is the first
-argument of `let_go`.
+**To change it.** The constants under *Model* are the knobs: try `alpha_ring = 2` with `alpha_box = 2.5`, a ring of 12
+beads, or `unevenness = 0.3`. With `omega_b = 1.3` runs are longer, and `return_sites` must grow to 251; the program
+stops if an end of a chain moves. Another localized state is the first argument of `let_go`, such as
+`localized("kicked", breather, dispersal_sites)`.
 
 1. *Easy.* What becomes of an impact when there are no wells?
    `build/bin/sec34_impact run --well none --velocity 1 --time 200` gives `packet_energy_fraction` = 0.99366. Hint:
