@@ -22,18 +22,16 @@ for name, mark, label in [("ring_wave", "o-", "wave on a ring"),
                           ("walls", "^:", r"walls, $\alpha = 2$")]:
     free.plot(motion(name, "n"), motion(name, "force"), mark, ms=3.5, mfc="white", mew=0.8,
               lw=0.8, label=label)
-free.set(xlabel="contact $n$", ylabel=r"mean contact force $\bar F_n$", xticks=range(1, 10, 2))
+free.set(xlabel="contact $n$", ylabel=r"mean contact force $\bar F_n$", xticks=range(1, 9))
 free.set_ylim(0, 0.17)
 free.legend(loc="upper left", handlelength=2, labelspacing=0.3)
-name = "breather_bond"
-n = motion(name, "n") - 12
-wells.plot(n, motion(name, "force"), "o-", ms=3, color="#0072B2", label=r"$\bar F_n$")
-wells.plot(n + 0.5, motion(name, "step"), "s", ms=5, mfc="none", mew=0.8, color="#D55E00",
-           label=r"$\bar F_{n-1} - \bar F_n$")
-wells.plot(n + 0.5, motion(name, "well"), ".", ms=3, color="black", label="mean of the well")
-wells.set(xlabel="contact, from the centre", ylabel="mean force", xlim=(-7, 7))
-wells.set_ylim(None, 0.24)
-wells.legend(loc="upper left", handlelength=1.2, labelspacing=0.3)
+for name, centre, mark, color, label in [("breather_bond", 12, "o-", "#0072B2", "bond-centred"),
+                                         ("breather_site", 12.5, "s--", "#D55E00", "site-centred")]:
+    wells.plot(motion(name, "n") - centre, motion(name, "force"), mark, ms=3.5, mfc="white",
+               mew=0.8, lw=0.8, color=color, label=label)
+wells.set(xlabel="contact, from the centre", ylabel=r"mean contact force $\bar F_n$", xlim=(-7, 7))
+wells.set_ylim(0, 0.22)
+wells.legend(loc="upper left", handlelength=2, labelspacing=0.3)
 rows = draw.records(f"{folder}/dispersal.ecsv")
 for chain, style, color, label in [("free", "-", "#0072B2", "free chain"),
                                    ("wells", "--", "#D55E00", "in wells")]:
@@ -41,7 +39,7 @@ for chain, style, color, label in [("free", "-", "#0072B2", "free chain"),
             for key in ("t", "core", "mean")}
     core.plot(part["t"], part["core"], style, color=color, label=label)
     mean.plot(part["t"], part["mean"], style, color=color, label=label)
-core.set(xlabel="time $t$", ylabel="share of energy in the core", xscale="log", yscale="log")
+core.set(xlabel="time $t$", ylabel="fraction of energy on nine sites", xscale="log", yscale="log")
 mean.set(xlabel="time $t$", ylabel=r"mean force from 0 to $t$", xscale="log", yscale="log")
 core.legend(loc="lower left")
 mean.legend(loc="lower left")
