@@ -15,13 +15,13 @@ plot segment using 'levels':'in_t' with linespoints ls 1 title 'steps equal in  
      '' using 'levels':'in_u' with linespoints ls 2 title 'steps equal in  {/:Italic u}'
 set logscale x
 set format x '10^{%T}'
-set key maxrows 2
+set key maxrows 2 width -4
 set xrange [100:1e6]; set yrange [1e-18:1]
 set ytics 1e3
 unset mytics
 set xlabel 'force evaluations for each bead'; set ylabel 'error of displacements  {/:Italic y_n}(50)' offset 1,0
 set label 1 panel('b') at graph 0.92,0.94
-plot orbit using 'evaluations':(of('blanes_moan_6')) with linespoints ls 1 title 'splitting, order 6', \
+plot orbit using 'evaluations':(of('blanes_moan_6')) with linespoints ls 1 title 'order 6', \
      '' using 'evaluations':(of('two_steps')) with linespoints ls 2 title 'events, 2 steps', \
      '' using 'evaluations':(of('six_steps')) with linespoints ls 3 title 'events, 6 steps', \
      '' using 'evaluations':(of('flow')) with linespoints ls 4 title 'flow'

@@ -3,8 +3,8 @@
 
 How accurate is the envelope equation of the chain at small amplitude? Section 3.1 of James, Kevrekidis and Cuevas
 (Physica D 251, 2013) recalls the discrete p-Schrödinger (DpS) equation and quotes a theorem: at amplitude $\epsilon$
-it is $O(\epsilon^{3/2})$-close to the chain, at least up to times $O(\epsilon^{-1/2})$. We integrate both equations side
-by side over four decades of amplitude and find the power 3/2, with a correction that makes it look smaller at
+it is $O(\epsilon^{3/2})$-close to the chain, at least up to times $O(\epsilon^{-1/2})$. We integrate both equations
+side by side over four decades of amplitude and find the power 3/2, with a correction that makes it look smaller at
 amplitudes that a simulation would use. Wells of other shapes do not change the equation, and some of its travelling
 waves are as close to exact ones.
 
@@ -191,8 +191,8 @@ Measured measure(const Start& start, const Well& well, double eps,
 The local order is the slope between two neighbouring amplitudes in the doubly logarithmic plot. What it lacks to 3/2
 falls like $\epsilon^{1/2}$, the ratio of the next terms to those that are left out. After an impact it is
 [1.38](cell:dps_order/start=0/tau=1/eps=5.623413252e-3/order) at the largest amplitudes and
-[1.498](cell:eps=1.778279410e-6/order) at the smallest. A fit over all amplitudes would mix this law with its
-correction.
+[1.498](cell:dps_order/start=0/tau=1/eps=1.778279410e-6/order) at the smallest. A fit over all amplitudes would mix
+this law with its correction.
 
 | local order, up to $\tau =$ | 1 | 4 | 10 |
 |---|---|---|---|
@@ -203,9 +203,9 @@ correction.
 | pair, off by $\epsilon^{3/2}$, the same | [1.500](cell:dps_order/start=2/tau=1/eps=1.778279410e-6/order) | [1.50](cell:tau=4/order) | [1.50](cell:tau=10/order) |
 
 Some curves of figure x02 (b) have a kink. The deviation oscillates with the wells, whose period is
-$2\pi\epsilon^{1/2}$ in $\tau$. Where it grows up to the horizon, the horizon ends the last oscillation at another phase
-for each amplitude (column `at`). The curve of the impact up to $\tau = 1$ has no kink: its largest deviation is that of
-the struck bead in the first half of a period.
+$2\pi\epsilon^{1/2}$ in $\tau$. Where it grows up to the horizon, the horizon ends the last oscillation at another
+phase for each amplitude (column `at`). The curve of the impact up to $\tau = 1$ has no kink: its largest deviation is
+that of the struck bead in the first half of a period.
 
 The mean of the nine orders between the two smallest amplitudes (three starts, three horizons) is
 [1.498 ± 0.006](statement:dps.error_order), where the article has 3/2. Its error is the largest deviation of the nine
@@ -353,10 +353,10 @@ void report_waves(Report& report) {
 /**
 ## What the numbers do not say
 
-Maxima over beads and samples, at amplitudes from $10^{-6}$ to $10^{-2}$, do not prove the theorem. The order is a sharp
-test of the equation: with $\tau_0$ off by 3 per cent it is lost, and likewise in wells whose stiffness is off by 0.2
-per cent (tests/lattice/model/dps.cpp). About times much longer than $\epsilon^{-1/2}$ the theorem says nothing;
-`sec34_dps_impact` compares both equations at $\tau = 250$. */
+Maxima over beads and samples, at amplitudes from $10^{-6}$ to $10^{-2}$, do not prove the theorem. The order is a
+sharp test of the equation: with $\tau_0$ off by 3 per cent it is lost, and likewise in wells whose stiffness is off
+by 0.2 per cent (tests/lattice/model/dps.cpp). About times much longer than $\epsilon^{-1/2}$ the theorem says
+nothing; `sec34_dps_impact` compares both equations at $\tau = 250$. */
 void reproduce(Report& report) {
   report.output.note("tolerance",
                      "GSL " + short_text(tolerances[0]) + " and " + short_text(tolerances[1]));

@@ -34,23 +34,23 @@ using namespace lattice;
 ## The equation and Newton's method
 
 In the rescaled time of Eq. (11) the DpS equation is $i\dot v_n = w_n - w_{n-1}$, where $w_n = d_n|d_n|^{1/2}$ is the
-force of the strain $d_n = v_{n+1}-v_n$. With $v_n = u_n e^{i\mu t}$ and real $u_n$ it becomes Eq. (14),
-$\mu u_n = w_{n-1} - w_n$. The ends are free: there the outer contact is missing. A breather of the chain with frequency
+force of the strain $d_n = v_{n+1}-v_n$. With $v_n = u_n e^{i\mu t}$ and real $u_n$ it becomes Eq. (14), $\mu u_n =
+w_{n-1} - w_n$. The ends are free: there the outer contact is missing. A breather of the chain with frequency
 $\omega_b$ is then nearly $y_n = 2\epsilon\,u_n\cos\omega_b t$ with $\mu = 1$, Eq. (20).
 
 The difference of the equations at neighbouring sites contains strains only, and by symmetry those of one half suffice:
 $$w_{n+1} - 2w_n + w_{n-1} + \mu d_n = 0,\qquad n \ge 0,\qquad
   w_{-1} = -w_0 \text{ (site)},\quad w_{-1} = w_1 \text{ (bond)}.$$
-The symmetry keeps the breather from sliding along the chain, a direction in which the equations are nearly indifferent.
-The strains keep the tail accurate: there $d_n \approx -w_{n-1}/\mu$, without cancellation.
+The symmetry keeps the breather from sliding along the chain, a direction in which the equations are nearly
+indifferent. The strains keep the tail accurate: there $d_n \approx -w_{n-1}/\mu$, without cancellation.
 
-The article's approximation is the start. If the forces alternate, $w_n = (-1)^{n+1}g$ with a smooth envelope $g$ around
-the centre, Eq. (14) at $\mu = 1$ gives
+The article's approximation is the start. If the forces alternate, $w_n = (-1)^{n+1}g$ with a smooth envelope $g$
+around the centre, Eq. (14) at $\mu = 1$ gives
 $$u_n = (-1)^n[g(n+\tfrac12)+g(n-\tfrac12)] \text{ (site, Eq. (19))},\qquad
   u_n = (-1)^n[g(n)+g(n-1)] \text{ (bond, Eq. (18))},$$
 with $g(x) = (\frac3{10})^3\cos^6(x/3)$ for $|x| \le 3\pi/2$ and zero elsewhere. A wrong tail would be fatal, since
-its errors grow like the tail itself, so the start has the four strains inside the support. Each step of Newton's method
-adds one more. */
+its errors grow like the tail itself, so the start has the four strains inside the support. Each step of Newton's
+method adds one more. */
 constexpr double alpha = 1.5;  // exponent of the contacts, 3/2 for spheres
 constexpr Index strains = 12;  // of the right half: 25 sites around a site, 24 around a bond
 constexpr int newton_steps = 30;
@@ -139,16 +139,16 @@ void check(Centre centre) {
 /**
 ## Both breathers and their approximation (figure x03 a to c)
 
-The article calls the agreement excellent and gives no number. Ours is the largest difference over the sites relative to
-the largest displacement: [0.0575](cell:breathers/centre=site/difference) for the breather around a site and
-[0.0614](cell:centre=bond/difference) around a bond. It occurs one or two sites from the centre, where the approximation
-is too wide. This measure flatters. Relative to $u_n$ itself the approximation is more than half too large at $n = 3$ or
-4, and too small beyond, where its support ends:
+The article calls the agreement excellent and gives no number. Ours is the largest difference over the sites relative
+to the largest displacement: [0.0575](cell:breathers/centre=site/difference) for the breather around a site and
+[0.0614](cell:breathers/centre=bond/difference) around a bond. It occurs one or two sites from the centre, where the
+approximation is too wide. This measure flatters. Relative to $u_n$ itself the approximation is more than half too
+large at $n = 3$ or 4, and too small beyond, where its support ends:
 
 | | $n = 1$ | 2 | 3 | 4 | 5 |
 |---|---|---|---|---|---|
 | approximation over $u_n$, site | [1.045](cell:by_site/centre=site/n=1/approximation) | [1.243](cell:by_site/centre=site/n=2/approximation) | [1.567](cell:by_site/centre=site/n=3/approximation) | [1.377](cell:by_site/centre=site/n=4/approximation) | [0.0054](cell:by_site/centre=site/n=5/approximation) |
-| approximation over $u_n$, bond | [1.000](cell:by_site/centre=bond/n=1/approximation) | [1.125](cell:by_site/centre=bond/n=2/approximation) | [1.398](cell:by_site/centre=bond/n=3/approximation) | [1.650](cell:by_site/centre=bond/n=4/approximation) | [0.533](cell:by_site/centre=bond/n=5/approximation) |
+| approximation over $u_n$, bond | [0.9998](cell:by_site/centre=bond/n=1/approximation) | [1.125](cell:by_site/centre=bond/n=2/approximation) | [1.398](cell:by_site/centre=bond/n=3/approximation) | [1.650](cell:by_site/centre=bond/n=4/approximation) | [0.533](cell:by_site/centre=bond/n=5/approximation) |
 | $\ln\lvert u_{n+1}\rvert/\ln\lvert u_n\rvert$, site | [1.327](cell:by_site/centre=site/n=1/tail) | [1.446](cell:by_site/centre=site/n=2/tail) | [1.489](cell:by_site/centre=site/n=3/tail) | [1.499](cell:by_site/centre=site/n=4/tail) | [1.500](cell:by_site/centre=site/n=5/tail) |
 | $\ln\lvert u_{n+1}\rvert/\ln\lvert u_n\rvert$, bond | [1.231](cell:by_site/centre=bond/n=1/tail) | [1.399](cell:by_site/centre=bond/n=2/tail) | [1.474](cell:by_site/centre=bond/n=3/tail) | [1.496](cell:by_site/centre=bond/n=4/tail) | [1.500](cell:by_site/centre=bond/n=5/tail) |
 
@@ -182,9 +182,9 @@ void report_profile(Report& report, Table& by_site, Centre centre, const char* n
 ## How many sites it takes (figure x03 d)
 
 Each strain more makes the norm $N = \sum u_n^2$ more accurate, and its error falls double-exponentially, as the tail
-does. With five strains in each half it is already a thousand times smaller than the difference of the two norms, which
-is the most delicate number here, and beyond six it is below the machine epsilon of double precision. So 12 are more than
-enough, and only rounding limits the numbers. */
+does. With five strains in each half it is already a thousand times smaller than the difference of the two norms,
+which is the most delicate number here, and beyond six it is below the machine epsilon of double precision. So 12 are
+more than enough, and only rounding limits the numbers. */
 void report_lengths(Report& report) {
   const auto error = [&](Centre centre, Index count) {
     const Quadruple all = breather<Quadruple>(centre).norm();
@@ -207,10 +207,10 @@ $F'^2 = \frac65F^{5/3} - 4F^2$. So $F$ is largest at $F^{1/3} = \frac3{10}$, and
 integral of $dF/|F'|$ from zero to there; with $F = z^3$
 it is Euler's beta integral,
 $$\int_0^{3/10}\frac{3\,dz}{\sqrt{z(\frac65-4z)}} = \frac32\,B(\tfrac12,\tfrac12) = \frac{3\pi}2.$$
-This [4.712](statement:dps.qc_support) is algebra. As a test that $g$ is the solution we let GSL integrate Eq. (17) from $F(0) = (\frac3{10})^3$,
-$F'(0) = 0$. Up to 95 per cent of the half-width it stays within $10^{-11}$ of $g$, relative to the height; beyond, at
-the distance $y$ from the edge, an error grows like $y^{-4}$. From a start that is 1 per cent higher it departs by
-[0.12](cell:support/control). */
+This [4.712](statement:dps.qc_support) is algebra. As a test that $g$ is the solution we let GSL integrate Eq. (17)
+from $F(0) = (\frac3{10})^3$, $F'(0) = 0$. Up to 95 per cent of the half-width it stays within $10^{-11}$ of $g$,
+relative to the height; beyond, at the distance $y$ from the edge, an error grows like $y^{-4}$. From a start that is
+1 per cent higher it departs by [0.12](cell:support/control). */
 Estimate distance_from_solution(double factor) {
   const auto largest_difference = [&](double tolerance) {
     const auto equation = [](double, const double* x, double* rate) {
@@ -243,16 +243,15 @@ void report_support(Report& report) {
 /**
 ## Two norms that are almost equal, and the scaling with the frequency
 
-The norm around a site is [0.005360](cell:breathers/centre=site/norm); that around a bond differs from it by the fraction
-[-1.331e-6](cell:norms/gap). Why the two are so nearly equal, and why the one around a bond is the smaller, we do not
-know. In the limit of small amplitude the energy of the chain's breather is $2\epsilon^2N$, so that at equal frequency
-the energies of the two differ by the same fraction. What a step from site to site costs a moving breather is another
-question, since it keeps its action and not its frequency (`sec32_barrier`).
+The norm around a site is [0.005360](cell:breathers/centre=site/norm); that around a bond differs from it by the
+fraction [-1.331e-6](cell:norms/gap). Why the two are so nearly equal, and why the one around a bond is the smaller,
+we do not know. In the limit of small amplitude the energy of the chain's breather is $2\epsilon^2N$, so that at equal
+frequency the energies of the two differ by the same fraction. What a step from site to site costs a moving breather
+is another question, since it keeps its action and not its frequency (`sec32_barrier`).
 
-If $u$ solves the equation at $\mu = 1$, $\mu^2u$ solves it at $\mu$, since $(\mu^2u)^{3/2} = \mu\cdot\mu^2u^{3/2}$: the
-amplitude grows like $\mu^2$ at unchanged width. To test
-the method we solve at $\mu = 1.25$ from the same start, not scaled, and compare site by site: the power is two to all
-digits (`exponent` of the table `breathers`). */
+If $u$ solves the equation at $\mu = 1$, $\mu^2u$ solves it at $\mu$, since $(\mu^2u)^{3/2} = \mu\cdot\mu^2u^{3/2}$:
+the amplitude grows like $\mu^2$ at unchanged width. To test the method we solve at $\mu = 1.25$ from the same start,
+not scaled, and compare site by site: the power is two to all digits (`exponent` of the table `breathers`). */
 template <class T>
 double exponent(const Breather<T>& one) {
   using std::abs, std::log;
@@ -316,15 +315,15 @@ void reproduce(Report& report) {
 |---|---|---|---|
 | `dps.scaling`: breather amplitude is proportional to mu^2 at unchanged width | 2 | 2.000 | reproduced |
 | `dps.qc_support`: half-width of the compact quasi-continuum profile g(x) = (3/10)^3 cos^6(x/3) | 3 pi/2 | 4.712 | reproduced |
-| `dps.qc_solution`: g with the amplitude (3/10)^3 solves Eq. (17) |  | support.distance: 1.06e-12 < 1e-06 | holds |
+| `dps.qc_solution`: g with the amplitude (3/10)^3 solves Eq. (17) |  | support.distance: 1.8e-12 < 1e-06 | holds |
 | `dps.qc_site`: site-centred stationary DpS breather agrees with its quasi-continuum profile | excellent | 0.05745 share of the amplitude | quantified |
 | `dps.qc_bond`: bond-centred stationary DpS breather agrees with its quasi-continuum profile | excellent | 0.06143 share of the amplitude | quantified |
 <!-- /statements -->
 
 ## Try it
 
-`sec32_dps_profiles profile` prints one profile beside its approximation, for any $\mu$ and any exponent of the contacts
-(commands/one_profile.hpp).
+`sec32_dps_profiles profile` prints one profile beside its approximation, for any $\mu$ and any exponent of the
+contacts (commands/one_profile.hpp).
 
 **To change it.** `alpha` is the exponent of the contacts: approximation, equations and library follow it, and the tail
 gets the power `alpha`. `strains` is the length of the chain. The last

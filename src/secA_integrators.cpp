@@ -3,11 +3,10 @@
 
 How accurate is an integrator if the force is not smooth where a contact opens or closes? The contact force is exactly
 zero before the contact closes at $t^*$, and then begins like $(t-t^*)^{3/2}$. So the order of an ordinary method of
-order four or six falls to 5/2, and to 3/2 for the derivative of a run. Two methods of ours treat these *contact events*:
-event-corrected steps for long runs, whose error at a step of 0.01 is about ten thousand times
-smaller, and `flow`, which
-stops at every event and meets any tolerance, for orbits and their derivatives. We measure how all of them depend on the
-step, explain `flow`, and compare the work.
+order four or six falls to 5/2, and to 3/2 for the derivative of a run. Two methods of ours treat these *contact
+events*: event-corrected steps for long runs, whose error at a step of 0.01 is about ten thousand times smaller, and
+`flow`, which stops at every event and meets any tolerance, for orbits and their derivatives. We measure how all of
+them depend on the step, explain `flow`, and compare the work.
 
 ![Error against step with and without contact correction. Drawn by x05_error_against_step.gp: `error` of `error_orbit`
 against `setting`, and `tangent` of `error_tangent` against `evaluations`.](fig:x05) */
@@ -45,9 +44,9 @@ falls like $h^{5/2}$ and must exceed $h^5$ in the end.
 
 To see this we need a run with many events: a strong impact on a hundred beads in hard wells, Eqs. (9) and (10) with
 $s = 1$. The chain is at rest, the first bead gets the velocity $v_0$, Eq. (26), and we compare the displacements at
-$t = 50$. The errors of single events have random signs, so we show the root mean square over four impact velocities. The
-ordinary integrators are symmetric splittings, sequences of kicks by the force and drifts with the velocity, of order two
-(Verlet), four and six (schemes.hpp). */
+$t = 50$. The errors of single events have random signs, so we show the root mean square over four impact velocities.
+The ordinary integrators are symmetric splittings, sequences of kicks by the force and drifts with the velocity, of
+order two (Verlet), four and six (schemes.hpp). */
 constexpr double velocities[]{1.6, 1.7, 1.8, 1.9};
 constexpr double duration = 50, reference_step = 1. / 1024, far_reach = 6;
 const Chain hard_chain{100, Quartic{1}};
@@ -126,11 +125,11 @@ References references_of(const Chain& chain) {
 }
 
 /**
-All methods run with the same steps, each a factor $\sqrt2$ shorter than the one before, so a jump between neighbours is
-not mistaken for a trend. The order is the slope of a least-squares line on logarithmic axes, down to where an error is
-less than ten times that of the references; its error is the standard error of the slope. That accounts for the jumps,
-but not for a change of law, so a line is drawn only where one law is expected. With a reach of two steps it ends at the
-step 0.0125.
+All methods run with the same steps, each a factor $\sqrt2$ shorter than the one before, so a jump between neighbours
+is not mistaken for a trend. The order is the slope of a least-squares line on logarithmic axes, down to where an
+error is less than ten times that of the references; its error is the standard error of the slope. That accounts for
+the jumps, but not for a change of law, so a line is drawn only where one law is expected. With a reach of two steps
+it ends at the step 0.0125.
 
 | power of the step with which the error falls | order for smooth forces | expected with contacts | measured |
 |---|---|---|---|
@@ -142,10 +141,10 @@ step 0.0125.
 | order four, no contact opens | 4 | 4 | [4.016 ± 0.005](cell:orders/method=blanes_moan_4/contacts=closed/order) |
 | order six, no contact opens | 6 | 6 | [6.003 ± 0.002](cell:orders/method=blanes_moan_6/contacts=closed/order) |
 
-The last two rows are a control: the same impacts on a chain compressed by $d = 5$, Eq. (33). Opening one of its contacts
-needs the energy $\frac35d^{5/2} = 33.5$, and no impact brings more than 1.81. There both splittings have their full
-order; that of order four exceeds it by three standard errors, presumably because its next power still counts at the long
-steps. */
+The last two rows are a control: the same impacts on a chain compressed by $d = 5$, Eq. (33). Opening one of its
+contacts needs the energy $\frac35d^{5/2} = 33.5$, and no impact brings more than 1.81. There both splittings have
+their full order; that of order four exceeds it by three standard errors, presumably because its next power still
+counts at the long steps. */
 Estimate order(const std::vector<double>& step, const std::vector<double>& error, double unsure,
                double longest = 1, double shortest = 0) {
   std::vector<double> x, y;
@@ -196,11 +195,11 @@ void report_orders(Table& errors, Table& orders, const References& references, i
 ## One event alone
 
 To see both laws of the event-corrected steps we need single events. Two beads in hard wells, one with the mass 1, the
-other with 4, have one contact, which closes, opens or grazes. A contact that grazes overlaps by 0.02 at most, when both
-beads have the same velocity; the lighter one is accelerated more, and they part again. We choose the state at this
-instant, or at the event, follow it back for a time between 0.4 and 0.6, and run over a unit of time. We take the root
-mean square over 128 such times, so that the event falls at as many places of a step. The exact end is that of `flow` in
-extended precision (src/secA/single_event.cpp).
+other with 4, have one contact, which closes, opens or grazes. A contact that grazes overlaps by 0.02 at most, when
+both beads have the same velocity; the lighter one is accelerated more, and they part again. We choose the state at
+this instant, or at the event, follow it back for a time between 0.4 and 0.6, and run over a unit of time. We take the
+root mean square over 128 such times, so that the event falls at as many places of a step. The exact end is that of
+`flow` in extended precision (src/secA/single_event.cpp).
 
 | power of the step with which the error falls | closing | opening | grazing |
 |---|---|---|---|
@@ -213,12 +212,12 @@ So each law appears where it is expected. With a reach of two steps they meet be
 of thousands of times smaller than without a correction.
 
 <!-- integrators.order -->
-Where contacts open and close, symplectic splittings of order four and six lose their order: after impacts on hard wells
-their errors scale with the powers 2.63 ± 0.08 and 2.59 ± 0.08 of the step. The power is 5.0 ± 0.2 if each contact
-receives the impulse that it really exerts, from six steps before a contact event to six steps after it. With two steps
-that is so for long steps only: below a step of 0.0125 the error of a single closing contact falls with the power 2.55 ±
-0.02, since the next steps still lie close to the singular point of the force. (computed)
-<!-- /integrators.order --> */
+Where contacts open and close, symplectic splittings of order four and six lose their order: after impacts on hard
+wells their errors scale with the powers 2.63 ± 0.08 and 2.59 ± 0.08 of the step. The power is 5.0 ± 0.2 if each
+contact receives the impulse that it really exerts, from six steps before a contact event to six steps after it. With
+two steps that is so for long steps only: below a step of 0.0125 the error of a single closing contact falls with the
+power 2.55 ± 0.02, since the next steps still lie close to the singular point of the force. (computed) <!--
+/integrators.order --> */
 EventCorrected uncorrected(double h) {
   return {.step = h, .negligible = HUGE_VAL};  // no force is worth a correction
 }
@@ -257,9 +256,9 @@ series in $(t-t^*)^{1/2}$. With $t = t^*+u^2$ it is one in $u$, and a formula ha
 length $L$ between two events needs the square at both ends, so the library has $t = t^*+L\,(3s^2-2s^3)$ with
 $0\le s\le1$ (location.hpp).
 
-The formula is the leapfrog with $j = 1, 2, 3, \dots$ steps. They are equal in $s$, hence symmetric in time, so that the
-error is a series in $j^{-2}$, which extrapolation removes term by term. Here it is for one bead that meets a wall with
-velocity 1, $\ddot x = -x-x_+^{3/2}$, over half a unit of time after the contact closes. */
+The formula is the leapfrog with $j = 1, 2, 3, \dots$ steps. They are equal in $s$, hence symmetric in time, so that
+the error is a series in $j^{-2}$, which extrapolation removes term by term. Here it is for one bead that meets a wall
+with velocity 1, $\ddot x = -x-x_+^{3/2}$, over half a unit of time after the contact closes. */
 /// x at t = 0.5 by steps that are equal in t (power 1) or in u (power 2).
 double leapfrog(int steps, double power) {
   double x = 0, v = 1;
@@ -286,24 +285,24 @@ double extrapolated(int levels, double power) {
 }
 
 /**
-With eight levels, 36 evaluations of the force, the error is [5.04e-7](cell:one_segment/levels=8/in_t) in steps equal in
-$t$ and [1.22e-10](cell:levels=8/in_u) in steps equal in $u$. The number of levels grows until two successive
-extrapolated values agree within the tolerance, and a step for which it does not is shortened; so the error is known,
-too.
+With eight levels, 36 evaluations of the force, the error is [5.04e-7](cell:one_segment/levels=8/in_t) in steps equal
+in $t$ and [1.22e-10](cell:one_segment/levels=8/in_u) in steps equal in $u$. The number of levels grows until two
+successive extrapolated values agree within the tolerance, and a step for which it does not is shortened; so the error
+is known, too.
 
-To find the events `flow` looks ahead with a plain leapfrog (event detection), integrates up to the instant where it saw
-one, corrects that instant with the root of the parabola $x+\dot x\tau+\ddot x\tau^2/2$ of the overlap, and repeats
-(event location, event_driven.hpp). A tangent vector is integrated along. It passes an event without a jump, since the
-contact force is continuous.
+To find the events `flow` looks ahead with a plain leapfrog (event detection), integrates up to the instant where it
+saw one, corrects that instant with the root of the parabola $x+\dot x\tau+\ddot x\tau^2/2$ of the overlap, and
+repeats (event location, event_driven.hpp). A tangent vector is integrated along. It passes an event without a jump,
+since the contact force is continuous.
 
 ![Errors of extrapolation and of whole runs. Drawn by x42_flow.gp: `in_t` and `in_u` of `one_segment` against `levels`,
 and `error` of `error_orbit` against `evaluations`.](fig:x42)
 
 On the four impacts the error of `flow` stays within 5 times the tolerance, down to the $10^{-12}$ to which the
-references are known. But it stops the whole chain at every event of any contact. At equal work (figure x42 b) an error
-of $10^{-8}$ costs it nearly 30 times as many evaluations as event-corrected steps. Those are the cheapest for long runs
-of many beads; `flow` has an error that one can ask for, in any precision, and it is cheap for a breather, whose few
-beads have few events. */
+references are known. But it stops the whole chain at every event of any contact. At equal work (figure x42 b) an
+error of $10^{-8}$ costs it nearly 30 times as many evaluations as event-corrected steps. Those are the cheapest for
+long runs of many beads; `flow` has an error that one can ask for, in any precision, and it is cheap for a breather,
+whose few beads have few events. */
 void report_flow(Report& report, Table& errors, const References& open) {
   Table& segment = report.table("one_segment");
   const double exact = extrapolated(13, 2), nearly = extrapolated(12, 2);
@@ -341,9 +340,9 @@ void report_flow(Report& report, Table& errors, const References& open) {
 /**
 ## The error of the linearised flow (figure x05 b)
 
-Floquet multipliers and Newton's method need the derivative of the flow with respect to the initial state. The stiffness
-of a contact begins like $(t-t^*)^{1/2}$, so the error of this derivative falls more slowly by one power: like
-$h^{3/2}$. We follow one tangent vector, the change caused by displacing the central bead, over one period of the
+Floquet multipliers and Newton's method need the derivative of the flow with respect to the initial state. The
+stiffness of a contact begins like $(t-t^*)^{1/2}$, so the error of this derivative falls more slowly by one power:
+like $h^{3/2}$. We follow one tangent vector, the change caused by displacing the central bead, over one period of the
 site-centred breather of frequency 1.1. An ordinary integrator can propagate it: it gets the same drifts, and kicks by
 the linearised force. */
 const Shooting<double> problem = breather_problem(Centre::site, 1.1, 0, 31);
@@ -442,9 +441,9 @@ void report_tangents(Report& report) {
 | a periodic orbit, its multipliers, an energy difference of $10^{-12}$ | `flow` |
 | a chain whose contacts stay closed | any splitting |
 
-The orders are from four impacts and three events in hard wells, and from one tangent vector of one breather. The article
-has no such study. Whether events affect a given result, such as a depinning threshold or a chaotic trajectory, is
-examined in its chapter. */
+The orders are from four impacts and three events in hard wells, and from one tangent vector of one breather. The
+article has no such study. Whether events affect a given result, such as a depinning threshold or a chaotic
+trajectory, is examined in its chapter. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "references at step 1/1024 and in extended precision");
   const References open = references_of(hard_chain), closed = references_of(compressed_chain);
@@ -461,8 +460,8 @@ void reproduce(Report& report) {
 /**
 ## Try it
 
-**To change it.** Another method is one more `Tested` and a name in the list in `reproduce`, from which its order follows;
-other impacts are `velocities`, another well is the second member of the chains.
+**To change it.** Another method is one more `Tested` and a name in the list in `reproduce`, from which its order
+follows; other impacts are `velocities`, another well is the second member of the chains.
 
 1. *Easy.* When does a run have no contact events?
    `build/bin/sec34_impact run --velocity 0.5 --s 1 --time 50 --precompression 5` gives `centre` = 67.48323. Hint:

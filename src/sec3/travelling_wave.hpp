@@ -22,7 +22,8 @@ struct WaveDistances {
       at_equal_amplitude;  ///< the largest at t = 0 and t = eps^(1-alpha), the later one prevails
 };
 
-/// For a wavelength of 2, 3 or 4 `sites` and contacts of the exponent `alpha`. Throws std::runtime_error without convergence.
+/// For a wavelength of 2, 3 or 4 `sites` and contacts of the exponent `alpha`. Throws std::runtime_error without
+/// convergence.
 WaveDistances wave_distances(std::size_t sites, double eps, double alpha);
 
 }  // namespace lattice
