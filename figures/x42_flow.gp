@@ -10,7 +10,7 @@ set format y '10^{%T}'
 set key bottom left samplen 1.6
 set label 1 panel('a') at graph 0.92,0.94
 set xlabel 'levels of the extrapolation'; set ylabel 'error after one contact event' offset 1,0
-set xrange [0.5:9.5]; set yrange [1e-13:1]
+set xrange [0.5:8.5]; set yrange [1e-13:1]
 plot segment using 'levels':'in_t' with linespoints ls 1 title 'steps equal in  {/:Italic t}', \
      '' using 'levels':'in_u' with linespoints ls 2 title 'steps equal in  {/:Italic u}'
 set logscale x

@@ -191,7 +191,7 @@ void report_lengths(Report& report) {
     return std::abs(double(breather<Quadruple>(centre, 1, count).norm() / all - 1));
   };
   Table& table = report.table("lengths");
-  for (Index count = 2; count <= 7; ++count)
+  for (Index count = 2; count <= (report.quick ? 5 : 7); ++count)
     table.add({{"strains", "of the right half", count},
                {"site", "relative error of the norm, around a site", error(Centre::site, count)},
                {"bond", "relative error of the norm, around a bond", error(Centre::bond, count)}});

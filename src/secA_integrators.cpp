@@ -157,6 +157,7 @@ Estimate order(const std::vector<double>& step, const std::vector<double>& error
   return fit_line(x, y).estimate();
 }
 
+// The steps of all methods, and a row of the table
 std::vector<double> step_lengths(int halvings) {
   std::vector<double> steps;
   for (int k = 0; k <= 2 * halvings; ++k) steps.push_back(0.2 * std::pow(2, -0.5 * k));
@@ -173,6 +174,7 @@ Row orbit_row(const char* method, const char* contacts, double setting, const Or
 
 void report_orders(Table& errors, Table& orders, const References& references, int halvings,
                    const char* contacts, const std::vector<Tested>& methods) {
+  // Every method with every step; the order follows
   const std::vector<double> steps = step_lengths(halvings);
   for (const Tested& method : methods) {
     std::vector<OrbitError> found(steps.size());
@@ -306,7 +308,7 @@ whose few beads have few events. */
 void report_flow(Report& report, Table& errors, const References& open) {
   Table& segment = report.table("one_segment");
   const double exact = extrapolated(13, 2), nearly = extrapolated(12, 2);
-  for (int levels = 1; levels <= 9; ++levels) {
+  for (int levels = 1; levels <= 8; ++levels) {
     const auto error = [&](double power) {
       const double x = extrapolated(levels, power);
       return compare(std::abs(x - nearly), std::abs(x - exact));
