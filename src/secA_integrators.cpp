@@ -214,12 +214,12 @@ So each law appears where it is expected. With a reach of two steps they meet be
 of thousands of times smaller than without a correction.
 
 <!-- integrators.order -->
-Where contacts open and close, symplectic splittings of order four and six lose their order: after impacts on hard
-wells their errors scale with the powers 2.63 ± 0.08 and 2.59 ± 0.08 of the step. The power is 5.0 ± 0.2 if each
-contact receives the impulse that it really exerts, from six steps before a contact event to six steps after it. With
-two steps that is so for long steps only: below a step of 0.0125 the error of a single closing contact falls with the
-power 2.55 ± 0.02, since the next steps still lie close to the singular point of the force. (computed) <!--
-/integrators.order --> */
+Where contacts open and close, symplectic splittings of order four and six lose their order: after impacts on hard wells
+their errors scale with the powers 2.63 ± 0.08 and 2.59 ± 0.08 of the step. The power is 5.0 ± 0.2 if each contact
+receives the impulse that it really exerts, from six steps before a contact event to six steps after it. With two steps
+that is so for long steps only: below a step of 0.0125 the error of a single closing contact falls with the power 2.55 ±
+0.02, since the next steps still lie close to the singular point of the force. (computed)
+<!-- /integrators.order --> */
 EventCorrected uncorrected(double h) {
   return {.step = h, .negligible = HUGE_VAL};  // no force is worth a correction
 }
