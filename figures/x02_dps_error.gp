@@ -19,10 +19,7 @@ plot errors using "eps":(only(0, 10, column("error"))) with points ls 1 pt 7 ps 
      errors using "eps":(only(0, 4, column("error"))) with points ls 2 pt 5 ps 0.5 title 'impact, τ ≤ 4', \
      errors using "eps":(only(0, 1, column("error"))) with points ls 3 pt 9 ps 0.6 title 'impact, τ ≤ 1', \
      errors using "eps":(only(1, 10, column("error"))) with points ls 4 pt 6 ps 0.6 title 'pair, τ ≤ 10', \
-     errors using "eps":(only(0, 10, column("line"))) with lines lc rgb grey lw 1 title 'slope 3/2', \
-     errors using "eps":(only(0, 4, column("line"))) with lines lc rgb grey lw 1 notitle, \
-     errors using "eps":(only(0, 1, column("line"))) with lines lc rgb grey lw 1 notitle, \
-     errors using "eps":(only(1, 10, column("line"))) with lines lc rgb grey lw 1 notitle
+     [1e-6:1e-2] 60*x**1.5 lc rgb grey lw 1 title 'slope 3/2'
 unset logscale y
 set format y '%.2f'
 set ylabel 'local order'

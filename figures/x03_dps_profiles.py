@@ -1,4 +1,4 @@
-"""Figure x03: static DpS breathers, their quasi-continuum profiles and their tails."""
+"""Figure x03: static DpS breathers, their quasi-continuum profiles, tails and short chains."""
 
 import draw
 import matplotlib.pyplot as plt
@@ -6,10 +6,12 @@ import matplotlib.pyplot as plt
 data, out = draw.arguments()
 site = draw.read(f"{data}/sec32_dps_profiles/profile_site.ecsv")
 bond = draw.read(f"{data}/sec32_dps_profiles/profile_bond.ecsv")
+gap = abs(draw.read(f"{data}/sec32_dps_profiles/norms.ecsv")["gap"][0])
+lengths = draw.read(f"{data}/sec32_dps_profiles/lengths.ecsv")
 BLUE, VERMILION, GREY = "#0072B2", "#D55E00", "#888888"
 
 figure, panels = plt.subplots(2, 2, figsize=(draw.TWO_COLUMNS, 110 * draw.MM))
-(left, right), (moduli, tails) = panels
+(left, right), (moduli, errors) = panels
 for axes, table, color, marker, name in [(left, site, BLUE, "o", "a"),
                                          (right, bond, VERMILION, "s", "b")]:
     axes.axhline(0, color=GREY, lw=0.5)
@@ -21,22 +23,21 @@ for axes, table, color, marker, name in [(left, site, BLUE, "o", "a"),
     axes.legend(loc="upper right", handlelength=1.6)
     draw.letter(axes, name)
 for table, color, marker, name in [(site, BLUE, "o", "site"), (bond, VERMILION, "s", "bond")]:
-    moduli.plot(table["n"], table["log10_u"], marker + "-", color=color, ms=3, lw=0.6,
-                mfc="none", mew=0.8, label=f"{name}-centred")
-    moduli.plot(table["n"], table["log10_quasi_continuum"], marker, color="black", ms=1.6, mew=0,
-                zorder=3)
-    right_half = table["n"] >= 1
-    tails.plot(table["n"][right_half], table["tail_line"][right_half], "-", color=GREY, lw=0.8)
-    tails.plot(table["n"][right_half], table["double_log"][right_half], marker, color=color, ms=3,
-               mfc="none", mew=0.9, label=f"{name}-centred")
+    moduli.semilogy(table["n"], abs(table["u"]), marker + "-", color=color, ms=3, lw=0.6,
+                    mfc="none", mew=0.8, label=f"{name}-centred")
+    moduli.semilogy(table["n"], abs(table["quasi_continuum"]), marker, color="black", ms=1.6, mew=0,
+                    zorder=3)
+    errors.semilogy(lengths["strains"], lengths[name], marker + "-", color=color, ms=3, lw=0.6,
+                    mfc="none", mew=0.9, label=f"{name}-centred")
 moduli.plot([], [], "o", color="black", ms=1.6, label="quasi-continuum")
-moduli.set(xlabel="site $n$", ylabel=r"$\log_{10}|u_n|$", xlim=(-9, 9), ylim=(-33, 2),
-           xticks=range(-8, 9, 4))
+moduli.set(xlabel="site $n$", ylabel="modulus $|u_n|$", xlim=(-9, 9), ylim=(1e-33, 1e2),
+           xticks=range(-8, 9, 4), yticks=[10.0**k for k in range(-30, 1, 10)])
 moduli.legend(loc="lower center", handlelength=1.6)
 draw.letter(moduli, "c")
-tails.plot([], [], "-", color=GREY, lw=0.8, label=r"slope $\ln\frac{3}{2}$")
-tails.set(xlabel="site $n$", ylabel=r"$\ln(-\ln|u_n|)$", xlim=(0, 17),
-          xticks=range(0, 17, 4))
-tails.legend(loc="lower right", handlelength=1.6)
-draw.letter(tails, "d")
+errors.axhline(gap, color=GREY, lw=0.8)
+errors.text(7.2, 3 * gap, "difference of the norms", color=GREY, ha="right", va="bottom")
+errors.set(xlabel="strains in each half", ylabel="relative error of the norm", xlim=(1.5, 7.3),
+           ylim=(1e-33, 1e5), yticks=[10.0**k for k in range(-30, 1, 10)])
+errors.legend(loc="lower left", handlelength=1.6)
+draw.letter(errors, "d")
 draw.save(figure, out)

@@ -14,11 +14,12 @@ unset mytics
 set xtics (0.003, 0.01, 0.03, 0.1, 0.2)
 set label 1 panel('a') at graph 0.03,0.94
 set xlabel 'time step  {/:Italic h}'; set ylabel 'error of displacements  {/:Italic y_n}(50)' offset 1,0
-plot orbit using 'step':'verlet' with linespoints ls 4 title 'velocity Verlet', \
-     '' using 'step':'blanes_moan_4' with linespoints ls 3 title 'order 4', \
-     '' using 'step':'blanes_moan_6' with linespoints ls 1 title 'order 6', \
-     '' using 'step':'contact_aware' with linespoints ls 2 title 'events, 2 steps', \
-     '' using 'step':'six_steps' with linespoints ls 2 dt 1 pt 6 ps 0.6 title 'events, 6 steps', \
+of(name) = strcol('method') eq name && strcol('contacts') eq 'open' ? column('error') : NaN
+plot orbit using 'setting':(of('verlet')) with linespoints ls 4 title 'velocity Verlet', \
+     '' using 'setting':(of('blanes_moan_4')) with linespoints ls 3 title 'order 4', \
+     '' using 'setting':(of('blanes_moan_6')) with linespoints ls 1 title 'order 6', \
+     '' using 'setting':(of('two_steps')) with linespoints ls 2 title 'events, 2 steps', \
+     '' using 'setting':(of('six_steps')) with linespoints ls 2 dt 1 pt 6 ps 0.6 title 'events, 6 steps', \
      [0.003:0.05] 2e-3*x**2.5 lc rgb grey dt (1,2) notitle, \
      [0.01:0.2] 1e-2*x**5 lc rgb grey dt (4,2) notitle
 set key bottom left samplen 1.6 maxrows auto width 0
@@ -32,7 +33,7 @@ plot tangent using (strcol('method') eq 'verlet' ? column('evaluations') : NaN):
        with linespoints ls 4 title 'velocity Verlet', \
      '' using (strcol('method') eq 'blanes-moan-6' ? column('evaluations') : NaN):'tangent' \
        with linespoints ls 1 title 'splitting, order 6', \
-     '' using (strcol('method') eq 'event location' ? column('evaluations') : NaN):'tangent' \
-       with linespoints ls 2 title 'event location', \
+     '' using (strcol('method') eq 'flow' ? column('evaluations') : NaN):'tangent' \
+       with linespoints ls 2 title 'flow', \
      [100:1e5] x**-1.5 lc rgb grey dt (1,2) title '{/:Italic N}^{ −3/2}'
 unset multiplot

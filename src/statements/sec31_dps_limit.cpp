@@ -35,7 +35,7 @@ STATEMENT("dps.travelling_close") {
 
 STATEMENT("dps.wells_drop_out") {
   enum { impact, pair };
-  for (const char* well : {"hard", "lopsided"})
+  for (const char* well : {"hard", "asymmetric"})
     for (int start : {impact, pair})
       near(table("other_wells").at("well", well, "start", start)["order"], 1.5, bound(0.03));
 }

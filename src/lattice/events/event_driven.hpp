@@ -2,11 +2,10 @@
 /**
 # Event-driven integration
 
-A contact event is the instant at which a contact opens or closes. Between two of them the motion is smooth, and such
-a segment costs little and is exact to the last digits (location.hpp). We look ahead with a plain leapfrog and small
-steps (event detection), integrate up to the instant where it saw an event, correct that instant with the root of the
-parabola $x + \dot x\tau + \ddot x\tau^2/2$ of the overlap $x$ found there (overlap.hpp), and repeat (event location).
-This converges with order three. The columns of a tangent (tangent.hpp) follow only the last integration.
+A contact event is the instant at which a contact opens or closes. Between two of them the motion is smooth
+(location.hpp). How events are detected and located, what that costs and how the error follows the tolerance is shown in
+the appendix (`secA_integrators`). Location converges with order three. The columns of a tangent (tangent.hpp) follow
+only the last integration.
 
 The result does not rest on the detection being right. The forces are those of the true contact law everywhere. An event
 that the detection missed shows at the end of the segment as an overlap with the wrong sign, and we then locate it. */

@@ -2,13 +2,10 @@
 /**
 # The smooth segments between contact events
 
-A contact of overlap $x$ pushes with $x_+^{3/2}$. Where it opens or closes, at $t^*$, its overlap
-crosses zero at a finite speed, so along an orbit the force behaves like $(t-t^*)_+^{3/2}$ and the
-stiffness, its derivative, like $(t-t^*)_+^{1/2}$. A formula of any order that takes a step $h$ across
-$t^*$ errs by $h^{5/2}$ in the state and by $h^{3/2}$ in the tangent map (tangent.hpp). Ending a step at $t^*$ is not
-enough: the derivatives of the square root still blow up there. With $t = t^* + u^2$ the whole solution, a power series
-in $(t-t^*)^{1/2}$, becomes one in $u$, and the formula has its full accuracy again. This file has the map and the
-leapfrog; event_driven.cpp extrapolates it across a segment and finds the ends. */
+Along an orbit the force of a contact behaves like $(t-t^*)_+^{3/2}$ where it opens or closes, at $t^*$, and its
+stiffness like $(t-t^*)_+^{1/2}$. With $t = t^* + u^2$ the solution is a power series in $u$ and a formula has its full
+accuracy; the appendix (`secA_integrators`) shows it for one bead. This file has the map and the leapfrog;
+event_driven.cpp extrapolates it across a segment and finds the ends. */
 
 #include <cstddef>
 #include <limits>

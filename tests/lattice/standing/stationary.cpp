@@ -6,7 +6,6 @@
 
 #include "lattice/dps/evolve.hpp"
 #include "lattice/quadruple/extended.hpp"
-#include "sec3/continuum.hpp"
 #include "support/check.hpp"
 
 using namespace lattice;
@@ -121,18 +120,9 @@ TEST_CASE("the quasi-continuum profile by hand, and how close it is", "[unit][dp
   CHECK(quasi_continuum_envelope(4.7) > 0);
   CHECK(quasi_continuum_envelope(4.72) == 0);
   for (Centre centre : both_centres) {
-    auto state = stationary<double>(centre, 1, centre == Centre::site ? 31 : 30);
-    std::vector<double> continuum;
-    for (std::size_t i = 0; i < state.u.size(); ++i) {
-      continuum.push_back(quasi_continuum(centre, site_number(i, state.u.size())));
-      check_close(continuum[i], state.u[i], 3e-3);
-    }
-    state.u = continuum;
-    CHECK(continuum_difference(state) == 0);
-    const double top = largest(state);
-    state.u[3] += 0.1 * top;
-    state.u[20] -= 0.2 * top;
-    check_close(continuum_difference(state), 0.2, 1e-12);
+    const auto state = stationary<double>(centre, 1, centre == Centre::site ? 31 : 30);
+    for (std::size_t i = 0; i < state.u.size(); ++i)
+      check_close(quasi_continuum(centre, site_number(i, state.u.size())), state.u[i], 3e-3);
   }
 }
 
