@@ -224,6 +224,7 @@ BreatherPairs key_pairs(double s, bool quick) {
 }
 
 void report_key(Report& report) {
+  // All wells, compared with the linear one
   const BreatherPairs of_linear = key_pairs(linear, report.quick);
   Table& table = report.table("key_pairs");
   for (double s : wells) {
@@ -270,6 +271,7 @@ missed. */
 using Families = std::vector<BreatherPairs>;  // the pairs of breathers in each well
 
 Families report_barriers(Report& report) {
+  // Along both branches of each well, all pairs with their errors
   Families families;
   Table& table = report.table("barriers");
   for (double s : wells) {
@@ -346,7 +348,7 @@ zero on, at [1.0145](cell:sign_changes/s=1/kind=1/zero=1/omega). From each frequ
 modulus falls from each maximum to the next zero (`pn.grows`).
 
 The article also says that $E_{PN}$ remains very small. Relative to the energy it stays below $10^{-5}$ in the soft and
-in the linear well, but in the hard one it passes 1 per cent at 1.667 and is 18 per cent at 2 (`pn.remains_small`). The
+in the linear well, but in the hard one it passes 1 per cent beyond 1.667 and is 18 per cent at 2 (`pn.remains_small`). The
 article does not say how far its curve goes.
 
 Is the linear well's the smallest relative to the energy? It is at 50 of the 55 frequencies that all three wells have in
@@ -366,7 +368,10 @@ to zeros of the soft barrier.
 
 The article's numbers belong to single frequencies. At 1.01 and at 1.1 they agree with ours, as far as they are known.
 At 1.5 the barrier of the soft well is three orders below the printed value, and at equal area smaller still; the hard
-well gives the printed value, which therefore probably belongs to that well.
+well gives the printed value, which therefore probably belongs to that well. The signs at 1.1 hold a surprise: in the
+soft and the linear well the stable breather is the one around the bond, in the hard well the one around the site
+(section 3.3), and each time it has the higher energy at equal area. Breathers rest where the potential is high, since
+their effective mass is negative (`sec33_mobility`).
 
 | $\omega_b$, $s$ | $\lvert E_{PN}\rvert$, article | $E_{PN}$ | $\tilde E_{PN}$ |
 |---|---|---|---|

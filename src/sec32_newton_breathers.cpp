@@ -4,7 +4,7 @@
 Does the chain have static breathers, and how accurately can they be computed? Section 3.2 of James, Kevrekidis and
 Cuevas (Physica D 251, 2013) finds two families by Newton's method, and so do we, at every frequency up to $2$. If the
 equations use the symmetry of the breather, the method reaches machine precision in four steps; the article's equations,
-without symmetry, leave a nearly free direction, a shift of the breather along the chain. The amplitudes of the two
+without symmetry, are ill-conditioned along one direction, a shift of the breather along the chain. The amplitudes of the two
 families differ visibly and their energies by a millionth: this is why a breather moves so easily (section 3.3).
 
 A breather is a time-periodic motion in which a few beads carry nearly all the energy and neighbours oscillate out of
@@ -65,7 +65,7 @@ constexpr double omega_b = 1.1;         // frequency of the breather of figures 
 constexpr double s = 0;                 // anharmonicity of the wells
 constexpr int article_steps = 5;        // of Newton's method
 constexpr int most_steps = 10;          // of ours
-constexpr double pinning = 1e-5;        // relative singular values below it are the pinning mode's
+constexpr double last_omega = 2;        // of the branches
 constexpr double perturbation = 1e-3;   // of the start of a search without symmetry
 constexpr int periods = 100;            // of figure 4
 constexpr std::size_t tail_sites = 99;  // of figure 5, and in extended precision
@@ -87,15 +87,17 @@ struct Iterate {
   double residual, step;
 };
 
-/// x <- x - DR(x)^-1 R(x), without the singular values of DR below `rank`, relative to the largest.
+/// x <- x - DR(x)^-1 R(x), if wanted without a step along the least singular vector of DR.
 std::vector<Iterate> iterate(const Shooting<double>& problem, Resolution resolution,
-                             double rank = 0) {
+                             bool without_least = false) {
   const Chain& chain = problem.chain;
   Vector<double> x = problem.reduce(
       ansatz(Centre::site, problem.omega, chain.sites, Phase::compressed, chain.contact));
   std::vector<Iterate> path;
   while (path.size() <= most_steps) {
     const auto [R, R_period, DR, flow] = problem.evaluate(x, rule<double>(resolution).events);
+    // Singular values below `rank`, relative to the largest, are left out
+    const double rank = without_least ? 2 / condition_of(DR).condition : 0;
     // Each bead in its own unit, since the tail falls double-exponentially; least squares in one unit
     const bool square = DR.rows() == DR.cols();
     const Vector<double> step = solve_scaled<double>(DR, R, problem.sizes(x, square), rank);
@@ -131,8 +133,8 @@ after five steps. Drawn by x44_newton_steps.gp from `iterations`.](fig:x44)
 With the symmetric equations the number of correct digits doubles in each step, and after
 [4](cell:convergence/equations=quarter_period/steps) steps machine precision is the limit. The article's equations begin
 alike, but in the fourth step the residual *rises*, by three orders, and it needs seven steps to reach machine
-precision. The reason is a nearly free direction: where a singular value of $DR$ is small, what is left of the residual
-gives a large step. The least singular vector is nearly the discrete gradient $y_{n+1}-y_{n-1}$ of the breather (the
+precision. The reason is an ill-conditioned direction: where a singular value of $DR$ is small, what is left of the
+residual gives a large step. The least singular vector is nearly the discrete gradient $y_{n+1}-y_{n-1}$ of the breather (the
 cosine of their angle is [0.987](cell:convergence/equations=whole_period/steps=5/pinning)), which shifts it along the
 chain: the *pinning mode* of section 3.3 (Chen, Aubry and Tsironis, Phys. Rev. Lett. 77, 1996). Symmetry excludes it. If
 least squares leave it out there is no rise and the steps soon vanish, but what the guess has of this direction is never
@@ -143,7 +145,7 @@ corrected, and the residual stays.
 | article, after five steps | $1.5\cdot10^{-9}$ | $1.7\cdot10^{-11}$ | | |
 | a quarter of the period, [4](cell:convergence/equations=quarter_period/steps) steps | [4e-14](statement:newton.residual) | [1.90e-9](cell:convergence/equations=quarter_period/step) | [7e-14](statement:newton.variation) | [22.3](cell:convergence/equations=quarter_period/condition) |
 | the whole period, five steps | [3.61e-10](cell:convergence/equations=whole_period/steps=5/residual) | [5.64e-5](cell:step) | [1.00e-5](cell:next_step) | [1.75e6](cell:condition) |
-| five steps, none along the pinning mode | [2.01e-9](cell:convergence/equations=without_pinning_mode/residual) | epsilon | epsilon | [1.77e6](cell:condition) |
+| five steps, none along the pinning mode | [6.93e-10](cell:convergence/equations=without_pinning_mode/residual) | epsilon | epsilon | [1.75e6](cell:condition) |
 
 Here the residual of the second row is the return after a whole period, in extended precision. The printed residual lies
 between those of the last two rows, which differ by a factor below six. The printed step also lies between theirs, but
@@ -166,8 +168,8 @@ void report_convergence(Report& report, const std::vector<Iterate>& path) {
   Shooting<double> whole = problem;
   whole.symmetry = returning(problem.chain.sites);
   const auto path_coarse = iterate(problem, coarse), all = iterate(whole, fine),
-             all_coarse = iterate(whole, coarse), without = iterate(whole, fine, pinning),
-             without_coarse = iterate(whole, coarse, pinning);
+             all_coarse = iterate(whole, coarse), without = iterate(whole, fine, true),
+             without_coarse = iterate(whole, coarse, true);
   Table& history = report.table("iterations");
   for (std::size_t k = 0; k < path.size(); ++k)
     history.add({{"steps", "steps of Newton's method", k},
@@ -219,7 +221,7 @@ std::string name_of(Centre centre) {
 void report_symmetry(Report& report) {
   Table& table = report.table("symmetry");
   for (Centre centre : both_centres)
-    for (double omega : {1.01, 1.1, 1.3, 1.5, 2.0})
+    for (double omega : {1.01, 1.1, 1.3, 1.5, last_omega})
       table.add({{"centre", "site or bond", name_of(centre)},
                  {"omega", "breather frequency", omega},
                  {"broken", "largest violation of the symmetry over the amplitude",
@@ -497,9 +499,9 @@ void report_small_amplitude(Report& report) {
 ## Try it
 
 **To change it.** The frequency of the first breather is `omega_b`, up to 1.1, and `sites` its chain. The wells of the
-chapter are `s`; below zero the branches end before 2, and the last row of their table goes. Other wells and contacts go
-into `conditions`, for instance `bare(PowerContact{1.8})` into `problem.chain.contact` or `Pendulum{}` instead of
-`Quartic{anharmonicity}`.
+chapter are `s`; below zero the branches turn back before 2 and `last_omega` has to be smaller (1.7 for $s = -0.5$).
+Another contact goes into `conditions`, for instance `bare(PowerContact{1.8})` into `problem.chain.contact`; another
+well replaces `Quartic{anharmonicity}` there.
 
 1. *Easy.* How does the amplitude grow with $\omega_b - 1$?
    `build/bin/sec32_newton_breathers breather --centre bond --omega 1.002` gives `amplitude` = 3.53917e-6. Hint: at
