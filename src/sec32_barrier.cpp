@@ -114,8 +114,8 @@ $10^{-8}$, so that three digits of the barrier need nine to eleven digits of eac
 the difference of two tolerances plus 2048 machine epsilons of the energy (`assess`), since the difference alone may be
 small by chance. Where it exceeds 3 parts in a thousand of a barrier, we repeat the computation with 64-bit mantissas.
 
-![Error of both barriers at 1.1 in the linear well, relative to their values, against the tolerance of the flow. Drawn by
-x45_barrier_tolerance.gp from `tolerances`.](fig:x45)
+![Error of both barriers at 1.1 in the linear well, relative to their values, against the tolerance of the flow. Drawn
+by x45_barrier_tolerance.gp from `tolerances`.](fig:x45)
 
 The error falls with the tolerance, roughly in proportion and over seven decades, and both precisions agree where both
 exist: the tolerance is the limit, not machine epsilon. At equal area it is larger because the barrier is smaller, by a
@@ -190,11 +190,11 @@ $\tilde E_{PN}$ itself changes sign.
 
 Close to $\omega_b = 1$ the ratio of the two can be predicted. With $\delta = \omega_b-1$ the amplitude grows like
 $\delta^2$ (Eq. (20)) and all energies follow the DpS scaling $H = e\,\delta^4$, with an $e$ that differs slightly from
-one breather to the other. Then $dH = \omega_b\,d\mathcal A/2\pi$ gives $\mathcal A/2\pi = e\,\delta^4-\frac45e\,\delta^5$,
-hence $H = \mathcal A/2\pi+\frac45e\,\delta^5$. At equal area $e\,\delta^4$ is the same for both breathers, and the one
-with the larger $e$ has a $\delta$ that is smaller by a quarter of the relative difference. So $\tilde E_{PN}$ is
-$-\delta/5$ times $E_{PN}$, and the computed ratio divided by this does tend to one, until at 1.01 the first zero of
-$E_{PN}$ is near:
+one breather to the other. Then $dH = \omega_b\,d\mathcal A/2\pi$ gives $\mathcal A/2\pi =
+e\,\delta^4-\frac45e\,\delta^5$, hence $H = \mathcal A/2\pi+\frac45e\,\delta^5$. At equal area $e\,\delta^4$ is the same
+for both breathers, and the one with the larger $e$ has a $\delta$ that is smaller by a quarter of the relative
+difference. So $\tilde E_{PN}$ is $-\delta/5$ times $E_{PN}$, and the computed ratio divided by this does tend to one,
+until at 1.01 the first zero of $E_{PN}$ is near:
 
 | $\omega_b$, linear well | 1.0005 | 1.001 | 1.002 | 1.005 | 1.01 |
 |---|---|---|---|---|---|
@@ -348,8 +348,8 @@ zero on, at [1.0145](cell:sign_changes/s=1/kind=1/zero=1/omega). From each frequ
 modulus falls from each maximum to the next zero (`pn.grows`).
 
 The article also says that $E_{PN}$ remains very small. Relative to the energy it stays below $10^{-5}$ in the soft and
-in the linear well, but in the hard one it passes 1 per cent beyond 1.667 and is 18 per cent at 2 (`pn.remains_small`). The
-article does not say how far its curve goes.
+in the linear well, but in the hard one it passes 1 per cent beyond 1.667 and is 18 per cent at 2 (`pn.remains_small`).
+The article does not say how far its curve goes.
 
 Is the linear well's the smallest relative to the energy? It is at 50 of the 55 frequencies that all three wells have in
 common (`pn.ratio_smallest`). The exceptions are small amplitude, where the wells nearly agree, and two frequencies next

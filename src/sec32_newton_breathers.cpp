@@ -4,8 +4,9 @@
 Does the chain have static breathers, and how accurately can they be computed? Section 3.2 of James, Kevrekidis and
 Cuevas (Physica D 251, 2013) finds two families by Newton's method, and so do we, at every frequency up to $2$. If the
 equations use the symmetry of the breather, the method reaches machine precision in four steps; the article's equations,
-without symmetry, are ill-conditioned along one direction, a shift of the breather along the chain. The amplitudes of the two
-families differ visibly and their energies by a millionth: this is why a breather moves so easily (section 3.3).
+without symmetry, are ill-conditioned along one direction, a shift of the breather along the chain. The amplitudes of
+the two families differ visibly, but their energies by a millionth at most, which suggests that a breather moves at
+little cost (section 3.3).
 
 A breather is a time-periodic motion in which a few beads carry nearly all the energy and neighbours oscillate out of
 phase, either around a *site*, one bead against both of its neighbours, or around a *bond*, two neighbours against each
@@ -55,16 +56,18 @@ using namespace lattice;
 ## The experiment
 
 We look for the breather around a site at $\omega_b = 1.1$ on 31 beads, as in the article; around a bond we take one
-more. The guess is the article's (`ansatz`): $y_n(0) = 2\epsilon\,u_n$ with $\epsilon = [2\tau_0(\omega_b-1)]^2$ and
-the quasi-continuum profile $u_n$ of Eq. (19). `evaluate` integrates over a quarter of the period and returns the
-conditions $R$ and their derivative $DR$, which consists of the same combinations of the columns of the linearised flow.
-Its steps have variable length and order and end at every *contact event*, the opening or closing of a contact; their
-error is relative to the largest displacement (event_driven.hpp). Everything is computed at two tolerances or in two precisions, and the difference is the error. */
+more. The guess is the article's (`ansatz`): $y_n(0) = 2\epsilon\,u_n$ with $\epsilon = [2\tau_0(\omega_b-1)]^2$ and the
+quasi-continuum profile $u_n$ of Eq. (19). `evaluate` integrates over a quarter of the period and returns the conditions
+$R$ and their derivative $DR$, which consists of the same combinations of the columns of the linearised flow. Its steps
+have variable length and order and end at every *contact event*, the opening or closing of a contact; their error is
+relative to the largest displacement (event_driven.hpp). Everything is computed at two tolerances or in two precisions,
+and the difference is the error. */
 constexpr std::size_t sites = 31;       // around a site, and one more around a bond
 constexpr double omega_b = 1.1;         // frequency of the breather of figures x44, 4 and 5
 constexpr double s = 0;                 // anharmonicity of the wells
 constexpr int article_steps = 5;        // of Newton's method
 constexpr int most_steps = 10;          // of ours
+constexpr double pinning = 1e-5;        // relative singular values below it are left out
 constexpr double last_omega = 2;        // of the branches
 constexpr double perturbation = 1e-3;   // of the start of a search without symmetry
 constexpr int periods = 100;            // of figure 4
@@ -87,17 +90,15 @@ struct Iterate {
   double residual, step;
 };
 
-/// x <- x - DR(x)^-1 R(x), if wanted without a step along the least singular vector of DR.
+/// x <- x - DR(x)^-1 R(x), without the singular values of DR below `rank`, relative to the largest.
 std::vector<Iterate> iterate(const Shooting<double>& problem, Resolution resolution,
-                             bool without_least = false) {
+                             double rank = 0) {
   const Chain& chain = problem.chain;
   Vector<double> x = problem.reduce(
       ansatz(Centre::site, problem.omega, chain.sites, Phase::compressed, chain.contact));
   std::vector<Iterate> path;
   while (path.size() <= most_steps) {
     const auto [R, R_period, DR, flow] = problem.evaluate(x, rule<double>(resolution).events);
-    // Singular values below `rank`, relative to the largest, are left out
-    const double rank = without_least ? 2 / condition_of(DR).condition : 0;
     // Each bead in its own unit, since the tail falls double-exponentially; least squares in one unit
     const bool square = DR.rows() == DR.cols();
     const Vector<double> step = solve_scaled<double>(DR, R, problem.sizes(x, square), rank);
@@ -134,23 +135,24 @@ With the symmetric equations the number of correct digits doubles in each step, 
 [4](cell:convergence/equations=quarter_period/steps) steps machine precision is the limit. The article's equations begin
 alike, but in the fourth step the residual *rises*, by three orders, and it needs seven steps to reach machine
 precision. The reason is an ill-conditioned direction: where a singular value of $DR$ is small, what is left of the
-residual gives a large step. The least singular vector is nearly the discrete gradient $y_{n+1}-y_{n-1}$ of the breather (the
-cosine of their angle is [0.987](cell:convergence/equations=whole_period/steps=5/pinning)), which shifts it along the
-chain: the *pinning mode* of section 3.3 (Chen, Aubry and Tsironis, Phys. Rev. Lett. 77, 1996). Symmetry excludes it. If
-least squares leave it out there is no rise and the steps soon vanish, but what the guess has of this direction is never
-corrected, and the residual stays.
+residual gives a large step. The least singular vector is nearly the discrete gradient $y_{n+1}-y_{n-1}$ of the
+breather, which shifts it along the chain (the cosine of their angle is
+[0.987](cell:convergence/equations=whole_period/steps=5/pinning)): the *pinning mode* of section 3.3 (Chen, Aubry and
+Tsironis, Phys. Rev. Lett. 77, 1996). Symmetry excludes it. If least squares leave it out, here from the fourth step on,
+when its singular value is below $10^{-5}$ of the largest, there is no rise and the steps soon vanish; but what is left
+of the residual along it is never corrected.
 
 | at $\omega_b = 1.1$, relative to the amplitude | residual | last step | next step | condition of $DR$ |
 |---|---|---|---|---|
 | article, after five steps | $1.5\cdot10^{-9}$ | $1.7\cdot10^{-11}$ | | |
 | a quarter of the period, [4](cell:convergence/equations=quarter_period/steps) steps | [4e-14](statement:newton.residual) | [1.90e-9](cell:convergence/equations=quarter_period/step) | [7e-14](statement:newton.variation) | [22.3](cell:convergence/equations=quarter_period/condition) |
 | the whole period, five steps | [3.61e-10](cell:convergence/equations=whole_period/steps=5/residual) | [5.64e-5](cell:step) | [1.00e-5](cell:next_step) | [1.75e6](cell:condition) |
-| five steps, none along the pinning mode | [6.93e-10](cell:convergence/equations=without_pinning_mode/residual) | epsilon | epsilon | [1.75e6](cell:condition) |
+| five steps, none along the pinning mode | [2.01e-9](cell:convergence/equations=without_pinning_mode/residual) | epsilon | epsilon | [1.77e6](cell:condition) |
 
 Here the residual of the second row is the return after a whole period, in extended precision. The printed residual lies
-between those of the last two rows, which differ by a factor below six. The printed step also lies between theirs, but
-they are nine orders apart, so this is no evidence. The article does not say how it treated this mode, or how accurately
-it integrated, so neither number is judged. */
+between those of the last two rows, which differ by a factor below six; the last one depends on the step from which the
+mode is left out. The printed step also lies between theirs, but they are nine orders apart, so this is no evidence. The
+article does not say how it treated this mode, or how accurately it integrated, so neither number is judged. */
 /// What is known after k steps.
 struct Point {
   double residual, step, next_step, condition, pinning;
@@ -168,8 +170,8 @@ void report_convergence(Report& report, const std::vector<Iterate>& path) {
   Shooting<double> whole = problem;
   whole.symmetry = returning(problem.chain.sites);
   const auto path_coarse = iterate(problem, coarse), all = iterate(whole, fine),
-             all_coarse = iterate(whole, coarse), without = iterate(whole, fine, true),
-             without_coarse = iterate(whole, coarse, true);
+             all_coarse = iterate(whole, coarse), without = iterate(whole, fine, pinning),
+             without_coarse = iterate(whole, coarse, pinning);
   Table& history = report.table("iterations");
   for (std::size_t k = 0; k < path.size(); ++k)
     history.add({{"steps", "steps of Newton's method", k},
@@ -238,9 +240,9 @@ excellent (`newton.qc_small`), and twice as bad at 1.1, as the article says (`ne
 ![Site-centred breathers and their quasi-continuum approximation. Drawn by fig03_site_centred.gp: the columns of
 `site_profiles` against `n`.](fig:03)
 
-There are two errors, and the table has both. The quasi-continuum profile differs from the DpS breather even in the limit;
-the chain differs from the DpS equation by a fraction that grows like $\omega_b-1$. They partly cancel: at 1.01 the
-approximation is closer to the chain than to the DpS breather for which it was made.
+There are two errors, and the table has both. The quasi-continuum profile differs from the DpS breather even in the
+limit; the chain differs from the DpS equation by a fraction that grows like $\omega_b-1$. They partly cancel: at 1.01
+the approximation is closer to the chain than to the DpS breather for which it was made.
 
 | largest difference over the amplitude | around a site | around a bond |
 |---|---|---|
@@ -336,10 +338,10 @@ error; an exponential tail would have the exponent one.
 ![The tail of the site-centred breather. Drawn by fig05_tail.gp: `size`, `double_log` and `law` of `tail` against
 `n`.](fig:05)
 
-Newton's method follows the tail to $10^{-308}$ in double precision and much farther in extended precision, if every site
-must converge relative to its own size (`scaled_rule`); where both exist their difference is the error. Outwards from the
-centre the ratio of neighbouring displacements falls from each pair to the next, on both sides and to the end of double
-precision (`newton.decay`). */
+Newton's method follows the tail to $10^{-308}$ in double precision and much farther in extended precision, if every
+site must converge relative to its own size (`scaled_rule`); where both exist their difference is the error. Outwards
+from the centre the ratio of neighbouring displacements falls from each pair to the next, on both sides and to the end
+of double precision (`newton.decay`). */
 void report_tail(Report& report) {
   const Tail<double> size(conditions(Centre::site, omega_b, s, tail_sites));
   const Tail<Wide> wide(conditions(Centre::site, omega_b, s, tail_sites_wide));
@@ -425,8 +427,8 @@ Two statements concern the beginning of the branches. A breather of the DpS equa
 goes to zero, and section 1 of the article says that those of the chain nearly do. As width we take the participation
 number of the displacements, $(\sum y_n^2)^2/\sum y_n^4$ at $t = 0$. Up to 1.01, which the article calls small
 amplitude, the amplitude grows a hundredfold and the width by less than 1 per cent. A width like $(\omega_b-1)^{-1/2}$,
-as in the discrete nonlinear Schrödinger equation, would shrink to a third. So the statement holds up to 1.01 if *nearly*
-means 1 per cent, and not up to 1.05 (`chain.width_constant`).
+as in the discrete nonlinear Schrödinger equation, would shrink to a third. So the statement holds up to 1.01 if
+*nearly* means 1 per cent, and not up to 1.05 (`chain.width_constant`).
 
 | width in sites, $\omega_b$ | 1.001 | 1.01 | 1.05 |
 |---|---|---|---|
@@ -434,9 +436,10 @@ means 1 per cent, and not up to 1.05 (`chain.width_constant`).
 | around a bond | [2.973](cell:widths/centre=bond/omega=1.001/width) | [3.000](cell:omega=1.01/width) | [3.122](cell:omega=1.05/width) |
 
 For $s \in [-1, 1]$ the article finds that both families bifurcate from rest, without showing them. We find it in nine
-wells: between 1.0005 and 1.001 the amplitude grows like $(\omega_b-1)^2$, as in Eq. (20), with the exponent
-[2.001 ± 0.004](cell:other_wells/s=-1/centre=site/exponent) around a site at $s = -1$ and
-[2.001 ± 0.004](cell:other_wells/s=1/centre=site/exponent) at $s = 1$. Its error is the change from the next pair of frequencies. */
+wells: between 1.0005 and 1.001 the amplitude grows like $(\omega_b-1)^2$, as in Eq. (20). Around a site the exponent is
+[2.001 ± 0.004](cell:other_wells/s=-1/centre=site/exponent) at $s = -1$ and
+[2.001 ± 0.004](cell:other_wells/s=1/centre=site/exponent) at $s = 1$, with the change from the next pair of frequencies
+as its error. */
 struct Small {
   Centre centre;
   double s, omega;
@@ -500,8 +503,9 @@ void report_small_amplitude(Report& report) {
 
 **To change it.** The frequency of the first breather is `omega_b`, up to 1.1, and `sites` its chain. The wells of the
 chapter are `s`; below zero the branches turn back before 2 and `last_omega` has to be smaller (1.7 for $s = -0.5$).
-Another contact goes into `conditions`, for instance `bare(PowerContact{1.8})` into `problem.chain.contact`; another
-well replaces `Quartic{anharmonicity}` there.
+Another contact goes into `conditions`, for instance `bare(PowerContact{1.8})` into `problem.chain.contact` (the
+singular value of the pinning mode is then larger, and `pinning` $10^{-3}$); another well replaces
+`Quartic{anharmonicity}` there.
 
 1. *Easy.* How does the amplitude grow with $\omega_b - 1$?
    `build/bin/sec32_newton_breathers breather --centre bond --omega 1.002` gives `amplitude` = 3.53917e-6. Hint: at

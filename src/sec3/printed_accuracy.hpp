@@ -13,8 +13,8 @@ positions. Either allows some error of the energy. */
 
 namespace lattice {
 
-/// An exact breather of another frequency leaves a residual after the period of the first, because its phase is off, and
-/// has another energy. Both are proportional to the `detuning`: the energy where the residual is the given one.
+/// An exact breather of another frequency leaves a residual after the period of the first, because its phase is off,
+/// and has another energy. Both are proportional to the `detuning`: the energy where the residual is the given one.
 inline double energy_of_residual(Shooting<double> problem, double residual, double detuning) {
   const Orbit<double> orbit = find_breather(problem);
   problem.omega += detuning;
