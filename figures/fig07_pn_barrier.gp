@@ -23,11 +23,11 @@ do for [k=1:3] {
   if (k > 2) { set key bottom right at graph 1.0,0.06 samplen 1.6 width -4 }
   plot table using "omega":(only(s, column("energy_bond"))) with lines lw 1.6 lc rgb vermilion \
          title 'E_{bc}', \
-       table using "omega":(only(s, column("size_frequency"))) with lines ls 1 dt (8,4) \
+       table using "omega":(only(s, abs(column("equal_frequency")))) with lines ls 1 dt (8,4) \
          title '|E_{PN}|', \
        table using "omega":(only(s, column("relative"))) \
          with lines ls 4 title '|E_{PN}|/E_{bc}', \
-       table using "omega":(only(s, column("size_area"))) with lines ls 3 \
+       table using "omega":(only(s, abs(column("equal_area")))) with lines ls 3 \
          title '|E_{PN}|, equal area', \
        zeros using "omega":(column("kind") < 1.5 ? only(s, 4e-20) : NaN) with points pt 9 ps 0.5 \
          lc rgb blue title 'sign change'

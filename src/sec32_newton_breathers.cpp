@@ -2,14 +2,18 @@
 # 3.2 Static breathers of the chain
 
 Does the chain have static breathers, and how accurately can they be computed? Section 3.2 of James, Kevrekidis and
-Cuevas (Physica D 251, 2013) finds two families by Newton's method. We compute both with an event-driven integrator, to
-rounding, and test each of the article's statements about them.
+Cuevas (Physica D 251, 2013) finds two families by Newton's method, and so do we, at every frequency up to $2$. If the
+equations use the symmetry of the breather, the method reaches machine precision in four steps; the article's equations,
+without symmetry, are ill-conditioned along one direction, a shift of the breather along the chain. The amplitudes of
+the two families differ visibly, but their energies by a millionth at most, which suggests that a breather moves at
+little cost (section 3.3).
 
 A breather is a time-periodic motion in which a few beads carry nearly all the energy and neighbours oscillate out of
 phase, either around a *site*, one bead against both of its neighbours, or around a *bond*, two neighbours against each
-other. The article says that an approximate profile is excellent at small amplitude; that the tails fall off
-super-exponentially; that a breather looks the same after a hundred periods; that amplitude, energy and asymmetry grow
-with the frequency; and that the energies of both kinds are indistinguishable.
+other. Breathers are usually continued from the *anticontinuous limit*, where the sites are decoupled and one of them
+oscillates (MacKay and Aubry, Nonlinearity 7, 1994; Marín and Aubry, Nonlinearity 9, 1996). In linear wells all
+decoupled beads have the frequency 1, so the article starts from the limit of small amplitude instead, the DpS breathers
+of the previous chapter.
 
 ![Bond-centred breathers, of the DpS equation and of the chain, and their quasi-continuum approximation. Drawn by
 fig02_bond_centred.gp: the columns of `bond_profiles` against `n`.](fig:02)
@@ -18,274 +22,277 @@ fig02_bond_centred.gp: the columns of `bond_profiles` against `n`.](fig:02)
 
 The beads sit in the wells of Eq. (10), mostly linear ones ($s = 0$), and push on their neighbours, Eqs. (6) and (9):
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},
-  \qquad y_n(t+T_b) = y_n(t),\quad T_b = 2\pi/\omega_b,$$
-with free ends, dimensionless. A breather starts from rest, so the positions $y_n(0)$ are the unknowns, and it is at
-rest again after half a period. A reflection of the chain must also change the sign of all positions, $y_n \to -y_{-n}$:
-contacts only push, and a reflection alone would turn every overlap into a gap. Around a bond the breather is its own
-image, so the right half of the chain suffices, and its velocities must vanish after half a period. Around a site the
-image is the breather half a period later. By time reversal image and breather meet at a quarter:
+  \qquad y_n(t+T_b) = y_n(t),\quad T_b = 2\pi/\omega_b.$$
+The chain has free ends; all quantities are dimensionless. A breather starts from rest, so the positions $y_n(0)$ are
+the unknowns, and its motion is even in time. A reflection of the chain must also change the sign of all positions, $y_n
+\to -y_{-n}$, since contacts only push. Around a bond the breather is its own image, so half of the chain suffices, and
+being even about $T_b/2$ as well it must be at rest there. Around a site the image is the breather half a period later,
+$y_n(t) = -y_{-n}(t+T_b/2)$. With the evenness this gives $y_n(T_b/4) = -y_{-n}(-T_b/4) = -y_{-n}(T_b/4)$ and
+$\dot y_n(T_b/4) = \dot y_{-n}(T_b/4)$. So the conditions, as many as unknowns, are
 $$\dot y_n(T_b/2) = 0 \quad\text{(bond)},\qquad
   y_n+y_{-n} = 0,\quad \dot y_n-\dot y_{-n} = 0 \quad\text{at } t = T_b/4 \quad\text{(site)}.$$ */
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "commands/one_breather.hpp"
+#include "lattice/algebra/dense.hpp"
 #include "lattice/diagnostics/observe.hpp"
-#include "lattice/gsl/random.hpp"
+#include "lattice/events/event_driven.hpp"
 #include "lattice/model/dps.hpp"
 #include "lattice/numerics/parallel.hpp"
+#include "lattice/orbits/breather.hpp"
+#include "lattice/orbits/breather_pairs.hpp"
+#include "lattice/orbits/shooting.hpp"
 #include "lattice/standing/stationary.hpp"
 #include "report/program.hpp"
 #include "sec3/branches.hpp"
+#include "sec3/static_breathers.hpp"
 
 using namespace lattice;
 
 /**
 ## The experiment
 
-There are as many conditions $R(y) = 0$ as unknowns. The code computes the breather around a site at $\omega_b = 1.1$,
-on 31 beads as in the article: a guess, a quarter of a period, and Newton's method, $y \leftarrow y - DR(y)^{-1}R(y)$.
-The linearised equations of motion give $DR$: each column of `change` is the evolution of a small change of one
-$y_k(0)$. `flow` takes steps of variable length and order, to a tolerance of 128 roundings relative to the largest bead,
-and ends one at every *contact event*, the opening or closing of a contact (event_driven.hpp). */
-using Index = Eigen::Index;
-constexpr Index N = 31;
-constexpr double omega_b = 1.1, T_b = 2 * std::numbers::pi / omega_b;
-constexpr double s = 0;  // the linear well
-const Chain chain{
-    .sites = N, .well = Quartic{s}, .contact = Hertz{.floor = 0}};  // no faint contact is left out
+We look for the breather around a site at $\omega_b = 1.1$ on 31 beads, as in the article; around a bond we take one
+more. The guess is the article's (`ansatz`): $y_n(0) = 2\epsilon\,u_n$ with $\epsilon = [2\tau_0(\omega_b-1)]^2$ and the
+quasi-continuum profile $u_n$ of Eq. (19). `evaluate` integrates over a quarter of the period and returns the conditions
+$R$ and their derivative $DR$, which consists of the same combinations of the columns of the linearised flow. Its steps
+have variable length and order and end at every *contact event*, the opening or closing of a contact; their error is
+relative to the largest displacement (event_driven.hpp). Everything is computed at two tolerances or in two precisions,
+and the difference is the error. */
+constexpr std::size_t sites = 31;       // around a site, and one more around a bond
+constexpr double omega_b = 1.1;         // frequency of the breather of figures x44, 4 and 5
+constexpr double s = 0;                 // anharmonicity of the wells
+constexpr int article_steps = 5;        // of Newton's method
+constexpr int most_steps = 10;          // of ours
+constexpr double pinning = 1e-5;        // relative singular values below it are left out
+constexpr double last_omega = 2;        // of the branches
+constexpr double perturbation = 1e-3;   // of the start of a search without symmetry
+constexpr int periods = 100;            // of figure 4
+constexpr std::size_t tail_sites = 99;  // of figure 5, and in extended precision
+constexpr std::size_t tail_sites_wide = 63;
+enum Resolution { fine, coarse };  // of the flow: 128 and 2048 machine epsilons
 
-/// The continuum limit of small breathers, Eqs. (18) to (20).
-Vector<double> guess() {
-  const double eps = std::pow(2 * tau_0() * (omega_b - 1), 2);  // tau_0 = 1.545, below Eq. (12)
-  const auto g = [](double x) {
-    const double c = std::cos(x / 3), c3 = c * c * c;
-    return std::abs(x) < 1.5 * std::numbers::pi ? 0.027 * c3 * c3 : 0.0;  // (3/10)^3 cos^6(x/3)
-  };
-  Vector<double> y(N);
-  for (Index i = 0; i < N; ++i) {
-    const Index n = i - N / 2;
-    y[i] = 2 * eps * (n % 2 == 0 ? 1 : -1) * (g(double(n) + 0.5) + g(double(n) - 0.5));
-  }
-  return y;
+/// The conditions on a breather, with its chain.
+Shooting<double> conditions(Centre centre, double omega, double anharmonicity = s,
+                            std::size_t beads = sites) {
+  if (centre == Centre::bond) beads += 1;
+  Shooting<double> problem = breather_problem(centre, omega, Quartic{anharmonicity}, beads);
+  return problem;
 }
 
-template <class T>
-State<T> at_rest(const Vector<double>& y) {
-  State<T> state{std::size_t(y.size())};
-  for (std::size_t n = 0; n < state.y.size(); ++n) state.y[n] += T(y[Index(n)]);
-  return state;
-}
-
-/// R(y), what must vanish after a quarter of the period, and DR(y).
-std::pair<Vector<double>, Matrix<double>> conditions(const Vector<double>& y,
-                                                     const EventTolerance<double>& tolerance) {
-  State<double> state = at_rest<double>(y);
-  Tangent<double> change(N, N);  // the changes of N positions, then of N velocities
-  flow(chain, state, T_b / 4, tolerance, &change);  // throws unless it is accurate
-  Vector<double> R(N);
-  Matrix<double> DR(N, N);
-  for (Index n = 0, image = N - 1; n < N; ++n, --image) {
-    const bool right = n >= N / 2;
-    R[n] = right ? state.y[n] + state.y[image] : state.v[n] - state.v[image];
-    for (Index k = 0; k < N; ++k)
-      DR(n, k) = right ? change(n, k) + change(image, k) : change(N + n, k) - change(N + image, k);
-  }
-  return {R, DR};
-}
-
-struct Breather {
-  Vector<double> y;  // positions at t = 0
-  History history;   // residual and step of each iteration, relative to the largest position
+/// A point of the iteration; residual and step are relative to the largest displacement.
+struct Iterate {
+  Vector<double> x;  // positions at t = 0
+  Matrix<double> DR;
+  double residual, step;
 };
 
-/// Newton's method, until rounding keeps the residual from falling further.
-Breather breather(const EventTolerance<double>& tolerance) {
-  Vector<double> y = guess(), before = y;
-  History history;
-  for (double last = HUGE_VAL; history.size() < 30;) {
-    const auto [R, DR] = conditions(y, tolerance);
-    const double residual = sup(R) / sup(y);
-    // At rounding, once the residual no longer falls by a factor of four: return the better of the last two points
-    const bool done = last <= 64 * tolerance.tolerance && residual >= last / 4;
-    if (done && residual >= last) return {before, history};
-    history.push_back({residual, 0});
-    if (done) return {y, history};
-    // DR step = R, each bead measured in its own size, since the tail falls double-exponentially
-    const Sizes<double> sizes = problem_of(Centre::site, omega_b, s).sizes(y, true);
-    const Vector<double> step = solve_scaled<double>(DR, R, sizes, 0);
-    history.back().step = sup(step) / sup(y);
-    before = y, last = residual, y -= step;
+/// x <- x - DR(x)^-1 R(x), without the singular values of DR below `rank`, relative to the largest.
+std::vector<Iterate> iterate(const Shooting<double>& problem, Resolution resolution,
+                             double rank = 0) {
+  const Chain& chain = problem.chain;
+  Vector<double> x = problem.reduce(
+      ansatz(Centre::site, problem.omega, chain.sites, Phase::compressed, chain.contact));
+  std::vector<Iterate> path;
+  while (path.size() <= most_steps) {
+    const auto [R, R_period, DR, flow] = problem.evaluate(x, rule<double>(resolution).events);
+    // Each bead in its own unit, since the tail falls double-exponentially; least squares in one unit
+    const bool square = DR.rows() == DR.cols();
+    const Vector<double> step = solve_scaled<double>(DR, R, problem.sizes(x, square), rank);
+    path.push_back({x, DR, sup(R) / sup(x), sup(step) / sup(x)});
+    x -= step;
   }
-  throw NewtonFailed("no breather at omega_b = 1.1", history);
+  return path;
+}
+
+/// The first point at machine precision: from there the residual does not fall by a factor of 4.
+std::size_t converged(const std::vector<Iterate>& path) {
+  const double small = 64 * rule<double>(fine).events.tolerance;
+  for (std::size_t k = 0; k + 1 < path.size(); ++k)
+    if (path[k].residual <= small && path[k + 1].residual >= path[k].residual / 4) return k;
+  throw Failure("no breather is found in so many steps");
 }
 
 /**
-Everything is computed at two tolerances, 128 and 2048 roundings, or in two precisions, and the difference is the error.
-The library's `newton` does the same operations for any chain, symmetry and precision; the run stops if the two
-breathers differ by more than $10^{-13}$. It finds all other breathers of this chapter (`find_breather`), from the same
-guess up to $\omega_b = 1.1$ and by continuation in the frequency beyond, and rejects a motion in which neighbours
-oscillate in phase. An independent program (`tests/second`), with another integrator, finds the same breathers at 1.1,
-and so does the Verlet method of sec1_the_chain.cpp, to four digits.
+The other breathers of this chapter come from the library's `newton`, which makes these steps for any symmetry and
+precision until `converged` holds, and from `find_breather`, which starts at $\omega_b = 1.1$ at most, continues the
+branch to the frequency, and rejects a motion in which neighbours oscillate in phase. An independent program
+(`tests/second`), with another integrator, finds the same breathers at 1.1.
 
 ## Convergence of Newton's method
 
-The article measures the change after a whole period, relative to the start, without using symmetry. For our breather,
-found on a quarter of a period, this is [4e-14](statement:newton.residual).
+The article solves other equations: all positions and velocities return after the whole period, twice as many equations
+as unknowns, in the sense of least squares. Its measure of the error is this return, relative to the start. What is the
+cost of leaving out the symmetry?
 
-Why are the article's numbers larger? We also solve its equations, the return of all positions and velocities after the
-whole period: twice as many equations as unknowns, solved by least squares. They are ill-conditioned. Their least
-singular vector is nearly a shift along the chain, the *pinning mode* of section 3.3, along which the method still steps
-to and fro when the residual is at rounding. If steps along this mode are forbidden, the method cannot correct a
-slightly shifted guess, and stops at a larger residual with a small last step. The printed residual lies between those
-of these two iterations, which differ by a factor below six. So does the printed step, but there this says nothing: the
-two are more than nine orders apart. The article does not say how it treated this mode, or how accurately it integrated.
+![Residual of Newton's method, relative to the amplitude, for three sets of equations; the grey line is the article's
+after five steps. Drawn by x44_newton_steps.gp from `iterations`.](fig:x44)
+
+With the symmetric equations the number of correct digits doubles in each step, and after
+[4](cell:convergence/equations=quarter_period/steps) steps machine precision is the limit. The article's equations begin
+alike, but in the fourth step the residual *rises*, by three orders, and it needs seven steps to reach machine
+precision. The reason is an ill-conditioned direction: where a singular value of $DR$ is small, what is left of the
+residual gives a large step. The least singular vector is nearly the discrete gradient $y_{n+1}-y_{n-1}$ of the
+breather, which shifts it along the chain (the cosine of their angle is
+[0.987](cell:convergence/equations=whole_period/steps=5/pinning)): the *pinning mode* of section 3.3 (Chen, Aubry and
+Tsironis, Phys. Rev. Lett. 77, 1996). Symmetry excludes it. If least squares leave it out, here from the fourth step on,
+when its singular value is below $10^{-5}$ of the largest, there is no rise and the steps soon vanish; but what is left
+of the residual along it is never corrected.
 
 | at $\omega_b = 1.1$, relative to the amplitude | residual | last step | next step | condition of $DR$ |
 |---|---|---|---|---|
 | article, after five steps | $1.5\cdot10^{-9}$ | $1.7\cdot10^{-11}$ | | |
 | a quarter of the period, [4](cell:convergence/equations=quarter_period/steps) steps | [4e-14](statement:newton.residual) | [1.90e-9](cell:convergence/equations=quarter_period/step) | [7e-14](statement:newton.variation) | [22.3](cell:convergence/equations=quarter_period/condition) |
 | the whole period, five steps | [3.61e-10](cell:convergence/equations=whole_period/steps=5/residual) | [5.64e-5](cell:step) | [1.00e-5](cell:next_step) | [1.75e6](cell:condition) |
-| five steps, none along the pinning mode | [2.01e-9](cell:convergence/equations=without_pinning_mode/residual) | rounding | rounding | [1.77e6](cell:condition) |
-| the whole period, ten steps | rounding | [2e-8](cell:convergence/equations=whole_period/steps=10/step) | [8e-9](cell:next_step) | [1.75e6](cell:condition) |
+| five steps, none along the pinning mode | [2.01e-9](cell:convergence/equations=without_pinning_mode/residual) | epsilon | epsilon | [1.77e6](cell:condition) |
 
-On a quarter of the period the next step, the last one that the code makes, is rounding: it lowers the residual no more.
-*/
-const auto tolerance_of = [](int coarser) { return rule<double>(coarser).events; };
-
-/// What is known after some steps of Newton's method.
-struct Iterate {
-  double residual, step, next_step, condition;
+Here the residual of the second row is the return after a whole period, in extended precision. The printed residual lies
+between those of the last two rows, which differ by a factor below six; the last one depends on the step from which the
+mode is left out. The printed step also lies between theirs, but they are nine orders apart, so this is no evidence. The
+article does not say how it treated this mode, or how accurately it integrated, so neither number is judged. */
+/// What is known after k steps.
+struct Point {
+  double residual, step, next_step, condition, pinning;
 };
-
-/// The article's equations. Directions are left alone whose singular value is below `rank`, relative to the largest.
-Iterate by_least_squares(int steps, double rank = 0, int coarser = 0) {
-  Shooting<double> problem = problem_of(Centre::site, omega_b, s);
-  problem.symmetry = returning(problem.chain.sites);
-  Vector<double> y = guess();
-  double last = std::nan("");
-  for (int k = 0;; ++k) {
-    const auto here = problem.evaluate(y, tolerance_of(coarser));
-    const Vector<double> step =
-        solve_scaled<double>(here.jacobian, here.residual, problem.sizes(y, false), rank);
-    const double next = sup(step) / sup(y);
-    if (k == steps)
-      return {sup(here.residual) / sup(y), last, next, condition_of(here.jacobian).condition};
-    last = next, y -= step;
-  }
+Point after(std::size_t k, const std::vector<Iterate>& path) {
+  const Iterate& at = path[k];
+  const Softness soft = condition_of(at.DR);
+  const Vector<double> shift = gradient({at.x.begin(), at.x.end()});
+  return {at.residual, path[k - 1].step, at.step, soft.condition, alignment(soft.softest, shift)};
 }
 
-/// The article's residual, in precision T.
-template <class T>
-double distance_after_period(const Vector<double>& y) {
-  const State<T> start = at_rest<T>(y);
-  State<T> end = start;
-  flow(chain, end, T(2) * pi<T>() / T(omega_b));
-  return double(largest_difference(end, start) / largest(start));
-}
+void report_convergence(Report& report, const std::vector<Iterate>& path) {
+  // The same iteration on a quarter of the period and on the whole, with and without the pinning mode
+  const auto problem = conditions(Centre::site, omega_b);
+  Shooting<double> whole = problem;
+  whole.symmetry = returning(problem.chain.sites);
+  const auto path_coarse = iterate(problem, coarse), all = iterate(whole, fine),
+             all_coarse = iterate(whole, coarse), without = iterate(whole, fine, pinning),
+             without_coarse = iterate(whole, coarse, pinning);
+  Table& history = report.table("iterations");
+  for (std::size_t k = 0; k < path.size(); ++k)
+    history.add({{"steps", "steps of Newton's method", k},
+                 {"quarter_period", "residual over the amplitude", path[k].residual},
+                 {"whole_period", "the same of the article's equations", all[k].residual},
+                 {"without_pinning_mode", "without steps along it", without[k].residual}});
 
-Breather report_convergence(Report& report) {
+  // Some of the points in numbers, from two tolerances
   Table& table = report.table("convergence");
-  const auto add = [&](const char* equations, std::size_t steps, const TwoRuns<Iterate>& runs) {
+  const auto add = [&](const char* equations, std::size_t steps, const TwoRuns<Point>& runs) {
     const char* size = "of two resolutions, against the largest: the others are rounding";
     table.add({{"equations", "the time after which they are imposed, and how", equations},
                {"steps", "steps of Newton's method", steps},
                {"residual", "what is left over the amplitude",
-                runs.of([](const Iterate& k) { return k.residual; }), "", size},
+                runs.of([](const Point& p) { return p.residual; }), "", size},
                {"step", "the last of these steps over the amplitude",
-                runs.of([](const Iterate& k) { return k.step; }), "", size},
+                runs.of([](const Point& p) { return p.step; }), "", size},
                {"next_step", "the step after them over the amplitude",
-                runs.of([](const Iterate& k) { return k.next_step; }), "", size},
+                runs.of([](const Point& p) { return p.next_step; }), "", size},
                {"condition", "condition number of the equations",
-                runs.of([](const Iterate& k) { return k.condition; })}});
+                runs.of([](const Point& p) { return p.condition; })},
+               {"pinning", "|cos| of the angle between least singular vector and discrete gradient",
+                runs.of([](const Point& p) { return p.pinning; })}});
   };
+  const std::size_t steps = converged(path);
+  TwoRuns<Point> quarter{after(steps, path_coarse), after(steps, path)};
+  quarter.coarse.residual = return_after_period<double>(problem, path[steps].x);
+  quarter.fine.residual = return_after_period<Wide>(problem, path[steps].x);
+  add("quarter_period", steps, quarter);
+  for (int k : {article_steps, most_steps})
+    add("whole_period", k, {after(k, all_coarse), after(k, all)});
+  add("without_pinning_mode", article_steps,
+      {after(article_steps, without_coarse), after(article_steps, without)});
+}
 
-  // A quarter of the period, at two tolerances and beside the library, and what a whole period leaves
-  const Breather fine = breather(tolerance_of(0)), coarse = breather(tolerance_of(1));
-  const Vector<double> other = find_breather(problem_of(Centre::site, omega_b, s)).x;
-  if (!(sup<double>(fine.y - other) < 1e-13 * sup(fine.y)))
-    throw Failure("the library finds a different breather");
-  const std::size_t steps = fine.history.size() - 1;
-  const auto iterate = [&](const Breather& b, double residual) {
-    const std::size_t k = std::min(steps, b.history.size() - 1);
-    return Iterate{residual, b.history.at(k - 1).step, b.history[k].step,
-                   condition_of(conditions(b.y, {}).second).condition};
-  };
-  add("quarter_period", steps,
-      {iterate(coarse, distance_after_period<double>(fine.y)),
-       iterate(fine, distance_after_period<Wide>(fine.y))});
+/**
+## Are the breathers really symmetric?
 
-  // The whole period: five steps as in the article, with and without the pinning mode, and ten beside nine
-  add("whole_period", 5, {by_least_squares(5, 0, 1), by_least_squares(5)});
-  add("without_pinning_mode", 5, {by_least_squares(5, 1e-5, 1), by_least_squares(5, 1e-5)});
-  add("whole_period", 10, {by_least_squares(9), by_least_squares(10)});
-  return fine;
+Since the symmetries are imposed, finding them in the result proves nothing. We therefore search without them: all
+positions are unknown, the start is perturbed at random by a thousandth, and the only condition is that the chain is at
+rest at $T_b/2$ (`broken_symmetry`). In a continuous family of asymmetric breathers through ours the result would keep
+an asymmetry of about this size. In extended precision (a 64-bit mantissa) both symmetries are restored to $10^{-9}$ of
+the amplitude at five frequencies up to 2 (`newton.symmetry`). So we find no sign of such a family; an asymmetric
+breather elsewhere is not excluded. */
+std::string name_of(Centre centre) {
+  return centre == Centre::site ? "site" : "bond";
+}
+
+void report_symmetry(Report& report) {
+  Table& table = report.table("symmetry");
+  for (Centre centre : both_centres)
+    for (double omega : {1.01, 1.1, 1.3, 1.5, last_omega})
+      table.add({{"centre", "site or bond", name_of(centre)},
+                 {"omega", "breather frequency", omega},
+                 {"broken", "largest violation of the symmetry over the amplitude",
+                  compare(0.0, broken_symmetry(conditions(centre, omega), perturbation, 7)), "",
+                  "relative to the amplitude, distance from zero"}});
 }
 
 /**
 ## Profiles (figures 2 and 3)
 
-How good is the approximation of Eqs. (18) to (20)? Both figures show the stationary DpS breather, the small-amplitude
-limit, and the breathers of the chain at $\omega_b = 1.01$ and $1.1$, each with its approximation.
+How good is the quasi-continuum approximation? It is accurate to 5 per cent of the amplitude where the article calls it
+excellent (`newton.qc_small`), and twice as bad at 1.1, as the article says (`newton.qc_worse`).
 
 ![Site-centred breathers and their quasi-continuum approximation. Drawn by fig03_site_centred.gp: the columns of
 `site_profiles` against `n`.](fig:03)
 
-There are two errors. The quasi-continuum profile differs from the DpS breather even in the limit, and the DpS equation
-differs from the chain. At 1.01 the second reduces the first; at 1.1 the sum is twice the first around a site and more
-than one and a half times the first around a bond. So the approximation is accurate to about a twentieth where the
-article calls it excellent (`newton.qc_small`), and worse at 1.1, as the article says (`newton.qc_worse`).
+There are two errors, and the table has both. The quasi-continuum profile differs from the DpS breather even in the
+limit; the chain differs from the DpS equation by a fraction that grows like $\omega_b-1$. They partly cancel: at 1.01
+the approximation is closer to the chain than to the DpS breather for which it was made.
 
 | largest difference over the amplitude | around a site | around a bond |
 |---|---|---|
-| in the limit | [0.0575](statement:dps.qc_site) | [0.0614](statement:dps.qc_bond) |
-| at $\omega_b = 1.01$ | [0.0511](cell:approximation/centre=site/omega=1.01/difference) | [0.0475](cell:centre=bond/difference) |
-| at $\omega_b = 1.1$ | [0.118](cell:approximation/centre=site/omega=1.1/difference) | [0.0978](cell:centre=bond/difference) | */
-std::string name_of(Centre centre) {
-  return centre == Centre::site ? "site" : "bond";
-}
-
+| quasi-continuum and DpS | [0.0575](statement:dps.qc_site) | [0.0614](statement:dps.qc_bond) |
+| DpS and chain, $\omega_b = 1.01$ | [0.0136](cell:approximation/centre=site/omega=1.01/dps) | [0.0132](cell:centre=bond/dps) |
+| DpS and chain, $\omega_b = 1.1$ | [0.129](cell:approximation/centre=site/omega=1.1/dps) | [0.129](cell:centre=bond/dps) |
+| quasi-continuum and chain, $\omega_b = 1.01$ | [0.0511](cell:approximation/centre=site/omega=1.01/difference) | [0.0475](cell:centre=bond/difference) |
+| quasi-continuum and chain, $\omega_b = 1.1$ | [0.118](cell:approximation/centre=site/omega=1.1/difference) | [0.0978](cell:centre=bond/difference) | */
 void report_profiles(Report& report) {
   Table& differences = report.table("approximation");
   for (Centre centre : both_centres) {
-    // Three breathers, each with its approximation, site by site
-    Table& table = report.table(
-        name_of(centre) + "_profiles",
-        {count("n", "site", "site"), number("u", "stationary DpS breather, mu = 1"),
-         number("u_continuum", "quasi-continuum approximation of u"),
-         number("y_101", "positions at t = 0, omega_b = 1.01"),
-         number("y_101_continuum", "quasi-continuum approximation of these positions"),
-         number("y_110", "positions at t = 0, omega_b = 1.1"),
-         number("y_110_continuum", "quasi-continuum approximation of these positions")});
-    const std::size_t sites = sites_of(centre);
-    const auto y = [&](double omega) {
-      return find_breather(problem_of(centre, omega, s)).start.y;
+    const std::size_t beads = conditions(centre, omega_b).chain.sites;
+    const auto u = stationary<double>(centre, 1, beads).u;
+    const auto positions = [&](double omega) {
+      return find_breather(conditions(centre, omega)).start.y;
     };
-    const auto near = [&](double omega) { return ansatz(centre, omega, sites).y; };
-    const auto y_101 = y(1.01), near_101 = near(1.01), y_110 = y(1.1), near_110 = near(1.1);
-    const auto u = stationary<double>(centre, 1, sites).u;
-    for (std::size_t i = 0; i < sites; ++i) {
-      const long n = site_number(i, sites);
-      table.add(
-          {n, u[i], quasi_continuum(centre, n), y_101[i], near_101[i], y_110[i], near_110[i]});
+    const auto approximate = [&](double omega) { return ansatz(centre, omega, beads).y; };
+    const auto y_101 = positions(1.01), near_101 = approximate(1.01), y_110 = positions(1.1),
+               near_110 = approximate(1.1);
+    Table& table = report.table(name_of(centre) + "_profiles");
+    for (std::size_t i = 0; i < beads; ++i) {
+      const long n = site_number(i, beads);
+      table.add({{"n", "site", n, "site"},
+                 {"u", "stationary DpS breather, mu = 1", u[i]},
+                 {"u_continuum", "its quasi-continuum approximation", quasi_continuum(centre, n)},
+                 {"y_101", "positions at t = 0, omega_b = 1.01", y_101[i]},
+                 {"y_101_continuum", "quasi-continuum approximation", near_101[i]},
+                 {"y_110", "positions at t = 0, omega_b = 1.1", y_110[i]},
+                 {"y_110_continuum", "quasi-continuum approximation", near_110[i]}});
     }
 
     // The error of each approximation, at two tolerances
     for (double omega : {1.01, 1.1}) {
-      const auto off = [&](int coarser) {
-        const auto orbit =
-            find_breather(problem_of(centre, omega, s), Phase::compressed, rule<double>(coarser));
-        return largest_difference(orbit.start, ansatz(centre, omega, sites)) / orbit.amplitude;
+      const auto orbit = [&](Resolution resolution) {
+        return find_breather(conditions(centre, omega), Phase::compressed,
+                             rule<double>(resolution));
       };
-      differences.add(
-          {{"centre", "site or bond", name_of(centre)},
-           {"omega", "frequency", omega},
-           {"difference", "largest difference over the amplitude", compare(off(1), off(0))}});
+      State<double> limit(beads);  // 2 epsilon u_n
+      for (std::size_t i = 0; i < beads; ++i) limit.y[i] = 2 * breather_eps(omega) * u[i];
+      const TwoRuns<Orbit<double>> orbits{orbit(coarse), orbit(fine)};
+      const auto difference = [&](const State<double>& other) {
+        return orbits.of([&](const Orbit<double>& found) {
+          return largest_difference(found.start, other) / found.amplitude;
+        });
+      };
+      differences.add({{"centre", "site or bond", name_of(centre)},
+                       {"omega", "frequency", omega},
+                       {"difference", "largest difference over the amplitude",
+                        difference(ansatz(centre, omega, beads))},
+                       {"dps", "the same from the DpS breather", difference(limit)}});
     }
   }
 }
@@ -293,107 +300,87 @@ void report_profiles(Report& report) {
 /**
 ## A hundred periods (figure 4)
 
-The site-centred breather is weakly unstable (section 3.3), so rounding errors must grow; the error is the difference
-from a second run with another tolerance. The article finds the positions visually equal after a hundred periods; they
-have moved by [3e-12 ± 2e-12](cell:hundred_periods/moved) of the amplitude.
+The article finds the positions visually equal after a hundred periods; they have moved by
+[3e-12 ± 2e-12](cell:hundred_periods/moved) of the amplitude. The site-centred breather is weakly unstable (section
+3.3), so rounding errors must grow, and the error is the difference from a second run with another tolerance.
 
 ![The breather at the start and after a hundred periods. Drawn by fig04_hundred_periods.gp: `y_start` and `y_end` of
 `persistence` against `n`.](fig:04) */
-void report_persistence(Report& report, const Breather& breather) {
-  const State<double> start = at_rest<double>(breather.y);
+void report_persistence(Report& report, const Vector<double>& x) {
+  const auto problem = conditions(Centre::site, omega_b);
+  const State<double> start = problem.expand(x);
   std::array<State<double>, 2> end{start, start};
   parallel_for(2, [&](std::size_t k) {
-    for (int period = 0; period < (report.quick ? 10 : 100); ++period)
-      flow(chain, end[k], T_b, tolerance_of(int(k)));
+    for (int period = 0; period < (report.quick ? periods / 10 : periods); ++period)
+      flow(problem.chain, end[k], problem.period(), rule<double>(int(k)).events);
   });
-  const double moved = largest_difference(end[0], start) / largest(start);
-  const double error = largest_difference(end[0], end[1]) / largest(start);
+  const auto& [last, beside] = end;
   report.table("hundred_periods")
       .add(Row{{"moved", "largest change of positions and velocities over the amplitude",
-                Estimate{moved, error}, "", "relative, of two tolerances"}});
-
-  Table& table = report.table("persistence",
-                              {count("n", "site", "site"), number("y_start", "positions at t = 0"),
-                               estimate("y_end", "positions after 100 periods")});
-  for (std::size_t i = 0; i < start.y.size(); ++i) {
-    const Estimate late{end[0].y[i], std::abs(end[0].y[i] - end[1].y[i])};
-    table.add({site_number(i, start.y.size()), start.y[i], late});
-  }
+                Estimate{largest_difference(last, start) / largest(start),
+                         largest_difference(last, beside) / largest(start)},
+                "", "relative, of two tolerances"}});
+  Table& table = report.table("persistence");
+  for (std::size_t i = 0; i < start.y.size(); ++i)
+    table.add({{"n", "site", site_number(i, start.y.size()), "site"},
+               {"y_start", "positions at t = 0", start.y[i]},
+               {"y_end", "positions after 100 periods", compare(beside.y[i], last.y[i])}});
 }
 
 /**
 ## The tail (figure 5)
 
 A bead far out feels only its inner neighbour, with a force that is the power $3/2$ of the neighbour's displacement, so
-that $\ln|y_{n+1}|/\ln|y_n| \to 3/2$: the decay is double-exponential. Newton's method follows it to the end of the
-number format, $10^{-308}$ in double precision and much farther in extended precision, if every site must converge
-relative to its own size (`scaled_rule`). Where both exist their difference is the error.
+that $\ln|y_{n+1}|/\ln|y_n| \to 3/2$: the decay is double-exponential. We find the exponent
+[1.500](cell:tail/n=20/exponent) at the last site where it can be computed, with its change from the site before as its
+error; an exponential tail would have the exponent one.
 
 ![The tail of the site-centred breather. Drawn by fig05_tail.gp: `size`, `double_log` and `law` of `tail` against
 `n`.](fig:05)
 
-Outwards from the centre the ratio of neighbouring displacements falls from each pair to the next, on both sides and to
-the end of double precision (`newton.decay`). The law demands a straight line of $\ln(-\ln|y_n|)$. At the last site
-where it can be computed the exponent is [1.500](cell:tail/n=20/exponent), with its change from the site before as its
-error. An exponential tail would have a constant ratio and the exponent one. */
-/// |y_n(0)| of a breather on so many sites, at index n + 51; zero beyond the end of the chain.
-template <class T>
-std::vector<T> sizes_of_tail(std::size_t sites) {
-  const auto problem = breather_problem<double>(Centre::site, omega_b, s, sites);
-  const auto orbit = newton(in_precision<T>(problem), find_breather(problem), scaled_rule<T>());
-  std::vector<T> size(103, T(0));
-  for (std::size_t i = 0; i < sites; ++i) size[51 + i - sites / 2] = std::abs(orbit.start.y[i]);
-  return size;
-}
-
+Newton's method follows the tail to $10^{-308}$ in double precision and much farther in extended precision, if every
+site must converge relative to its own size (`scaled_rule`); where both exist their difference is the error. Outwards
+from the centre the ratio of neighbouring displacements falls from each pair to the next, on both sides and to the end
+of double precision (`newton.decay`). */
 void report_tail(Report& report) {
-  // The article's 99 beads in double precision, fewer in extended precision, and the exponents there
-  const std::vector<double> size = sizes_of_tail<double>(99);
-  const std::vector<Wide> wide = sizes_of_tail<Wide>(63);
-  const double none = std::nan("");
-  const auto ratio = [&](long n) {
-    const Wide inner = wide[51 + n], outer = wide[n < 0 ? 50 + n : 52 + n];
-    return inner > 0 && outer > 0 ? double(std::log(outer) / std::log(inner)) : none;
-  };
-  const auto exponent = [&](long n) {
-    return n == 0 ? Estimate{ratio(0), none} : compare(ratio(n < 0 ? n + 1 : n - 1), ratio(n));
-  };
+  const Tail<double> size(conditions(Centre::site, omega_b, s, tail_sites));
+  const Tail<Wide> wide(conditions(Centre::site, omega_b, s, tail_sites_wide));
   long last = 0;
-  while (wide[52 + last] > 0) ++last;
+  while (wide(last + 1) > 0) ++last;
 
   // Site by site, with the law |y_(n+1)| ~ |y_n|^(3/2) from the last site inwards
-  Table& table = report.table(
-      "tail", {count("n", "site", "site"),
-               estimate("size", "|y_n(0)| in double precision; nan where it underflows", "",
-                        "difference from extended precision; nan where size is"),
-               estimate("exponent", "ln |y_(n+1)| / ln |y_n|, outwards from the centre", "",
-                        "change from the site before, known to 15 per cent; nan at the centre and "
-                        "where the tail ends"),
-               number("double_log", "ln(-ln |y_n(0)|) in extended precision"),
-               number("law", "double_log by the law 3/2, from the outermost site inwards")});
-  const double end = double(std::log(wide[51 + last]));
-  for (long n = -49; n <= 49; ++n) {
-    const double y = size[51 + n];
-    const Wide same = wide[51 + n];
-    const bool known = y > 1e-300 && same > 0;
-    table.add({n, known ? Estimate{y, std::abs(double(y - same))} : Estimate{none, none},
-               exponent(n), same > 0 ? double(std::log(-std::log(same))) : none,
-               std::log(-end) + double(std::abs(n) - last) * std::log(1.5)});
+  Table& table = report.table("tail");
+  for (long n = -long(tail_sites / 2); n <= long(tail_sites / 2); ++n) {
+    const bool known = size(n) > 1e-300 && wide(n) > 0;
+    const double before = n == 0 ? undefined.value : wide.exponent(n < 0 ? n + 1 : n - 1);
+    table.add({{"n", "site", n, "site"},
+               {"size", "|y_n(0)| in double precision; nan where it underflows",
+                known ? Estimate{size(n), std::abs(double(size(n) - wide(n)))} : undefined, "",
+                "difference from extended precision; nan where size is"},
+               {"exponent", "ln |y_(n+1)| / ln |y_n|, outwards from the centre",
+                compare(before, wide.exponent(n)), "",
+                "change from the site before, known to 15 per cent; nan at the centre and where "
+                "the tail ends"},
+               {"double_log", "ln(-ln |y_n(0)|) in extended precision", wide.double_log(n)},
+               {"law", "double_log by the law 3/2, from the outermost site inwards",
+                wide.double_log(last) + double(std::abs(n) - last) * std::log(1.5)}});
   }
 }
 
 /**
 ## The branches (figure 6)
 
-Both families are followed by arclength from $\omega_b = 1.001$ to $2$ (continuation.hpp). Amplitude and energy grow
+Both families are continued by arclength from $\omega_b = 1.001$ to $2$ (continuation.hpp). Amplitude and energy grow
 from each frequency of the figure to the next, and so does the asymmetry around a site, where the breather is its own
-mirror image only in the limit of small amplitude. The energies of both kinds differ by 1.2 millionths at most, at the
-lowest frequency. Towards $\omega_b = 1$ the fraction must tend to that of the DpS norms, which is
-[-1.331e-6](cell:sec32_dps_profiles/norms/gap) from site to bond, with the other sign; at 1.001 its modulus is nine
-tenths of this.
+mirror image only in the limit of small amplitude.
 
 ![Amplitude and energy of both families. Drawn by fig06_branches.gp: amplitudes and energies of `branches` against
 `omega`.](fig:06)
+
+The surprise is how nearly the energies of the two kinds agree while their amplitudes differ by a tenth. Their
+difference is largest, relative to the energy, at the lowest frequency, where it approaches the DpS value: towards
+$\omega_b = 1$ the ratio $(E_{\rm site}-E_{\rm bond})/E_{\rm bond}$ tends to the relative difference of the two DpS
+norms, $1.331\cdot10^{-6}$ ([-1.331e-6](cell:sec32_dps_profiles/norms/gap) from site to bond).
 
 | $\omega_b$ | amplitude, site | bond | site over bond, minus one (article: visible) | the same of the energies (article: indistinguishable) | asymmetry |
 |---|---|---|---|---|---|
@@ -402,168 +389,95 @@ tenths of this.
 | 1.5 | [0.394](cell:branches/omega=1.5/amplitude_site) | [0.352](cell:amplitude_bond) | [0.122](cell:amplitude_gap) | [1.48e-8](cell:energy_gap) | [0.247](cell:asymmetry) |
 | 1.725 | [0.997](cell:branches/omega=1.725/amplitude_site) | [0.882](cell:amplitude_bond) | [0.130](cell:amplitude_gap) | [1.28e-8](cell:energy_gap) | [0.365](cell:asymmetry) |
 | 2 | [2.457](cell:branches/omega=2/amplitude_site) | [2.293](cell:amplitude_bond) | [0.0714](cell:amplitude_gap) | [-6.08e-8](cell:energy_gap) | [0.464](cell:asymmetry) | */
-/// The largest |y_n(0) - y_-n(0)|, relative to the largest |y_n(0)|.
-double asymmetry(const Orbit<double>& orbit) {
-  double most = 0;
-  for (std::size_t n = 0, last = orbit.start.y.size() - 1; n < last - n; ++n)
-    most = std::max(most, std::abs(orbit.start.y[n] - orbit.start.y[last - n]));
-  return most / orbit.amplitude;
-}
-
-// Around a site, from orbits at two tolerances
-std::vector<Estimate> asymmetries_of(const BreatherPairs& pairs) {
-  std::vector<Estimate> all(pairs.size());
-  parallel_for(pairs.size(), [&](std::size_t i) {
-    const Orbit<double>& orbit = pairs[i].orbit[0];
-    const Vector<double> beside = orbit.x * 1.000001;
-    const auto problem = problem_of(Centre::site, pairs[i].omega, s);
-    all[i] = compare(asymmetry(newton(problem, beside, rule<double>(1))), asymmetry(orbit));
-  });
-  return all;
-}
-
 void report_branches(Report& report) {
-  // Both families, frequency by frequency
+  // Both families, frequency by frequency, at two tolerances; the coarser run starts beside the orbit
   std::vector<double> omegas = pair_frequencies(s, report.quick ? 6 : 80);
   omegas.insert(omegas.begin(), 1.001);
-  const BreatherPairs pairs = breather_pairs_at(s, omegas, measure_in<double>);
-  const std::vector<Estimate> asymmetries = asymmetries_of(pairs);
-  Table& table = report.table(
-      "branches", {number("omega", "frequency"), estimate("amplitude_bond", "largest |y_n(0)|"),
-                   estimate("amplitude_site", "largest |y_n(0)|"),
-                   estimate("energy_bond", "energy of the bond-centred breather"),
-                   estimate("energy_site", "energy of the site-centred breather"),
-                   estimate("asymmetry",
-                            "largest |y_n(0) - y_-n(0)| around a site, over the "
-                            "amplitude"),
-                   estimate("amplitude_gap", "amplitude_site over amplitude_bond, minus one"),
-                   estimate("energy_gap", "E_site - E_bond, over E_bond", "",
-                            "difference of two resolutions, against the largest")});
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const BreatherPair& r = pairs[i];
-    const auto& [site, bond] = r.energy;
-    const Estimate ratio = quotient(r.amplitude[0], r.amplitude[1]);
-    table.add({r.omega, r.amplitude[1], r.amplitude[0], bond, site, asymmetries[i],
-               Estimate{ratio.value - 1, ratio.error}, quotient(r.equal_frequency, bond)});
-  }
+  const BreatherPairs pairs =
+      breather_pairs_at(s, {conditions(Centre::site, omega_b), conditions(Centre::bond, omega_b)},
+                        omegas, measure_in<double>);
+  const auto row = [](const BreatherPair& pair) {
+    const auto& [site, bond] = pair.orbit;
+    const auto& [energy_site, energy_bond] = pair.energy;
+    const auto& [amplitude_site, amplitude_bond] = pair.amplitude;
+    const Vector<double> beside = site.x * 1.000001;
+    const auto coarse_site =
+        newton(conditions(Centre::site, pair.omega), beside, rule<double>(coarse));
+    const Estimate ratio = quotient(amplitude_site, amplitude_bond);
+    return Row{
+        {"omega", "frequency", pair.omega},
+        {"amplitude_bond", "largest |y_n(0)|", amplitude_bond},
+        {"amplitude_site", "largest |y_n(0)|", amplitude_site},
+        {"energy_bond", "energy of the bond-centred breather", energy_bond},
+        {"energy_site", "energy of the site-centred breather", energy_site},
+        {"asymmetry", "largest |y_n(0) - y_-n(0)| around a site, over the amplitude",
+         compare(asymmetry(coarse_site), asymmetry(site))},
+        {"amplitude_gap", "amplitude_site over amplitude_bond, minus one",
+         Estimate{ratio.value - 1, ratio.error}},
+        {"energy_gap", "E_site - E_bond, over E_bond", quotient(pair.equal_frequency, energy_bond),
+         "", "difference of two resolutions, against the largest"}};
+  };
+  report.table("branches").fill(pairs, row, "branches");
 }
 
 /**
-## The width at small amplitude
+## Small amplitude
 
-A breather of the DpS equation keeps its width when its amplitude goes to zero, and section 1 of the article says that
-those of the chain nearly do. As width we take the participation number of the displacements,
-$(\sum y_n^2)^2/\sum y_n^4$ at $t = 0$. Up to 1.01, which the article calls small amplitude, the amplitude grows a
-hundredfold and the width by less than a hundredth; a width like $(\omega_b-1)^{-1/2}$, as in the discrete nonlinear
-Schrödinger equation, would shrink to a third. Up to 1.05 the width grows by a twentieth at most, so what *nearly*
-means decides how far one may go (`chain.width_constant`).
+Two statements concern the beginning of the branches. A breather of the DpS equation keeps its width when its amplitude
+goes to zero, and section 1 of the article says that those of the chain nearly do. As width we take the participation
+number of the displacements, $(\sum y_n^2)^2/\sum y_n^4$ at $t = 0$. Up to 1.01, which the article calls small
+amplitude, the amplitude grows a hundredfold and the width by less than 1 per cent. A width like $(\omega_b-1)^{-1/2}$,
+as in the discrete nonlinear Schrödinger equation, would shrink to a third. So the statement holds up to 1.01 if
+*nearly* means 1 per cent, and not up to 1.05 (`chain.width_constant`).
 
 | width in sites, $\omega_b$ | 1.001 | 1.01 | 1.05 |
 |---|---|---|---|
 | around a site | [2.965](cell:widths/centre=site/omega=1.001/width) | [2.982](cell:omega=1.01/width) | [3.060](cell:omega=1.05/width) |
-| around a bond | [2.973](cell:widths/centre=bond/omega=1.001/width) | [3.000](cell:omega=1.01/width) | [3.122](cell:omega=1.05/width) | */
-void report_width(Report& report) {
-  struct Wanted {
-    Centre centre;
-    double omega;
-  };
-  std::vector<Wanted> all;
+| around a bond | [2.973](cell:widths/centre=bond/omega=1.001/width) | [3.000](cell:omega=1.01/width) | [3.122](cell:omega=1.05/width) |
+
+For $s \in [-1, 1]$ the article finds that both families bifurcate from rest, without showing them. We find it in nine
+wells: between 1.0005 and 1.001 the amplitude grows like $(\omega_b-1)^2$, as in Eq. (20). Around a site the exponent is
+[2.001 ± 0.004](cell:other_wells/s=-1/centre=site/exponent) at $s = -1$ and
+[2.001 ± 0.004](cell:other_wells/s=1/centre=site/exponent) at $s = 1$, with the change from the next pair of frequencies
+as its error. */
+struct Small {
+  Centre centre;
+  double s, omega;
+};
+
+void report_small_amplitude(Report& report) {
+  // The widths of both families in the wells of this chapter
+  std::vector<Small> begin;
   for (Centre centre : both_centres)
     for (double omega : {1.001, 1.002, 1.005, 1.01, 1.02, 1.03, 1.04, 1.05})
-      all.push_back({centre, omega});
-  report.table("widths").fill(all, [](const Wanted& at) {
-    const auto problem = problem_of(at.centre, at.omega, s);
-    const auto start = [&](int coarser) {
-      return find_breather(problem, Phase::compressed, rule<double>(coarser)).start;
-    };
-    const TwoRuns<State<double>> starts{start(1), start(0)};
-    const auto of_positions = [](const State<double>& state) {
-      auto squares = state.y;
-      for (double& y_n : squares) y_n *= y_n;
-      return participation(squares);
-    };
-    const auto of_energies = [&](const State<double>& state) {
-      return participation(energy_density(problem.chain, state));
-    };
+      begin.push_back({centre, s, omega});
+  report.table("widths").fill(begin, [](const Small& at) {
+    const Widths width = widths_of(conditions(at.centre, at.omega, at.s));
     return Row{{"centre", "site or bond", name_of(at.centre)},
                {"omega", "frequency", at.omega},
                {"width", "participation number of the displacements, (sum y^2)^2 / sum y^4",
-                starts.of(of_positions), "site"},
+                width.displacements, "site"},
                {"width_energy", "participation number of the energy densities, (sum e)^2 / sum e^2",
-                starts.of(of_energies), "site"}};
+                width.energies, "site"}};
   });
-}
 
-/**
-## Other wells
-
-For $s \in [-1, 1]$ the article finds both families, without showing them. We find them in nine wells, in steps of a
-quarter of $s$. In all of them both families bifurcate from rest: the exponent of the amplitude in $\omega_b-1$,
-between 1.0005 and 1.001, is two within its change from the next pair of frequencies, around a site
-[2.001 ± 0.004](cell:other_wells/s=-1/centre=site/exponent) at $s = -1$ and [2.001 ± 0.004](cell:s=1/exponent) at
-$s = 1$. */
-void report_other_wells(Report& report) {
-  struct Wanted {
-    double s;
-    Centre centre;
-  };
-  std::vector<Wanted> all;
+  // How the amplitude grows from rest in nine wells
+  std::vector<Small> others;
   for (int quarters = -4; quarters <= 4; quarters += report.quick ? 8 : 1)
-    for (Centre centre : both_centres) all.push_back({quarters / 4.0, centre});
-  const auto row = [](const Wanted& in) {
-    const auto orbits = breathers_at(in.centre, in.s, {1.0005, 1.001, 1.01});
-    return Row{{"s", "anharmonicity of the well", in.s},
-               {"centre", "site or bond", name_of(in.centre)},
+    for (Centre centre : both_centres) others.push_back({centre, quarters / 4.0, 1.0005});
+  report.table("other_wells").fill(others, [](const Small& at) {
+    const auto orbits =
+        breathers_at(conditions(at.centre, at.omega, at.s), {at.omega, 1.001, 1.01});
+    return Row{{"s", "anharmonicity of the well", at.s},
+               {"centre", "site or bond", name_of(at.centre)},
                {"exponent", "of the amplitude in omega_b - 1, at 1.0005",
                 compare(growth_exponent(orbits.at(1), orbits.at(2)),
                         growth_exponent(orbits.at(0), orbits.at(1))),
                 "", "change from the next pair of frequencies"}};
-  };
-  report.table("other_wells").fill(all, row, "other wells");
+  });
 }
 
 /**
-## Are the breathers really symmetric?
-
-We impose both symmetries, so finding them in the result proves nothing. We therefore search without them: all positions
-are unknown, the start is perturbed at random by a thousandth, and the only condition is that the chain is at rest at
-$T_b/2$. In a continuous family of asymmetric breathers through ours the result would keep an asymmetry of about a
-thousandth. In extended precision (a 64-bit mantissa) the symmetries $y_{1-n} = -y_n$ and $y_n(t) = -y_{-n}(t+T_b/2)$
-are restored to $10^{-9}$ of the amplitude at five frequencies up to 2 (`newton.symmetry`). So ours are symmetric and
-isolated; an asymmetric breather elsewhere is not excluded. */
-double broken_symmetry(Centre centre, double omega) {
-  auto problem = in_precision<Wide>(problem_of(centre, omega, s));
-  State<Wide> start(problem.chain.sites);
-  const auto y = shaken(find_breather(problem_of(centre, omega, s)).start.y, 1e-3, 7);
-  std::copy(y.begin(), y.end(), start.y.begin());
-  problem.symmetry = even_in_time(problem.chain.sites);
-  const Orbit<Wide> orbit = newton(problem, problem.reduce(start));
-  State<Wide> image = orbit.start;
-  if (centre == Centre::site) flow(problem.chain, image, problem.period() / 2);
-  Wide most = 0;
-  for (std::size_t n = 0, last = image.y.size() - 1; n <= last; ++n)
-    most = std::max(most, std::abs(orbit.start.y[n] + image.y[last - n]));
-  return double(most / orbit.amplitude);
-}
-
-void report_symmetry(Report& report) {
-  Table& table = report.table("symmetry");
-  for (Centre centre : both_centres)
-    for (double omega : {1.01, 1.1, 1.3, 1.5, 2.0})
-      table.add({{"centre", "site or bond", name_of(centre)},
-                 {"omega", "breather frequency", omega},
-                 {"broken", "largest violation of the symmetry over the amplitude",
-                  compare(0.0, broken_symmetry(centre, omega)), "",
-                  "relative to the amplitude, distance from zero"}});
-}
-
-/**
-## Differences and limits
-
-The article counts five iterations of its Gauss-Newton method; ours continues until rounding stops it. Its chains have
-31 and 99 beads around a site; around a bond we take one more. It does not say how far in frequency it followed the
-families of anharmonic wells.
-
 ## Statement by statement
 
 <!-- statements -->
@@ -587,9 +501,11 @@ families of anharmonic wells.
 
 ## Try it
 
-**To change it.** Another anharmonicity of all wells is `s` (below zero the branches end before 2, and the last row of
-their table goes), another breather of the first listing `omega_b`, up to 1.1. Other wells and contacts are options of
-the command `breather`.
+**To change it.** The frequency of the first breather is `omega_b`, up to 1.1, and `sites` its chain. The wells of the
+chapter are `s`; below zero the branches turn back before 2 and `last_omega` has to be smaller (1.7 for $s = -0.5$).
+Another contact goes into `conditions`, for instance `bare(PowerContact{1.8})` into `problem.chain.contact` (the
+singular value of the pinning mode is then larger, and `pinning` $10^{-3}$); another well replaces
+`Quartic{anharmonicity}` there.
 
 1. *Easy.* How does the amplitude grow with $\omega_b - 1$?
    `build/bin/sec32_newton_breathers breather --centre bond --omega 1.002` gives `amplitude` = 3.53917e-6. Hint: at
@@ -601,14 +517,14 @@ the command `breather`.
 The command `breather` computes a breather with your own parameters (commands/one_breather.hpp). */
 void reproduce(Report& report) {
   report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
-  const Breather breather = report_convergence(report);
+  const std::vector<Iterate> path = iterate(conditions(Centre::site, omega_b), fine);
+  report_convergence(report, path);
   report_symmetry(report);
   report_profiles(report);
-  report_persistence(report, breather);
+  report_persistence(report, path[converged(path)].x);
   report_tail(report);
   report_branches(report);
-  report_width(report);
-  report_other_wells(report);
+  report_small_amplitude(report);
 }
 
 int main(int argc, char** argv) {

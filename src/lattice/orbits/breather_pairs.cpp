@@ -58,9 +58,8 @@ void measure_in(BreatherPair& pair) {
   assess<T>(pair, measured<T>(pair, 1), measured<T>(pair, 0));
 }
 
-/// Measures at one tolerance, for a step of a search; the errors are those of rounding alone. Throws NewtonFailed.
 template <class T>
-static void measure_once(BreatherPair& pair, int coarser = 0) {
+void measure_once(BreatherPair& pair, int coarser) {
   const auto only = measured<T>(pair, coarser);
   assess<T>(pair, only, only);
 }
@@ -73,11 +72,12 @@ static NewtonRule<double> on_the_way() {
 }
 
 // Along one branch until it folds back in frequency
-std::vector<Orbit<double>> breathers_at(Centre centre, double s,
+std::vector<Orbit<double>> breathers_at(Shooting<double> problem,
                                         const std::vector<double>& omegas) {
-  const auto problem = problem_of(centre, omegas.front(), s);
+  problem.omega = omegas.front();
   std::vector<Orbit<double>> orbits{find_breather(problem)};
-  Branch branch(problem, along_omega<double>(), orbits.front(), 1, on_the_way());
+  Branch branch(problem, along_omega<double>(problem.chain.contact.exponent()), orbits.front(), 1,
+                on_the_way());
   try {
     for (std::size_t k = 1; k < omegas.size(); ++k) orbits.push_back(branch.orbit_at(omegas[k]));
   } catch (const NoBranch&) {
@@ -94,27 +94,39 @@ std::vector<double> pair_frequencies(double s, int count) {
   return out;
 }
 
+/// The same two problems at another frequency.
+static std::vector<Shooting<double>> at_frequency(std::array<Shooting<double>, 2> problems,
+                                                  double omega) {
+  for (Shooting<double>& problem : problems) problem.omega = omega;
+  return {problems.begin(), problems.end()};
+}
+
 // Both families first, then all pairs, none of which needs another
-BreatherPairs breather_pairs_at(double s, const std::vector<double>& omegas,
+BreatherPairs breather_pairs_at(double s, const std::array<Shooting<double>, 2>& problems,
+                                const std::vector<double>& omegas,
                                 const std::function<void(BreatherPair&)>& measure_pair) {
   std::array<std::vector<Orbit<double>>, 2> families;
-  parallel_for(2, [&](std::size_t k) { families[k] = breathers_at(both_centres[k], s, omegas); });
+  parallel_for(2, [&](std::size_t k) { families[k] = breathers_at(problems[k], omegas); });
   BreatherPairs pairs;
   const auto& [site, bond] = families;
-  for (std::size_t k = 0; k < std::min(site.size(), bond.size()); ++k)
-    pairs.push_back({s, site[k].omega, {site[k], bond[k]}});
+  for (std::size_t k = 0; k < std::min(site.size(), bond.size()); ++k) {
+    BreatherPair pair{.s = s, .omega = site[k].omega, .orbit = {site[k], bond[k]}};
+    pair.others = at_frequency(problems, pair.omega);
+    pairs.push_back(pair);
+  }
   parallel_for("branches", pairs.size(), [&](std::size_t i) { measure_pair(pairs[i]); });
   return pairs;
 }
 
 // With the growth like (omega - 1)^2 taken out, a branch is almost straight in log(omega - 1)
 BreatherPair pair_between(const BreatherPair& left, const BreatherPair& right, double omega) {
-  BreatherPair pair{left.s, omega};
+  BreatherPair pair{.s = left.s, .omega = omega};
+  pair.others = at_frequency({left.problem(0), left.problem(1)}, omega);
   const auto scaled = [&](double from) { return std::pow((omega - 1) / (from - 1), 2); };
   const double part =
       std::log((omega - 1) / (left.omega - 1)) / std::log((right.omega - 1) / (left.omega - 1));
   for (int k : {0, 1})
-    pair.orbit[k] = newton(problem_of(both_centres[k], omega, left.s),
+    pair.orbit[k] = newton(pair.problem(k),
                            Vector<double>((1 - part) * scaled(left.omega) * left.orbit[k].x +
                                           part * scaled(right.omega) * right.orbit[k].x),
                            on_the_way());
@@ -123,42 +135,41 @@ BreatherPair pair_between(const BreatherPair& left, const BreatherPair& right, d
 
 /// The last two steps to a zero near `omega`: one at each tolerance. The second, which is what the two tolerances and
 /// the curvature make of the zero, is its error, with that of the barrier there over its slope.
-template <class T>
-Estimate last_steps(const BreatherPair& low, const BreatherPair& high, double omega,
-                    Estimate BreatherPair::*gap, Estimate BreatherPair::*slope) {
-  BreatherPair at;
-  double step = 0;
+static Estimate last_steps(const BreatherPair& low, const BreatherPair& high, double omega,
+                           Equal equal, const MeasureOnce& measure) {
+  double step = 0, error = 0;
   for (int coarser : {1, 0}) {
-    at = pair_between(low, high, omega);
-    measure_once<T>(at, coarser);
-    step = (at.*gap).value / (at.*slope).value;
+    BreatherPair at = pair_between(low, high, omega);
+    measure(at, coarser);
+    const Sloped gap = at.gap(equal);
+    step = gap.barrier.value / gap.slope.value;
+    error = std::abs(gap.barrier.error / gap.slope.value);
     omega -= step;
   }
-  return {omega, std::abs((at.*gap).error / (at.*slope).value) + std::abs(step) + 1e-15};
+  return {omega, error + std::abs(step) + 1e-15};
 }
 
 // Newton's method for a vanishing barrier, with bisection if it would leave the bracket
-Estimate frequency_of_zero(const BreatherPair& left, const BreatherPair& right,
-                           Estimate BreatherPair::*gap) {
-  const auto slope =
-      gap == &BreatherPair::equal_area ? &BreatherPair::slope_area : &BreatherPair::slope;
-  const double above = (right.*gap).value, width = right.omega - left.omega;
+Estimate frequency_of_zero(const BreatherPair& left, const BreatherPair& right, Equal equal,
+                           const MeasureOnce& in_double, const MeasureOnce& in_extended) {
+  const double below = left.gap(equal).barrier.value, above = right.gap(equal).barrier.value,
+               width = right.omega - left.omega;
   BreatherPair low = left, high = right;
-  double omega = left.omega - (left.*gap).value * width / (above - (left.*gap).value);
+  double omega = left.omega - below * width / (above - below);
   // Double precision goes as far as the barrier stands out from its error
   for (int k = 0; k < 40; ++k) {
     BreatherPair at = pair_between(low, high, omega);
-    measure_once<double>(at);
-    const Estimate now = at.*gap;
-    const double step = now.value / (at.*slope).value, next = omega - step;
+    in_double(at, 0);
+    const auto [now, slope] = at.gap(equal);
+    const double step = now.value / slope.value, next = omega - step;
     ((now.value > 0) == (above > 0) ? high : low) = std::move(at);
     omega = low.omega < next && next < high.omega ? next : (low.omega + high.omega) / 2;
     if (std::abs(step) < 1e-4 * width || std::abs(now.value) < 4 * now.error) break;
   }
 
   // If that does not give eight digits, extended precision does
-  Estimate zero = last_steps<double>(low, high, omega, gap, slope);
-  if (!(zero.error < 1e-8)) zero = last_steps<Wide>(low, high, omega, gap, slope);
+  Estimate zero = last_steps(low, high, omega, equal, in_double);
+  if (!(zero.error < 1e-8)) zero = last_steps(low, high, omega, equal, in_extended);
   if (!(zero.error < 1e-3 * width))
     throw std::runtime_error("no zero of the barrier is found near " + std::to_string(omega));
   return zero;
@@ -166,7 +177,8 @@ Estimate frequency_of_zero(const BreatherPair& left, const BreatherPair& right,
 
 #define LATTICE_INSTANCES(T)                                                      \
   template void assess<T>(BreatherPair&, const Measured<T>&, const Measured<T>&); \
-  template void measure_in<T>(BreatherPair&);
+  template void measure_in<T>(BreatherPair&);                                     \
+  template void measure_once<T>(BreatherPair&, int);
 #include "lattice/model/instances.hpp"
 
 }  // namespace lattice

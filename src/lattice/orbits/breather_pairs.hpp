@@ -43,6 +43,14 @@ NewtonRule<T> scaled_rule() {
   return out;
 }
 
+/// In what two breathers agree when their energies are compared: frequency, or area (2 pi times the action).
+enum class Equal { frequency, area };
+
+/// A barrier and its derivative with respect to the frequency.
+struct Sloped {
+  Estimate barrier, slope;
+};
+
 /// Two breathers of one frequency, site-centred first, and what was measured on them.
 struct BreatherPair {
   double s = 0, omega = 0;               ///< anharmonicity of the wells, frequency of both
@@ -56,6 +64,11 @@ struct BreatherPair {
   /// The problem of one of the two.
   Shooting<double> problem(int k) const {
     return others.empty() ? problem_of(both_centres[k], omega, s) : others[std::size_t(k)];
+  }
+  /// One of the two barriers.
+  Sloped gap(Equal equal) const {
+    if (equal == Equal::frequency) return {equal_frequency, slope};
+    return {equal_area, slope_area};
   }
 };
 
@@ -86,13 +99,18 @@ void assess(BreatherPair& pair, const Measured<T>& coarse, const Measured<T>& fi
 template <class T>
 void measure_in(BreatherPair& pair);
 
+/// Measures at one of them, for a step of a search; the errors are those of rounding alone. Throws NewtonFailed.
+template <class T>
+void measure_once(BreatherPair& pair, int coarser);
+
 /// Whether a value is known to three parts in a thousand.
 inline bool settled(const Estimate& e) {
   return e.error <= 3e-3 * std::abs(e.value);
 }
 
-/// One family at increasing frequencies, as far as it reaches.
-std::vector<Orbit<double>> breathers_at(Centre centre, double s, const std::vector<double>& omegas);
+/// The family of the breather of `problem` at increasing frequencies, as far as it reaches.
+std::vector<Orbit<double>> breathers_at(Shooting<double> problem,
+                                        const std::vector<double>& omegas);
 
 /// Pairs at increasing frequencies.
 using BreatherPairs = std::vector<BreatherPair>;
@@ -101,17 +119,23 @@ using BreatherPairs = std::vector<BreatherPair>;
 /// branches fold, only up to 1.9, and from 1.8 on in steps a fifth as long.
 std::vector<double> pair_frequencies(double s, int count);
 
-/// Both families at these frequencies, as far as they reach, each pair measured by `measure_pair`.
-BreatherPairs breather_pairs_at(double s, const std::vector<double>& omegas,
+/// Both families, of the site-centred and the bond-centred breather of `problems`, at these frequencies, as far as they
+/// reach, each pair measured by `measure_pair`; `s` is only noted.
+BreatherPairs breather_pairs_at(double s, const std::array<Shooting<double>, 2>& problems,
+                                const std::vector<double>& omegas,
                                 const std::function<void(BreatherPair&)>& measure_pair);
 
 /// The pair of frequency `omega`, not yet measured. Throws NewtonFailed.
 BreatherPair pair_between(const BreatherPair& left, const BreatherPair& right, double omega);
 
-/// The frequency between two pairs of opposite sign at which `gap` vanishes: Newton's method in double precision, then
-/// two steps, one at each tolerance, that give its error; in extended precision if that is above $10^{-8}$. Throws
+/// Measures a pair at one tolerance, as `measure_once` does.
+using MeasureOnce = std::function<void(BreatherPair&, int coarser)>;
+
+/// The frequency between two pairs of opposite sign at which the barrier vanishes: Newton's method in double precision,
+/// then two steps, one at each tolerance, that give its error; in extended precision if that is above $10^{-8}$. Throws
 /// std::runtime_error if it is not known to a thousandth of the bracket.
-Estimate frequency_of_zero(const BreatherPair& left, const BreatherPair& right,
-                           Estimate BreatherPair::*gap);
+Estimate frequency_of_zero(const BreatherPair& left, const BreatherPair& right, Equal equal,
+                           const MeasureOnce& in_double = measure_once<double>,
+                           const MeasureOnce& in_extended = measure_once<Wide>);
 
 }  // namespace lattice

@@ -1,0 +1,105 @@
+#pragma once
+/**
+# What is read from a static breather
+
+Its symmetry, found without imposing it; its asymmetry, its width and its tail. */
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "lattice/diagnostics/observe.hpp"
+#include "lattice/gsl/random.hpp"
+#include "lattice/model/sites.hpp"
+#include "lattice/orbits/breather.hpp"
+#include "lattice/orbits/breather_pairs.hpp"
+
+namespace lattice {
+
+/// How far the breather of `problem` is from its symmetry (symmetry.hpp), over the amplitude, if Newton's method in
+/// extended precision knows only that it is even in time, and starts with all positions changed by a random part of
+/// themselves, at most `perturbation`.
+inline double broken_symmetry(const Shooting<double>& problem, double perturbation,
+                              unsigned long seed) {
+  auto free = in_precision<Wide>(problem);
+  const std::size_t sites = problem.chain.sites;
+  free.symmetry = even_in_time(sites);
+  State<Wide> start(sites);
+  const auto y = shaken(find_breather(problem).start.y, perturbation, seed);
+  std::copy(y.begin(), y.end(), start.y.begin());
+  const Orbit<Wide> orbit = newton(free, free.reduce(start));
+  State<Wide> image = orbit.start;
+  if (sites % 2 == 1) flow(free.chain, image, free.period() / 2);  // around a site
+  Wide most = 0;
+  for (std::size_t n = 0; n < sites; ++n)
+    most = std::max(most, std::abs(orbit.start.y[n] + image.y[sites - 1 - n]));
+  return double(most / orbit.amplitude);
+}
+
+/// The largest |y_n(0) - y_-n(0)|, relative to the largest |y_n(0)|.
+inline double asymmetry(const Orbit<double>& orbit) {
+  double most = 0;
+  for (std::size_t n = 0, last = orbit.start.y.size() - 1; n < last - n; ++n)
+    most = std::max(most, std::abs(orbit.start.y[n] - orbit.start.y[last - n]));
+  return most / orbit.amplitude;
+}
+
+/// Participation numbers, in sites: of the displacements at t = 0, (sum y^2)^2 / sum y^4, and of the energy densities,
+/// (sum e)^2 / sum e^2; at two tolerances.
+struct Widths {
+  Estimate displacements, energies;
+};
+inline Widths widths_of(const Shooting<double>& problem) {
+  const auto start = [&](int coarser) {
+    return find_breather(problem, Phase::compressed, rule<double>(coarser)).start;
+  };
+  const TwoRuns<State<double>> starts{start(1), start(0)};
+  const auto of_displacements = [](const State<double>& state) {
+    auto squares = state.y;
+    for (double& y_n : squares) y_n *= y_n;
+    return participation(squares);
+  };
+  const auto of_energies = [&](const State<double>& state) {
+    return participation(energy_density(problem.chain, state));
+  };
+  return {starts.of(of_displacements), starts.of(of_energies)};
+}
+
+/// The article's residual of positions x at t = 0, in precision T: the change of positions and velocities after a whole
+/// period, over the largest of them.
+template <class T>
+double return_after_period(const Shooting<double>& problem, const Vector<double>& x) {
+  const auto same = in_precision<T>(problem);
+  const State<T> start = same.expand(x.cast<T>());
+  State<T> end = start;
+  flow(same.chain, end, same.period());
+  return double(largest_difference(end, start) / largest(start));
+}
+
+/// |y_n(0)| of a breather, each site as accurate as the largest, and zero beyond the end of the chain.
+template <class T>
+struct Tail {
+  std::vector<T> y;
+
+  explicit Tail(const Shooting<double>& problem)
+      : y(newton(in_precision<T>(problem), find_breather(problem), scaled_rule<T>()).start.y) {}
+  T operator()(long n) const {
+    const std::size_t i = site_index(n, y.size());
+    return i < y.size() ? std::abs(y[i]) : T(0);
+  }
+  /// ln(-ln |y_n|), which grows by ln(3/2) a site; nan where there is no number.
+  double double_log(long n) const {
+    const T y = (*this)(n);
+    return y > 0 ? double(std::log(-std::log(y))) : std::numeric_limits<double>::quiet_NaN();
+  }
+  /// ln |y_(n+1)| / ln |y_n|, outwards; nan where there is no number.
+  double exponent(long n) const {
+    const T y = (*this)(n), outer = (*this)(n < 0 ? n - 1 : n + 1);
+    return outer > 0 ? double(std::log(outer) / std::log(y))
+                     : std::numeric_limits<double>::quiet_NaN();
+  }
+};
+
+}  // namespace lattice
