@@ -12,9 +12,10 @@ figure, grid = plt.subplot_mosaic([["a", "c", "d"], ["b", "c", "d"]],
                                   figsize=(draw.TWO_COLUMNS, 72 * draw.MM),
                                   width_ratios=[1.35, 1, 1])
 decided = scan["decided"] == 1
+advanced = scan["advanced"] / scan["advanced"].max()
 fraction, beads, low, high = grid["a"], grid["b"], grid["c"], grid["d"]
-fraction.plot(scan["velocity"], scan["advanced"] / scan["advanced"].max(), color="#0072B2", lw=0.8)
-fraction.plot(scan["velocity"][~decided], scan["advanced"] / scan["advanced"].max()[~decided], "o", ms=3, mfc="none",
+fraction.plot(scan["velocity"], advanced, color="#0072B2", lw=0.8)
+fraction.plot(scan["velocity"][~decided], advanced[~decided], "o", ms=3, mfc="none",
            mew=0.6, color="black", label="undecided")
 if not decided.all():
     fraction.legend(loc="center left", handlelength=1)

@@ -5,8 +5,8 @@ set logscale x
 set xrange [4.6:70]
 set yrange [0.6:2.05]
 set xtics (5, 6, 8, 12, 16, 32, 64)
-set key top left samplen 1.6
-set xlabel 'impact velocity {/:Italic v}_0'
+set key bottom right samplen 1.6
+set xlabel 'impact velocity  {/:Italic v}_0'
 set ylabel 'speed (sites per unit of time)'
 table = data.'/sec34_kink/kink_shape.ecsv'
 plot table using 'velocity':'pulse_speed' with linespoints ls 4 title 'pulse, no wells', \

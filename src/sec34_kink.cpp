@@ -122,7 +122,7 @@ Counted counted(double v0, std::size_t sites) {
 
 There are three regimes in a scan of the impact velocity. A weak impact leaves every bead in its well; below $v_0 = 2$
 nothing else is possible, since $v_0^2/2$ is less than the maximum. From 2.48 on the recoil throws beads back at the near
-end, since no contact behind the first bead holds it. Between 4.66 and 4.72 a kink replaces the breather: below, no
+end at almost all velocities, since no contact behind the first bead holds it. Between 4.66 and 4.72 a kink replaces the breather: below, no
 impact of the scan sends a kink through the chain, and above every one does.
 
 | impact velocity | beads that advanced | ejected at the far end | at the near end | decided |

@@ -705,9 +705,9 @@ TEST_CASE(
 
 TEST_CASE("3.5: the cradle's lambda^(5/2) is 1.75e19, with g = 10 and the rounded contact time",
           "[article][scale.cradle]") {
-  CHECK(agrees(exact(cradle(10, 2.43)), 1.75e19, Rel{1e-2}));
-  CHECK(differs(exact(cradle(9.81, collision_by_energy().contact_time)), 1.75e19, Rel{1e-2},
-                "g = 9.81 and all digits"));
+  CHECK(agrees(exact(Cradle{}.lambda_5_2(10, 2.43)), 1.75e19, Rel{1e-2}));
+  CHECK(differs(exact(Cradle{}.lambda_5_2(9.81, collision_by_energy().contact_time)), 1.75e19,
+                Rel{1e-2}, "g = 9.81 and all digits"));
 }
 
 // ## 3.6 Cantilevers
