@@ -3,7 +3,7 @@ width = 85; height = 60
 load 'figures/style.gp'
 set logscale x
 set xrange [4.6:70]
-set yrange [0.6:2.05]
+set yrange [0.3:2.05]
 set xtics (5, 6, 8, 12, 16, 32, 64)
 set key bottom right samplen 1.6
 set xlabel 'impact velocity  {/:Italic v}_0'

@@ -3,7 +3,7 @@ width = 85; height = 60
 load 'figures/style.gp'
 set logscale xy
 set format y '10^{%T}'
-set ytics 1e-10, 100, 1
+set ytics 1e-10, 100, 1; unset mytics
 set xrange [0.08:1]
 set yrange [1e-10:1e4]
 set xtics (0.1, 0.2, 0.4, 0.8)

@@ -58,16 +58,14 @@ struct Packet {
   double deflection, velocity;  // the largest ones of bead 80
   double half_way;              // the largest deflection of bead 40
   double speed;
-  double push = 0,
-         share = 0;  // contact force at bead 80, energy of the packet there; of the chain only
+  double push = 0, share = 0;  // largest force, fraction of the energy at bead 80; chain only
 };
 
 Packet packet_of(double impact, double step) {
-  const double shorter = std::max(1.0, std::pow(impact, 0.2));
-  const double
-      least_speed =  // a rough lower bound for weak and strong impacts, ends the run at the latest
-      std::min(0.1 * std::sqrt(impact), 0.3 * std::pow(impact, 0.2));
-  step /= shorter;
+  const double shorter = std::pow(impact, 0.2);  // 1 / tau_h
+  step /= std::max(1.0, shorter);
+  // Below the speed of all packets, weak and strong; it only bounds the run
+  const double least_speed = std::min(0.1 * std::sqrt(impact), 0.3 * shorter);
   Impact strong{impact, Chain{sites}, run_until / least_speed, step};
   strong.until = run_until;
   std::vector<double> t, half, y, v, push;
@@ -112,8 +110,8 @@ Packet packet_of_dps(std::size_t samples, double tolerance) {
 
 The excess of the DpS equation is its number, in units of the chain, over that of the chain, less one. It falls nearly
 like $\lambda^{5/4} = (\lambda^{5/2})^{1/2}$, the order of the terms that the equation leaves out (`sec31_dps_limit`):
-between the two weakest decades the exponent of $\lambda^{5/2}$ is [0.486](cell:dps_order/deflection) for the deflection
-and [0.475](cell:dps_order/speed) for the speed. The article calls the approximation valid in the array and gives no
+between the two weakest decades the exponent of $\lambda^{5/2}$ is [0.485](cell:dps_order/deflection) for the deflection
+and [0.48](cell:dps_order/speed) for the speed. The article calls the approximation valid in the array and gives no
 accuracy. The largest velocity of the bead agrees far better than its deflection, since the packet's frequency is 1.10 and
 the equation takes 1: of two quantities whose ratio is this frequency only one can be right.
 

@@ -17,10 +17,10 @@ double Passage::scaled() const {
 }
 
 // The speed with which this displacement passes the beads of a stretch
-static double speed_on(const Stretch& beads, double level, const std::vector<double>& t,
+static double speed_on(const Beads& stretch, double level, const std::vector<double>& t,
                        const std::vector<std::vector<double>>& y) {
   std::vector<double> times, places;
-  for (std::size_t n = beads.first; n <= beads.last; ++n) {
+  for (std::size_t n = stretch.first; n <= stretch.last; ++n) {
     times.push_back(upward_crossings(t, y[n - 1], level).at(0));
     places.push_back(double(n));
   }
@@ -28,7 +28,7 @@ static double speed_on(const Stretch& beads, double level, const std::vector<dou
 }
 
 Passage passage(const KinkWatch& watch, double v0, double step) {
-  const Stretch &near = watch.near, &far = watch.far;
+  const Beads &near = watch.near, &far = watch.far;
   std::vector<double> t;
   std::vector<std::vector<double>> y(far.last), v(near.last);
   State<double> state = struck(watch.chain.sites, v0);

@@ -12,14 +12,14 @@ it still has when it passes one. */
 namespace lattice {
 
 /// Beads from the first to the last one, counted from one.
-struct Stretch {
+struct Beads {
   std::size_t first, last;
 };
 
 /// Where and how to watch: a chain that is long enough, two stretches, and the displacement that counts as a passage.
 struct KinkWatch {
   Chain chain;
-  Stretch near, far;
+  Beads near, far;
   double passed_at;
 };
 

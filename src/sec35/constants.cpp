@@ -16,6 +16,8 @@ void report_beam(Report& report, const CantileverArray& array) {
     const double root = ClampedBeam{steps, load}.wavenumber();
     return frequency / (root * root);
   };
+
+  // Two resolutions each, or two routes
   const double printed = model(array.beam_share), own = model(mass(x));
   report.table("beam").add(
       {{"stiffness", "force at the middle over its deflection",

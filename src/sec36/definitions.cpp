@@ -2,9 +2,31 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <numeric>
 
 namespace lattice {
+
+void report_experiment(Report& report, const StruckArray& struck, std::size_t watched,
+                       const TwoRuns<WatchedRun>& runs) {
+  const Scales& scales = struck.scales;
+  const auto travelled = [&](const WatchedRun& run) {
+    return 10e-3 * mean_speed(run, struck, watched);
+  };
+  const auto onward = [&](const WatchedRun& run) {
+    return run.path.travelled(double(watched), scales.time(10));
+  };
+  const auto periods = [&](const WatchedRun& run) {
+    return 10 / (pulse_of(run.at, scales).period * 1e3);
+  };
+  report.table("experiment")
+      .add({{"small_period", "of a beam alone", exact(2 * std::numbers::pi * scales.tau_c() * 1e3),
+             "ms", "exact"},
+            {"travelled", "in 10 ms at the speed of the whole way to n = 80", runs.of(travelled),
+             "sites"},
+            {"onward", "in 10 ms from n = 80 on", runs.of(onward), "sites"},
+            {"periods", "in 10 ms", runs.of(periods)}});
+}
 
 void report_speeds(Report& report, const StruckArray& struck, std::size_t watched,
                    const TwoRuns<WatchedRun>& runs) {

@@ -20,6 +20,10 @@ struct TwoSteps {
   double coarse, fine;
 };
 
+/// Table `experiment`: what an experiment would see in 10 ms, from the struck end on and from `watched` on.
+void report_experiment(Report& report, const StruckArray& struck, std::size_t watched,
+                       const TwoRuns<WatchedRun>& runs);
+
 /// Table `speeds`: sites over the time of the largest force at `watched`, and slopes of X(t) on several stretches.
 void report_speeds(Report& report, const StruckArray& struck, std::size_t watched,
                    const TwoRuns<WatchedRun>& runs);

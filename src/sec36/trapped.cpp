@@ -29,6 +29,8 @@ Trapped trapped(const StruckArray& struck, double ratio, const TrappedAt& where,
     t.push_back(now.t);
     v.push_back(now.v[defect]);
   };
+
+  // The energy at each of the times, and the motion in between
   Trapped out;
   for (std::size_t k = 0; k < where.times.size(); ++k) {
     if (k > 0) follow(EventCorrected{step}, dense, run, struck.scales.time(where.times[k]), record);
@@ -47,6 +49,7 @@ Trapped trapped(const StruckArray& struck, double ratio, const TrappedAt& where,
 
 void report_trapped(Report& report, const StruckArray& struck, const TrappedAt& where,
                     const TwoSteps& steps) {
+  // Heavy, none, light
   const std::array<double, 3> ratios{1.6, 1, 0.925};
   std::array<TwoRuns<Trapped>, 3> found{};
   parallel_for(6, [&](std::size_t i) {
@@ -75,6 +78,8 @@ void report_trapped(Report& report, const StruckArray& struck, const TrappedAt& 
                   of([](const Remains& r) { return r.near; })},
                  {"near_left", "part of this that is left of the one at the first time", left}});
     }
+
+  // The frequency of the light one
   report.table("light_defect")
       .add({{"alone", "frequency of a defect of 0.925 radii alone",
              exact(struck.array.linear_frequency(ratios[2])), "1 / tau_c", "exact"},
