@@ -63,14 +63,18 @@ static double hertz(const CantileverArray& array, double first, double second, s
   };
   if (std::abs(pressure(0.25) / pressure(0.75) - 1) > 1e-12)
     throw Failure("Hertz's pressure does not fit to spheres");
+
+  // Force and approach of the two spheres
   const double force = 2 * std::numbers::pi / 3 * a * a * pressure(0.5),
                approach = 2 * soft * a * pressure(0.5) * middle;
   return force / (approach * std::sqrt(approach));
 }
 
+// All pairs of radii
 void report_hertz(Report& report, const CantileverArray& array) {
   Table& table = report.table("hertz");
-  const double radii[] = {0.5, 1, 1.6, 2.5};
+  const double radii[] = {0.5, 1, 1.6, 2.5};  // in units of the usual one
+
   for (double first : radii)
     for (double second : radii) {
       const Estimate ours =
