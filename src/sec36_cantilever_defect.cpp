@@ -425,7 +425,7 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** Array, impact, the end of the run and the nine sites are the constants of the experiment; materials
-and dimensions are further members of `.array`, such as `.length = 30e-3`. Let `run_end` follow the packet: it must have
+and dimensions are further members of `.array`, such as `.length = 27e-3`. Let `run_end` follow the packet: it must have
 passed the defect, and not yet the end. Two changed beams are two masses and three contacts in `cantilever_chain`
 (cantilever.cpp).
 
