@@ -12,13 +12,14 @@ figure, grid = plt.subplot_mosaic([["a", "c", "d"], ["b", "c", "d"]],
                                   figsize=(draw.TWO_COLUMNS, 72 * draw.MM),
                                   width_ratios=[1.35, 1, 1])
 decided = scan["decided"] == 1
-share, beads, low, high = grid["a"], grid["b"], grid["c"], grid["d"]
-share.plot(scan["velocity"], scan["moved"], color="#0072B2", lw=0.8)
-share.plot(scan["velocity"][~decided], scan["moved"][~decided], "o", ms=3, mfc="none",
+advanced = scan["advanced"] / scan["advanced"].max()
+fraction, beads, low, high = grid["a"], grid["b"], grid["c"], grid["d"]
+fraction.plot(scan["velocity"], advanced, color="#0072B2", lw=0.8)
+fraction.plot(scan["velocity"][~decided], advanced[~decided], "o", ms=3, mfc="none",
            mew=0.6, color="black", label="undecided")
 if not decided.all():
-    share.legend(loc="center left", handlelength=1)
-share.set(ylabel="share moved on", xlim=(1, 8), ylim=(-0.05, 1.12), xticklabels=[])
+    fraction.legend(loc="center left", handlelength=1)
+fraction.set(ylabel="fraction advanced", xlim=(1, 8), ylim=(-0.05, 1.12), xticklabels=[])
 for column, mark, color, name in [("ejected_near", "x", "#009E73", "near end"),
                                   ("ejected_far", ".", "#D55E00", "far end")]:
     keep = decided & (scan[column] > 0)
@@ -26,7 +27,7 @@ for column, mark, color, name in [("ejected_near", "x", "#009E73", "near end"),
                label=name)
 beads.set(xlabel="impact velocity $v_0$", ylabel="beads thrown out", xlim=(1, 8), ylim=(0, 6.5))
 beads.legend(loc="upper right", handlelength=1, ncols=2, columnspacing=1)
-draw.letter(share, "a")
+draw.letter(fraction, "a")
 draw.letter(beads, "b")
 for axes, velocity, name in [(low, 2.0, "c"), (high, 5.0, "d")]:
     image, extent = draw.grid(draw.where(examples, "velocity", velocity), "n", "t", "wells")

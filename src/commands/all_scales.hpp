@@ -58,7 +58,7 @@ struct AllScales {
     add("unit_energy", s.unit_energy(), "J");
     add("contact_time", known.contact_time * s.tau_h(velocity), "s");
     add("max_compression", known.compression * s.delta(velocity), "m");
-    add("cradle_lambda_5_2", cradle(9.81, known.contact_time));
+    add("cradle_lambda_5_2", Cradle{}.lambda_5_2(9.81, known.contact_time));
     add("gamma_with_beam_modulus", steel.gamma, "N/m^(3/2)");
     add("lambda_with_beam_modulus", steel.lambda(velocity));
     return table;

@@ -12,8 +12,8 @@ Pulse pulse_of(const Watched& w, const Scales& s) {
           push->period * s.tau_c()};
 }
 
-WatchedRun pass(const StruckArray& blow, std::size_t n, double until, const RunResolution& r) {
-  const Impact impact = blow.impact(1, until, r.sample);
+WatchedRun pass(const StruckArray& struck, std::size_t n, double until, const RunResolution& r) {
+  const Impact impact = struck.impact({.until = until, .sample = r.sample});
   Watched at;
   const auto watch = [&](const State<double>& now, const auto&) {
     at.t.push_back(now.t);
@@ -24,19 +24,19 @@ WatchedRun pass(const StruckArray& blow, std::size_t n, double until, const RunR
   return {strike(EventCorrected{r.step}, impact, watch), std::move(at)};
 }
 
-double mean_speed(const WatchedRun& run, const StruckArray& blow, std::size_t n) {
-  return double(n) / pulse_of(run.at, blow.scales).arrival;
+double mean_speed(const WatchedRun& run, const StruckArray& struck, std::size_t n) {
+  return double(n) / pulse_of(run.at, struck.scales).arrival;
 }
 
-double duration_above(const WatchedRun& run, const StruckArray& blow, double threshold) {
+double duration_above(const WatchedRun& run, const StruckArray& struck, double threshold) {
   const double most = *std::max_element(run.at.force.begin(), run.at.force.end());
-  return blow.scales.milliseconds(time_above(run.at.t, run.at.force, threshold * most));
+  return struck.scales.milliseconds(time_above(run.at.t, run.at.force, threshold * most));
 }
 
 // Of each contact keep the strongest push in each interval, so that no short push is missed
-std::vector<double> strongest_forces(const StruckArray& blow, double ratio, double end,
+std::vector<double> strongest_forces(const StruckArray& struck, double ratio, double end,
                                      std::size_t bins) {
-  const Impact impact = blow.impact(ratio, end, 0.1);
+  const Impact impact = struck.impact({.ratio = ratio, .until = end, .sample = 0.1});
   const std::size_t contacts = impact.chain.sites - 1;
   std::vector<double> map(bins * contacts, 0.0);
   strike(EventCorrected{0.1}, impact, [&](const State<double>& now, const auto&) {
@@ -44,7 +44,7 @@ std::vector<double> strongest_forces(const StruckArray& blow, double ratio, doub
     for (std::size_t n = 0; n < contacts; ++n) {
       double& most = map[bin * contacts + n];
       const double push = contact_push(impact.chain, now.y.data(), n + 1);
-      most = std::max(most, push * blow.scales.unit_force());
+      most = std::max(most, push * struck.scales.unit_force());
     }
   });
   return map;

@@ -21,6 +21,13 @@ struct NoPacket : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// One run of a struck array, whose hundredth beam or another one may carry beads of another radius.
+struct ArrayRun {
+  double ratio = 1;   ///< radius of the defect's beads divided by that of the others
+  double until = 75;  ///< end of the run, ms
+  double sample = 1;  ///< largest time between two samples, in units of tau_c
+};
+
 /// An array and the impact on its first cantilever, Eq. (28).
 struct StruckArray {
   CantileverArray array{};
@@ -29,11 +36,13 @@ struct StruckArray {
 
   /// The velocity of the impact in units of the chain.
   double struck_velocity() const { return scales.velocity(velocity); }
+  /// Its energy in the same units.
+  double energy() const { return struck_velocity() * struck_velocity() / 2; }
 
-  /// The impact on the dimensionless chain in which the defect's radius is `ratio` times the usual one,
-  /// followed until `end` (ms), with looks at most `sample` apart (units of tau_c).
-  Impact impact(double ratio, double end, double sample) const {
-    return {struck_velocity(), cantilever_chain(array, ratio), scales.time(end), sample};
+  /// The impact on the dimensionless chain.
+  Impact impact(const ArrayRun& run) const {
+    return {struck_velocity(), cantilever_chain(array, run.ratio), scales.time(run.until),
+            run.sample};
   }
 };
 
@@ -63,17 +72,17 @@ struct WatchedRun : ImpactRun {
 
 /// The run of the homogeneous array up to `until` ms, with steps and samples of `r`, watched at site `n`, counted from
 /// one. Throws FarEndReached like every impact.
-WatchedRun pass(const StruckArray& blow, std::size_t n, double until, const RunResolution& r);
+WatchedRun pass(const StruckArray& struck, std::size_t n, double until, const RunResolution& r);
 
 /// Sites per second: `n` over the time at which the packet is strongest at site `n`, where the run was watched.
-double mean_speed(const WatchedRun& run, const StruckArray& blow, std::size_t n);
+double mean_speed(const WatchedRun& run, const StruckArray& struck, std::size_t n);
 
 /// How long, in ms, the packet's force at the watched contact is above `threshold` times its maximum.
-double duration_above(const WatchedRun& run, const StruckArray& blow, double threshold);
+double duration_above(const WatchedRun& run, const StruckArray& struck, double threshold);
 
 /// The strongest push, in newtons, of each contact within each of `bins` equal times until `end` (in ms), entry
 /// `bin * contacts + n`: a map of snapshots would miss most of the short pushes.
-std::vector<double> strongest_forces(const StruckArray& blow, double ratio, double end,
+std::vector<double> strongest_forces(const StruckArray& struck, double ratio, double end,
                                      std::size_t bins);
 
 }  // namespace lattice

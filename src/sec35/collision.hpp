@@ -26,12 +26,16 @@ inline Collision collision_by_energy() {
   return {2 * x * quadrature, x};
 }
 
-/// lambda^(5/2) of the article's cradle, (L / (g tau_h^2))^(5/2), whose strings have half a metre and whose collisions
-/// were measured to take 0.077 ms; for gravity in m/s^2 and the contact time in units of tau_h.
-inline double cradle(double gravity, double contact_time) {
-  const double length = 0.5, tau_h = 0.077e-3 / contact_time;  // m, s
-  const double lambda = length / (gravity * tau_h * tau_h);
-  return lambda * lambda * std::sqrt(lambda);
-}
+/// The article's cradle: length of its strings, and how long a collision of its beads was measured to take.
+struct Cradle {
+  double length = 0.5, collision = 0.077e-3;  ///< m, s
+
+  /// lambda^(5/2) = (L / (g tau_h^2))^(5/2), for gravity in m/s^2 and the contact time in units of tau_h.
+  double lambda_5_2(double gravity, double contact_time) const {
+    const double tau_h = collision / contact_time;
+    const double lambda = length / (gravity * tau_h * tau_h);
+    return lambda * lambda * std::sqrt(lambda);
+  }
+};
 
 }  // namespace lattice

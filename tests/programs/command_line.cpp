@@ -85,8 +85,7 @@ TEST_CASE("a line that cannot be meant is answered in one line, and nothing is c
       {cantilever + "rum", "did you mean 'run'? (allowed: run)"},
       {"sec2_nonexistence run", "'run': belongs to no option, and this program has no commands"},
       // Earlier names
-      {run + "--onsite cubic", "--onsite: 'cubic' is not one of the allowed names none, harmonic"},
-      {cantilever + "run --radius 1 --ratio 2", "--ratio: given twice"}};
+      {run + "--onsite cubic", "--onsite: 'cubic' is not one of the allowed names none, harmonic"}};
   for (const auto& [line, complaint] : lines) check_refused(line, complaint);
 }
 
