@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "commands/phonon_band.hpp"
 #include "lattice/numerics/line_fit.hpp"
 #include "sec4/exact_waves.hpp"
+#include "sec4/instability.hpp"
 #include "sec4/phonons.hpp"
 
 namespace lattice {
@@ -44,6 +44,7 @@ static Estimate band_width(double d) {
 
 // How often the curvature changes its sign between 0 and pi
 static int sign_changes(double v1) {
+  // On a grid that is fine against the band
   int changes = 0;
   for (int k = 1; k < 9999; ++k) {
     const double here = phonon(pi * k / 10000, v1).omega_2,
@@ -54,6 +55,7 @@ static int sign_changes(double v1) {
 }
 
 static void report_compressions(Report& report, std::span<const double> wells) {
+  // The inflection and the width of the band, and the sign of Phi on both sides
   Table &table = report.table("compressions"), &signs = report.table("inflection_signs");
   double last = 0;
   for (double d : {1e-8, 1e-6, 1e-4, 0.01, 0.1, 0.5, 1.0, 10.0, 100.0, 1e4}) {
@@ -81,6 +83,7 @@ static void report_compressions(Report& report, std::span<const double> wells) {
   }
 }
 
+// On which side of the inflection waves are unstable
 static void report_sides(Report& report) {
   Table& table = report.table("sides");
   for (double d : {0.1, 0.5, 1.0, 4.0})
@@ -108,6 +111,7 @@ static void report_sides(Report& report) {
     }
 }
 
+// The article's conditions at both edges of the band
 static void report_edges(Report& report, double chosen) {
   Table& edges = report.table("band_edges");
   for (double d : {0.01, 0.1, chosen, 1.0, 10.0})
@@ -148,6 +152,7 @@ static void report_other_compressions(Report& report, std::span<const double> we
       }
 }
 
+// All of them
 void report_band(Report& report, double d, std::span<const double> wells) {
   report.table("contact_series")
       .add({{"v1", "coefficient of r", of_contact([](const auto& v) { return v.v1; }, d), "",

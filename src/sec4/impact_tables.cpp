@@ -34,6 +34,7 @@ static void report_profiles(Report& report, std::span<const Struck> compressed) 
   }
 }
 
+// A trait over the last three quarters of a run; the error includes what the last half would give
 template <class Of>
 static Estimate later(const TwoRuns<StruckChain>& runs, Of of) {
   const auto from = [&](double part) {
@@ -49,6 +50,7 @@ static Estimate steadiness(const TwoRuns<StruckChain>& runs) {
 }
 
 static void report_exponents(Report& report, std::span<const Struck> compressed) {
+  // Power laws in time, for packets of three widths
   Table& table = report.table("impacts");
   const char* how =
       "two resolutions and two stretches of the run, against the largest, known to 5 per cent";
@@ -66,6 +68,7 @@ static void report_exponents(Report& report, std::span<const Struck> compressed)
                 steadiness(runs), "", how}});
 }
 
+// Fractions of the energy, and how they fall
 void report_trains(Report& report, std::span<const Struck> compressed) {
   report_profiles(report, compressed);
   report_exponents(report, compressed);
@@ -81,6 +84,7 @@ void report_uncompressed(Report& report, const Struck& turns, const Struck& surf
              "two resolutions and two stretches of the run, known to 77 per cent"}});
 }
 
+// The sech that fits the breather, and the waves around it
 static void report_envelope(Report& report, const Struck& hard) {
   const auto& [coarse, fine] = hard.runs;
   Table& fits = report.table("envelope_fits");

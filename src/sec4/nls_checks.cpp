@@ -7,11 +7,11 @@
 #include <tuple>
 #include <vector>
 
-#include "commands/phonon_band.hpp"
 #include "lattice/integrators/integrate.hpp"
 #include "lattice/numerics/line_fit.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "sec4/exact_waves.hpp"
+#include "sec4/instability.hpp"
 
 namespace lattice {
 
