@@ -46,6 +46,19 @@ TEST_CASE("an exact wave keeps its form and frequency in a run", "[property]") {
   CHECK(std::abs(wave.omega - phonon(q, contact_series(d).v1).omega) > 1e-4);
 }
 
+TEST_CASE("a Fourier component has the height of its wave", "[unit]") {
+  State<double> state(40);
+  const double first = 2 * M_PI * 3 / 40, second = 2 * M_PI * 5 / 40;
+  for (std::size_t i = 0; i < 40; ++i) {
+    const double n = double(i + 1);
+    state.y[i] = 0.2 * std::cos(first * n) + 0.03 * std::cos(second * n);
+    state.v[i] = 1.5 * (0.2 * std::sin(first * n) + 0.03 * std::sin(second * n));
+  }
+  check_close(std::abs(fourier(state, first, 1.5)) / 40, 0.2, 1e-14);
+  check_close(std::abs(fourier(state, second, 1.5)) / 40, 0.03, 1e-14);
+  CHECK(std::abs(fourier(state, -first, 1.5)) < 1e-14);
+}
+
 TEST_CASE("an exact wave is a series, and the largest one opens a contact", "[unit]") {
   const PlaneWave three{0.7, 1.3, {0.2, -0.05, 0.03}};
   check_close(three.profile(0.4), 0.2 * std::sin(0.4) - 0.05 * std::sin(0.8) + 0.03 * std::sin(1.2),

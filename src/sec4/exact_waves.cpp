@@ -80,6 +80,14 @@ State<double> on_ring(const PlaneWave& wave, std::size_t sites) {
   return state;
 }
 
+std::complex<double> fourier(const State<double>& state, double q, double omega) {
+  std::complex<double> sum = 0;
+  for (std::size_t n = 0; n < state.y.size(); ++n)
+    sum +=
+        std::complex<double>(state.y[n], state.v[n] / omega) * std::polar(1.0, -q * double(n + 1));
+  return sum;
+}
+
 // On an odd number of points derivative and shift are full matrices, exact for every harmonic that the grid can hold.
 // With w = (lambda - omega d/dtheta) p as a second unknown the problem becomes linear in lambda
 static MatrixXcd linearisation(const PlaneWave& wave, double modulation) {

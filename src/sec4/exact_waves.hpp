@@ -11,6 +11,7 @@ $\varphi = \sum_k b_k \sin k\theta$ with $b_1 = a$ given and the frequency unkno
 everything is analytic, and the series converges geometrically. Its frequency and the growth of its disturbances know
 nothing of $\beta$. */
 
+#include <complex>
 #include <cstddef>
 #include <vector>
 
@@ -38,6 +39,9 @@ PlaneWave plane_wave(const Well& well, const Contact& contact, double q, double 
                      std::size_t harmonics = 12);
 /// The wave at t = 0 on a ring that holds a whole number of wavelengths; the first site is n = 1.
 State<double> on_ring(const PlaneWave& wave, std::size_t sites);
+
+/// The Fourier component of wavenumber `q` of y + i v / omega, summed over the sites from n = 1.
+std::complex<double> fourier(const State<double>& state, double q, double omega);
 
 /**
 A small disturbance $e^{iQn + \lambda t}p(\theta)$ of such a wave obeys a linear equation with coefficients of period

@@ -1,0 +1,32 @@
+# Figure x55: side bands of a modulated phonon with the NLS equation's, and the error of the NLS growth rate.
+width = 170; height = 62
+load 'figures/style.gp'
+bands = data.'/sec4_precompression_mi/sidebands.ecsv'
+rates = data.'/sec4_precompression_mi/rate_error.ecsv'
+only(s, x) = abs(column("s") - s) < 1e-9 ? x : NaN
+set multiplot layout 1,2 margins char 9,1.5,3.4,0.8 spacing char 10,0
+set logscale y
+set xlabel 'time × NLS growth rate, σt'
+set ylabel 'side band / carrier'
+set xrange [0:5.6]
+set yrange [0.0006:2]
+set format y '10^{%L}'
+set key bottom right maxrows 2 samplen 1.6 width -2
+set label 1 '(a)' at graph 0.03,0.94
+plot bands using "foldings":(only(-1./6, column("by_nls"))) with lines lc rgb grey lw 1 title 'NLS', \
+     bands using "foldings":(only(0, column("by_nls"))) with lines lc rgb grey lw 1 notitle, \
+     bands using "foldings":(only(1, column("by_nls"))) with lines lc rgb grey lw 1 notitle, \
+     bands using "foldings":(only(-1./6, column("sideband"))) with lines ls 2 title 's = −1/6', \
+     bands using "foldings":(only(0, column("sideband"))) with lines ls 1 title 's = 0', \
+     bands using "foldings":(only(1, column("sideband"))) with lines ls 3 title 's = 1'
+set label 1 '(b)'
+set logscale x
+set xlabel 'amplitude a of the wave'
+set ylabel 'relative error of the NLS rate'
+set xrange [0.008:0.2]
+set yrange [2e-7:0.3]
+plot rates using "amplitude":(0.5*column("amplitude")**2) with lines lc rgb grey lw 1 title 'a^2/2', \
+     rates using "amplitude":(only(-1./6, column("error"))) with linespoints ls 2 ps 0.5 title 's = −1/6', \
+     rates using "amplitude":(only(0, column("error"))) with linespoints ls 1 ps 0.5 title 's = 0', \
+     rates using "amplitude":(only(1, column("error"))) with linespoints ls 3 ps 0.6 title 's = 1'
+unset multiplot
