@@ -51,7 +51,7 @@ STATEMENT("floquet.collision") {
     }
     // Where it leaves the circle or comes back it is at +1
     for (const double beside : {-0.001, 0.001})
-      less(near_one.at("centre", centre, "s", 0.1525 + beside)["fourth"], bound(1e-4));
+      less(near_one.at("centre", centre, "s", s_0 + beside)["fourth"], bound(1e-4));
   }
 }
 
