@@ -35,15 +35,14 @@ $$\kappa = \tfrac14\Bigl(\lambda+\frac1\lambda-2\Bigr),\qquad\text{an eigenvalue
 A pair is on the unit circle if and only if $\kappa$ is real and $-1\le\kappa\le0$. If $\kappa > 0$, the pair is real
 and $\ln\lambda = 2\,\mathrm{arsinh}\sqrt\kappa$.
 
-The pair that is always $+1$ belongs to a shift in time. It changes the velocities along the accelerations $f$, and after
-half a period, where all beads are at rest again, no position: $Bf = 0$. Hence $f^TK = 0$, and leaving out the direction
-of $f$ removes this pair exactly. The *pinning pair* is the one next to $+1$, and its mode shifts the breather along the
-chain; such modes are how breathers in other lattices were set in motion (Chen, Aubry and Tsironis 1996; Aubry and
-Cretegny 1998). Its $\kappa$ is now a simple eigenvalue: an error $\eta$ of $F$ moves it by $O(\eta)$. */
+The pair that is always $+1$ belongs to a shift in time. It changes the velocities along the accelerations $f$, and
+after half a period, where all beads are at rest again, no position: $Bf = 0$. Hence $f^TK = 0$, and leaving out the
+direction of $f$ removes this pair exactly. The *pinning pair* is the one next to $+1$, and its mode shifts the breather
+along the chain; such modes are how breathers in other lattices were set in motion (Chen, Aubry and Tsironis 1996; Aubry
+and Cretegny 1998). Its $\kappa$ is now a simple eigenvalue: an error $\eta$ of $F$ moves it by $O(\eta)$. */
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -90,10 +89,10 @@ std::vector<BreatherAt> in_wells(Centre centre, int steps) {
 }
 
 /**
-The error of $\kappa$ comes from a second computation, with a tolerance sixteen times larger and the breather found again
-from a point beside it, plus the symplectic defect of $F$. The program stops if Newton's method does not converge, or if
-$F$ does not map a shift in time to a shift in time. Chains have 21 and 22 sites: the force on a bead beyond their ends
-would be below machine precision.
+The error of $\kappa$ comes from a second computation, with a tolerance sixteen times larger and the breather found
+again from a point beside it, plus the symplectic defect of $F$. The program stops if Newton's method does not converge,
+or if $F$ does not map a shift in time to a shift in time. Chains have 21 and 22 sites: the force on a bead beyond their
+ends would be below machine precision.
 
 ## How accurate is it?
 
@@ -129,11 +128,11 @@ moduli show, so a stable breather can look unstable.
 
 ## The four multipliers against $s$ (figures 11 and 12)
 
-Where does the pinning pair pass through $+1$? We follow $\kappa$ over the wells. A pair on the circle has modulus one, a
-pair on the real axis argument zero. Near an exchange of stability the multipliers leave $+1$ like square roots, so there
-are more wells. We find the exchange first: `exchange` takes two neighbouring wells with opposite signs of $\kappa$,
-improves its zero by regula falsi and takes two last steps in extended precision. Its error is that of $\kappa$ over the
-slope of $\kappa$ in $s$.
+Where does the pinning pair pass through $+1$? We follow $\kappa$ over the wells. A pair on the circle has modulus one,
+a pair on the real axis argument zero. Near an exchange of stability the multipliers leave $+1$ like square roots, so
+there are more wells. We find the exchange first: `exchange` takes two neighbouring wells with opposite signs of
+$\kappa$, improves its zero by regula falsi and takes two last steps in extended precision. Its error is that of
+$\kappa$ over the slope of $\kappa$ in $s$.
 
 ![The same around a site. The table is `site_against_s`.](fig:12) */
 /// Adds wells on both sides of the exchange, and sorts them all.
@@ -190,9 +189,9 @@ The two values are 3.2e-7 apart, and in between both breathers are stable. (comp
 
 | quantity | article | here |
 |---|---|---|
-| $s_0^b$, around a bond | 0.26 | [0.152519819 ± 5e-10](cell:exchange/bond) |
-| $s_0^s$, around a site | 0.05 | [0.152519497 ± 8e-10](cell:exchange/site) |
-| their distance | 0.21 | [3.22e-7 ± 1.3e-9](cell:exchange/gap) |
+| $s_0^b$, around a bond | 0.26 | [0.1525198193 ± 6e-10](cell:exchange/bond) |
+| $s_0^s$, around a site | 0.05 | [0.1525194969 ± 9e-10](cell:exchange/site) |
+| their distance | 0.21 | [3.22e-7 ± 2e-9](cell:exchange/gap) |
 | fall of $\kappa$ there, per unit of $s$ | | [7.55e-8](cell:exchange/slope) |
 
 Why together? A picture: the centre of the breather moves in a potential with the period of the chain, and the two
@@ -236,9 +235,9 @@ $\lambda-1$ in the wells that are rounded to the printed values. All $\theta$ fr
 [0.00017998](cell:beside_printed/centre=site/s=0.045/beyond_one) give both. The article names no threshold.
 
 The second are errors of the matrix. We add uniform noise of size $\eta$ to $M$ of the stable, bond-centred breather in
-the linear well (matrix_errors.hpp). It then looks unstable, at $10^{-6}$ by more than twice the instability of the other
-one. And $\eta$ between $10^{-7}$ and $10^{-6}$ changes $\kappa$ by as much as 0.1 in $s$ does, which is as far as either
-printed exchange is from ours. That does not tell why one is too low and the other too high.
+the linear well (matrix_errors.hpp). It then looks unstable, at $10^{-6}$ by more than twice the instability of the
+other one. And $\eta$ between $10^{-7}$ and $10^{-6}$ changes $\kappa$ by as much as 0.1 in $s$ does, which is as far as
+either printed exchange is from ours. That does not tell why one is too low and the other too high.
 
 | noise $\eta$ | displacement of the four | largest distance from the circle | change of $\kappa$ | the same as a change of $s$ |
 |---|---|---|---|---|
@@ -267,8 +266,8 @@ void report_threshold(Report& report) {
 Which way must a breather be pushed to move it? The breather starts from rest, so the eigenvectors of $\lambda$ and
 $1/\lambda$ have the same displacements at $t = 0$ and opposite velocities. We compare these displacements with the
 discrete gradient $y_{n+1}(0)-y_{n-1}(0)$, both of length one. The article calls the two very close. In the linear well
-we compute in extended precision, where the error of $\kappa$ is eight orders of magnitude below $\kappa$; a program that
-shares no line with this one (`tests/second`) finds the same $\kappa$ (`paper/second.ecsv`).
+we compute in extended precision, where the error of $\kappa$ is eight orders of magnitude below $\kappa$; a program
+that shares no line with this one (`tests/second`) finds the same $\kappa$ (`paper/second.ecsv`).
 
 ![Pinning mode and discrete gradient. Drawn by fig13_pinning_mode.gp: `mode` and `gradient` against `n`, from
 `mode_bond` and `mode_site`.](fig:13)
@@ -310,9 +309,9 @@ void report_pinning_mode(Report& report, Table& harmonic, Centre centre) {
 Is the instability of the DpS equation that of the chain? There the site-centred breather of frequency $\mu$ is unstable
 at the rate $\sigma = 0.00156\,\mu$ in slow time (`sec33_dps_stability`). By Eq. (20) a breather of the chain of size
 $\epsilon$ has $\delta = \omega_b-1 = \epsilon^{1/2}/(2\tau_0)$. So if the same holds for the chain, its rate
-$\ln\lambda/T_b$ tends to $0.00156\,\delta$: weaker by $O(\epsilon^{1/2})$, as the article says. We compute breathers near
-$\omega_b = 1$ in extended precision. Neighbours give the exponent of the rate in $\epsilon$, and both the exponent and
-the rate over $\delta$ are extrapolated linearly in $\delta$. The error is the difference from the extrapolation one
+$\ln\lambda/T_b$ tends to $0.00156\,\delta$: weaker by $O(\epsilon^{1/2})$, as the article says. We compute breathers
+near $\omega_b = 1$ in extended precision. Neighbours give the exponent of the rate in $\epsilon$, and both the exponent
+and the rate over $\delta$ are extrapolated linearly in $\delta$. The error is the difference from the extrapolation one
 breather earlier.
 
 | quantity | article | here |
@@ -322,7 +321,7 @@ breather earlier.
 | the same at $10^{-4}$ | | [0.00155](cell:towards_one/delta=1e-4/relative_rate) |
 | its limit | | [0.0015577](cell:slow_limit/relative_rate) |
 | the same by the DpS equation | | [0.0015577](cell:slow_limit/dps) |
-| rate $\propto\epsilon^p$, exponent $p$ | 1/2 | [0.5000](cell:slow_limit/exponent) |
+| rate $\propto\epsilon^p$, exponent $p$ | 1/2 | [0.500](cell:slow_limit/exponent) |
 
 The two routes agree. The limit is approached slowly: at $\omega_b = 1.1$ the instability of the chain is four times
 weaker than the DpS equation suggests. */
@@ -386,8 +385,8 @@ std::vector<double> frequencies_of_plane(bool quick) {
 }
 
 /**
-In the linear well, and at $\omega_b = 1.1$ in all wells, the structure is as the article says. It is lost in two places.
-In hard wells of $s \ge \frac14$ the pinning pair leaves $+1$ as the frequency grows, for $s = 1$ before
+In the linear well, and at $\omega_b = 1.1$ in all wells, the structure is as the article says. It is lost in two
+places. In hard wells of $s \ge \frac14$ the pinning pair leaves $+1$ as the frequency grows, for $s = 1$ before
 $\omega_b = 1.5$. In soft wells, near the end of the family, others collide elsewhere on the circle and leave it, which
 the article's sentence does not exclude.
 
@@ -452,12 +451,12 @@ void reproduce(Report& report) {
 | `floquet.spectrum`: the spectrum always includes four multipliers in the immediate vicinity of +1, and others accumulate on the circle at exp(+-2 pi i/omega_b) | structure | fails 68 of 750 comparisons; first spectra.fourth (centre = site, omega = 1.5, s = 0.75): 0.01222 < 0.01; by most spectra.fourth (centre = bond, omega = 2, s = 1): 1.061 < 0.01 | in part |
 | `floquet.s0_bond`: anharmonicity at which the bond-centred breather loses stability (omega_b = 1.1) | 0.26 | 0.1525 | discrepant |
 | `floquet.s0_site`: anharmonicity above which the site-centred breather is stable (omega_b = 1.1) | 0.05 | 0.1525 | discrepant |
-| `floquet.collision`: a pair of multipliers leaves the circle at +1 for larger s around a bond, and one with lambda > 1 enters it there for larger s around a site | above; below | spectra.fourth (centre = bond, omega = 1.1, s = 0.1515): 1.754e-05 < 0.0001 (the closest of 178) | holds |
+| `floquet.collision`: a pair of multipliers leaves the circle at +1 for larger s around a bond, and one with lambda > 1 enters it there for larger s around a site | above; below | spectra.fourth (centre = bond, omega = 1.1, s = 0.1535): 1.737e-05 < 0.0001 (the closest of 178) | holds |
 | `floquet.harmonic`: at s = 0 and omega_b = 1.1 the site-centred breather is weakly unstable and the bond-centred one stable | verdict | site_against_s.largest_modulus (s = 0): 0.0002143 < 0.001 (the closest of 5) | holds |
 | `floquet.instability_size`: unstable multipliers of section 3.3 (omega_b = 1.1) exceed 1 by less than | 1e-3 | site_against_s.largest_modulus (s = -1): 0.0005839 < 0.001 (the closest of 174) | holds, assuming |
 | `pinning.gradient`: pinning mode is close to the discrete gradient for both breathers | very close | 0.9797 | quantified |
 | `outlook.sign_of_s`: stability depends on the strength (and sign) of the anharmonicity | depends | site_against_s.kappa (s = 0.1): 0 < 3.959e-09 (the closest of 180) | holds |
-| `floquet.weaker`: the instability is O(epsilon^(1/2)) times weaker in the chain than in the DpS equation | 0.5 | 0.50 | reproduced |
+| `floquet.weaker`: the instability is O(epsilon^(1/2)) times weaker in the chain than in the DpS equation | 0.5 | 0.500 | reproduced |
 <!-- /statements -->
 
 ## Try it

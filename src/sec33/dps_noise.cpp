@@ -4,6 +4,7 @@
 
 namespace lattice {
 
+// Real and imaginary parts, site by site
 Field Noise::operator()(const Field& u, std::size_t seed) const {
   Random random(seed);
   Field noise;
@@ -14,6 +15,16 @@ Field Noise::operator()(const Field& u, std::size_t seed) const {
   return noise;
 }
 
+// Seeds that no run has
+double fraction_beyond(double threshold, const Noise& noise, const PinnedBreather& breather) {
+  constexpr std::size_t draws = 1000;
+  std::size_t larger = 0;
+  for (std::size_t seed = 1001; seed <= 1000 + draws; ++seed)
+    if (std::abs(breather.pair.of(noise(breather.u, seed)).imag()) > threshold) ++larger;
+  return double(larger) / double(draws);
+}
+
+// A control loses what the noise has along V
 Field NoiseGroup::perturbed(NoiseTrial& trial) const {
   Field v = of(breather.u, trial.seed);
   if (without_mode) breather.pair.add(-breather.pair.of(v), v);
@@ -31,6 +42,7 @@ std::vector<NoiseGroup> real_and_relative_noise(const PinnedBreather& site,
           {"relative", "bond", bond, relative, 16, 750, 750}};
 }
 
+// Run by run
 static const char* exact_if = "exact where both tolerances agree";
 
 void add_runs(Table& table, const std::vector<NoiseGroup>& groups) {
@@ -52,6 +64,7 @@ void add_runs(Table& table, const std::vector<NoiseGroup>& groups) {
     }
 }
 
+// Group by group
 void add_departures(Table& table, const std::vector<NoiseGroup>& groups) {
   for (const NoiseGroup& group : groups) {
     const NoiseTrials& trials = group.trials;
@@ -72,6 +85,7 @@ void add_departures(Table& table, const std::vector<NoiseGroup>& groups) {
   }
 }
 
+// Each control beside the breather under all of the noise
 void add_controls(Table& table, const NoiseGroup& all_of_it, const NoiseGroup& controls) {
   const auto is_later = [](const DpsRun& control, const DpsRun& run) {
     return int(control.passage() > run.passage());

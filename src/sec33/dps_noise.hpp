@@ -2,8 +2,8 @@
 /**
 # DpS breathers under noise
 
-`sec33_dps_stability` follows breathers under noise, seed by seed. Here are the noise, definitions of it that the article's
-words admit beside the main one, and what is counted. */
+`sec33_dps_stability` follows breathers under noise, seed by seed. Here are the noise, definitions of it that the
+article's words admit beside the main one, and what is counted. */
 
 #include <cstddef>
 #include <vector>
@@ -21,6 +21,9 @@ struct Noise {
 
   Field operator()(const Field& u, std::size_t seed) const;
 };
+
+/// The fraction of a thousand draws of this noise whose push on the breather is larger than `threshold`.
+double fraction_beyond(double threshold, const Noise& noise, const PinnedBreather& breather);
 
 /// Breathers that start alike, under the same kind of noise.
 struct NoiseGroup {
@@ -43,8 +46,8 @@ struct NoiseGroup {
 std::vector<NoiseGroup> real_and_relative_noise(const PinnedBreather& site,
                                                 const PinnedBreather& bond, double amplitude);
 
-/// The rows of tables: run by run, group by group, and whether each control moves later than the breather under all of the
-/// noise.
+/// The rows of tables: run by run, group by group, and whether each control moves later than the breather under all of
+/// the noise.
 void add_runs(Table& table, const std::vector<NoiseGroup>& groups);
 void add_departures(Table& table, const std::vector<NoiseGroup>& groups);
 void add_controls(Table& table, const NoiseGroup& all_of_it, const NoiseGroup& controls);

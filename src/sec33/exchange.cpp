@@ -8,12 +8,14 @@
 
 namespace lattice {
 
+// The size of a breather goes like the square of omega_b - 1
 Orbit<double> newton_from(const Shooting<double>& problem, const Orbit<double>& from,
                           const NewtonRule<double>& how) {
   const double growth = (problem.omega - 1) / (from.omega - 1);
   return newton(problem, Vector<double>(growth * growth * from.x), how);
 }
 
+// At two tolerances
 template <class T>
 Spectrum spectrum(const Shooting<double>& problem, const Orbit<double>& orbit) {
   return spectrum<T>(in_precision<T>(problem), orbit, 0);
@@ -132,6 +134,7 @@ Exchange exchange(Centre centre, const Cut& cut, double low, double high, Orbit<
   return refined_zero<T>(centre, cut, exchange_between(centre, cut, below, above, orbit, 1e-5));
 }
 
+// Between two wells with opposite signs of kappa
 template <class T>
 Exchange exchange_on(Centre centre, const std::vector<BreatherAt>& line) {
   std::size_t found = 0;  // the interval that ends at this well

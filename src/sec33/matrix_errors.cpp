@@ -11,8 +11,8 @@
 
 namespace lattice {
 
+// The eigenvalues of M, the nearest to +1 first
 Displaced displaced(const Matrix<double>& M, double kappa) {
-  // The four nearest to +1 come first
   std::vector<std::complex<double>> all = eigenvalues_of(M);
   std::stable_sort(all.begin(), all.end(),
                    [](auto a, auto b) { return std::norm(a - 1.0) < std::norm(b - 1.0); });
@@ -30,6 +30,7 @@ Displaced displaced(const Matrix<double>& M, double kappa) {
   return out;
 }
 
+// Over several draws of noise
 static Displaced displaced_by_noise(const Matrix<double>& M, double eta, double kappa) {
   constexpr unsigned long draws = 8;
   Displaced out;
@@ -45,6 +46,7 @@ static Displaced displaced_by_noise(const Matrix<double>& M, double eta, double 
   return {std::exp(out.multipliers), out.modulus, std::exp(out.kappa)};
 }
 
+// With the finest M, and with a coarser one that tells the error
 void add_noise(Table& table, const Shooting<double>& problem, const Orbit<double>& breather,
                const Estimate& slope) {
   const double kappa = spectrum<double>(problem, breather).kappa().value;

@@ -21,8 +21,8 @@ struct Displaced {
 /// Of the matrix M of a breather whose pinning pair has this `kappa`.
 Displaced displaced(const Matrix<double>& M, double kappa);
 
-/// The rows of a table: the same after uniform noise of three sizes is added to M, the geometric means over eight draws, of
-/// the modulus the largest; `slope` is that of kappa in s. The errors are differences from a coarser M.
+/// The rows of a table: the same after uniform noise of three sizes is added to M, the geometric means over eight draws,
+/// of the modulus the largest; `slope` is that of kappa in s. The errors are differences from a coarser M.
 void add_noise(Table& table, const Shooting<double>& problem, const Orbit<double>& breather,
                const Estimate& slope);
 

@@ -66,6 +66,7 @@ BreatherAt finished(Centre centre, BreatherAt at) {
 
 }  // namespace
 
+// From the linear well at each frequency
 std::vector<BreatherAt> breathers_over_the_plane(Centre centre, const std::vector<double>& omegas,
                                                  const std::vector<double>& wells) {
   // Hard wells from the linear one on, then soft ones
@@ -93,6 +94,7 @@ std::vector<BreatherAt> breathers_over_the_plane(Centre centre, const std::vecto
   return out;
 }
 
+// What the statements compare
 void add_spectra(Table& table, Centre centre, const std::vector<BreatherAt>& breathers) {
   const char* how = "difference of two resolutions, relative to one";
   for (const BreatherAt& at : breathers) {
@@ -109,6 +111,7 @@ void add_spectra(Table& table, Centre centre, const std::vector<BreatherAt>& bre
   }
 }
 
+// Ten more sites, in three wells
 void add_edges(Table& table, Centre centre, const std::vector<BreatherAt>& breathers) {
   std::vector<BreatherAt> ends;
   for (const BreatherAt& at : breathers)
