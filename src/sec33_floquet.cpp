@@ -16,10 +16,11 @@ to $+1$ that the breathers are almost free to move. It says that
 ![Arguments and moduli of the four multipliers near one, bond-centred. Drawn by fig11_bond_quadruplet.gp: plus and minus
 `argument` and `growth` against `s`, from `bond_against_s`.](fig:11)
 
-At $\omega_b = 1.1$ all but the two values of $s_0$ hold. Both breathers exchange their stability at the same $s_0$ to
-six digits, [0.1525](cell:exchange/site). At higher frequencies the structure is lost in hard wells, where the pinning
-pair leaves $+1$. The multipliers are hard to compute because two are exactly $+1$ and share one eigenvector: an error
-$\eta$ of $M$ can split such a pair by as much as $\sqrt\eta$. We compute a quantity that has no such pair.
+At $\omega_b = 1.1$ all but the two values of $s_0$ hold. Both breathers exchange their stability next to the same well,
+$s_0 =$ [0.1525](cell:exchange/site), and not far apart. At higher frequencies the structure is lost in hard wells,
+where the pinning pair leaves $+1$. The multipliers are hard to compute because two are exactly $+1$ and share one
+eigenvector: an error $\eta$ of $M$ can split such a pair by as much as $\sqrt\eta$. We compute a quantity that has no
+such pair.
 
 ## Model
 
@@ -461,9 +462,10 @@ void reproduce(Report& report) {
 
 ## Try it
 
-**To change it.** `omega_b` is the frequency of figures 11 to 13, `wells_of_plane` and `frequencies_of_plane` span the
-plane, `deltas` leads to $\omega_b = 1$. The exchange is sought between the wells of the line; the run stops if there is
-none. Another well, contact or mass is set where `problem_at` makes the chain (exchange.hpp), whose tests then fail.
+**To change it.** `omega_b` is the frequency of figures 11 to 13 (with 1.15 the exchange moves to 0.0188),
+`wells_of_plane` and `frequencies_of_plane` span the plane, `deltas` leads to $\omega_b = 1$. The exchange is sought
+between the wells of the line; the run stops if there is none. Another well, contact or mass is set where `problem_at`
+makes the chain (exchange.hpp), whose tests then fail.
 
 1. *Easy.* At a slightly higher frequency the exchange lies elsewhere:
    `build/bin/sec33_floquet exchange --centre bond --omega 1.15` gives `s0` = 0.018781. Hint: the curves of exchange
