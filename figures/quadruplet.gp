@@ -11,14 +11,14 @@ set ylabel 'argument (rad) · 10^4' offset 1
 set key at graph (side eq 'right' ? 0.97 : 0.60),0.90 right samplen 2.2
 set label 1 '(a)' at graph 0.03,0.93
 plot table using "s":(1e4*column("argument")) with lines ls 1 title 'pinning pair', \
-     table using "s":(1e4*column("argument_below")) with lines ls 1 notitle, \
+     table using "s":(-1e4*column("argument")) with lines ls 1 notitle, \
      table using "s":(0*column("s")) with lines ls 2 title 'time translation'
 set format x '%g'
 set xlabel 'anharmonicity s'
-set ylabel '(|λ| − 1) · 10^4' offset 1
+set ylabel 'ln |λ| · 10^4' offset 1
 set label 1 '(b)' at graph 0.03,0.93
 unset key
-plot table using "s":(1e4*column("excess")) with lines ls 1 title 'pinning pair', \
-     table using "s":(1e4*column("excess_below")) with lines ls 1 notitle, \
+plot table using "s":(1e4*column("growth")) with lines ls 1 title 'pinning pair', \
+     table using "s":(-1e4*column("growth")) with lines ls 1 notitle, \
      table using "s":(0*column("s")) with lines ls 2 title 'time translation'
 unset multiplot

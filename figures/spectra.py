@@ -25,10 +25,10 @@ def plane(axes, table, mu):
                   mfc="none", mew=0.8)
     size, ticks = 3 * mu, [-2 * mu, 0, 2 * mu]
     inset.set(xlim=(-size, size), ylim=(-size, size), xticks=ticks, yticks=ticks)
-    inset.set_xlabel(r"$10^3\lambda_r$", fontsize=7, labelpad=0)
-    inset.set_ylabel(r"$10^3\lambda_i$", fontsize=7, labelpad=0)
+    inset.set_xlabel(r"$10^3\sigma_r$", fontsize=7, labelpad=0)
+    inset.set_ylabel(r"$10^3\sigma_i$", fontsize=7, labelpad=0)
     inset.tick_params(labelsize=7, pad=1.5)
-    axes.set(xlabel=r"$\lambda_r$ (1 per unit of time)", ylabel=r"$\lambda_i$ (1 per unit of time)",
+    axes.set(xlabel=r"$\sigma_r$ (1 per unit of time)", ylabel=r"$\sigma_i$ (1 per unit of time)",
              xlim=(-0.3 * mu, 0.9 * mu), ylim=(-1.2 * mu, 1.2 * mu))
 
 
@@ -48,11 +48,11 @@ def main(centre, growth):
     if growth:
         axes = figure.add_subplot(cells[2, :])
         rates = draw.read(f"{folder}/growth.ecsv")
-        axes.plot(rates["mu"], 1e3 * rates["line"], "--", color="black", lw=0.8,
-                  label=r"slope at $\mu = 1$")
+        axes.axline((0, 0), (1, 1e3 * rates["rate"][list(rates["mu"]).index(1)]), ls="--",
+                    color="black", lw=0.8, label=r"slope at $\mu = 1$")
         axes.plot(rates["mu"], 1e3 * rates["rate"], "o", color=BLUE, ms=3.5, mfc="none", mew=0.9,
                   label="computed anew at each frequency")
-        axes.set(xlabel=r"frequency $\mu$", ylabel=r"$10^3\,\lambda_r$ (1 per unit of time)",
+        axes.set(xlabel=r"frequency $\mu$", ylabel=r"$10^3\,\sigma_r$ (1 per unit of time)",
                  xlim=(0, 10.4), ylim=(0, 17))
         axes.legend(loc="lower right")
         draw.letter(axes, "e")

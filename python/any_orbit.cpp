@@ -206,8 +206,7 @@ OrbitMultipliers multipliers_through(const Chain& chain, const State<double>& st
   const double apart = largest_difference(found.orbit.start, start) / size;
   refuse_beyond(1e-3, apart, "the nearest one found begins at a distance of");
   if (!rests) return in_motion(found, period);
-  const Spectrum all = spectrum<Wide>(with_period(found.problem, period), found.orbit,
-                                      pairs_by_library<Wide>, free_below);
+  const Spectrum all = spectrum<Wide>(with_period(found.problem, period), found.orbit, free_below);
   return {multipliers_of(all), all.largest_modulus()};
 }
 

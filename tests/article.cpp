@@ -415,7 +415,7 @@ TEST_CASE(
 TEST_CASE("3.3: the pinning mode is very close to the discrete gradient",
           "[article][pinning.gradient]") {
   for (Centre centre : both_centres) {
-    const auto problem = problem_at(centre, {});
+    const auto problem = problem_at(centre, {1.1, 0});
     const Orbit<double> orbit = find_breather(problem);
     const Vector<double> mode = spectrum<double>(problem, orbit).mode;
     CHECK(alignment(mode, gradient(orbit.start.y)) > 0.975);

@@ -44,7 +44,7 @@ Pinning pinning_of(const RestingBreather& at) {
 NoiseTrials breathers(std::size_t count, std::size_t moving, double time = 4) {
   NoiseTrials list(count);
   for (std::size_t k = 0; k < count; ++k) {
-    list[k].fine.sites = {3, 3};
+    list[k].fine.participation = {3, 3};
     list[k].fine.t = {0, time};
     list[k].fine.X = {0, k < moving ? 1.4 : 0.4};
     list[k].coarse = list[k].fine;
@@ -194,7 +194,7 @@ TEST_CASE("a control that moves later, and a breather that spreads", "[unit]") {
   const auto passage = [](const DpsRun& run) { return run.passage(); };
   one[3].coarse.X = {0, 0.9};
   check_close(one[3].of(passage).error, 4 - 4 / 1.4, 1e-14);
-  one[2].fine.sites[1] = 7;
+  one[2].fine.participation[1] = 7;
   CHECK(one[2].fine.spread() == 7.0 / 3);
   CHECK(largest_spread(one).value == 7.0 / 3);
 }

@@ -138,7 +138,7 @@ double energy_share(const Cut& cut, const ExchangePair& ends, const ThirdBreathe
     const auto problem = problem_at(both_centres[k], cut.at(double(one.parameter)));
     auto wide = in_precision<Wide>(problem);
     if (!cut.along_s) wide.omega = one.parameter;
-    e[k] = newton(wide, follow(problem, ends.found[k].orbit)).energy;
+    e[k] = newton(wide, newton_from(problem, ends.found[k].orbit)).energy;
   }
   return double((one.energy - e[0]) / (e[1] - e[0]));
 }
@@ -254,10 +254,11 @@ struct FamilyEnds {
 
 /// One cut along s, at 1.1, and one along the linear well, where both are unstable, if there is one.
 std::vector<FamilyEnds> family_ends(const std::vector<ExchangePair>& edges) {
-  std::vector<FamilyEnds> families{{"between_in_s", Cut{}, {}}};
+  const Cut cut{true, 1.1};
+  std::vector<FamilyEnds> families{{"between_in_s", cut, {}}};
   parallel_for(2, [&](std::size_t k) {
-    const Orbit<double> near = find_breather(problem_at(both_centres[k], {}));
-    families[0].edge.found[k] = exchange<Wide>(both_centres[k], Cut{}, 0.1, 0.2, near);
+    const Orbit<double> near = find_breather(problem_at(both_centres[k], cut.at(0)));
+    families[0].edge.found[k] = exchange<Wide>(both_centres[k], cut, 0.1, 0.2, near);
   });
   const auto both_unstable = [](const ExchangePair& edge) {
     return edge.between() == "unstable" && edge.found[0].place.value > 1.3;

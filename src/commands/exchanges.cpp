@@ -61,7 +61,7 @@ static void look_closer(std::vector<Look>& all, Find look) {
 static std::vector<Look> looks_along(Centre centre, const Cut& cut, int side) {
   const auto look = [&](double s, const Orbit<double>& near) {
     const auto problem = problem_at(centre, cut.at(s));
-    const Orbit<double> orbit = follow(problem, near);
+    const Orbit<double> orbit = newton_from(problem, near);
     return Look{s, floquet_pairs(problem.chain, orbit.start, orbit.period()).pinning(), orbit};
   };
   Progress progress(side > 0 ? "s up to 1" : "s down to -1", 20);

@@ -27,7 +27,7 @@ PinnedBreather::PinnedBreather(const Stationary<double>& state)
 }
 
 // What carries a pendulum from the bottom of its potential just to the top
-double PinnedBreather::freeing_push() const {
+double PinnedBreather::pendulum_push() const {
   return pair.rate / (std::numbers::pi * shift * (mu - pair.m));
 }
 
@@ -45,44 +45,46 @@ double DpsRun::passage() const {
 }
 
 double DpsRun::spread() const {
-  return *std::max_element(sites.begin(), sites.end()) / sites.front();
+  return *std::max_element(participation.begin(), participation.end()) / participation.front();
 }
 
-namespace {
-
-// A number from all runs at one tolerance, with its distance from that at the other one
-template <class Of>
-auto at_both(Of of) {
-  return compare(of(&NoiseTrial::coarse), of(&NoiseTrial::fine));
+double DpsRun::farthest() const {
+  double most = 0;
+  for (const double x : X) most = std::max(most, std::abs(x));
+  return most;
 }
 
-}  // namespace
-
-// Counts
+// How many of all runs at one tolerance, and at the other
 Estimate passing(const NoiseTrials& trials, double distance, double by) {
-  return at_both([&](auto run) {
-    return std::count_if(trials.begin(), trials.end(), [&](const NoiseTrial& trial) {
-      return (trial.*run).reaches(distance) <= by;
-    });
-  });
+  long coarse = 0, fine = 0;
+  for (const NoiseTrial& trial : trials) {
+    coarse += trial.coarse.passes(distance, by);
+    fine += trial.fine.passes(distance, by);
+  }
+  return compare(coarse, fine);
 }
 
-// Sizes and delays
 Estimate largest_spread(const NoiseTrials& trials) {
-  return at_both([&](auto run) {
-    double most = 0;
-    for (const NoiseTrial& trial : trials) most = std::max(most, (trial.*run).spread());
-    return most;
-  });
+  double coarse = 0, fine = 0;
+  for (const NoiseTrial& trial : trials) {
+    coarse = std::max(coarse, trial.coarse.spread());
+    fine = std::max(fine, trial.fine.spread());
+  }
+  return compare(coarse, fine);
+}
+
+static double median(std::vector<double> all) {
+  std::sort(all.begin(), all.end());
+  return all[all.size() / 2];
 }
 
 Estimate median_passage(const NoiseTrials& trials) {
-  return at_both([&](auto run) {
-    std::vector<double> t;
-    for (const NoiseTrial& trial : trials) t.push_back((trial.*run).passage());
-    std::sort(t.begin(), t.end());
-    return t[t.size() / 2];
-  });
+  std::vector<double> coarse, fine;
+  for (const NoiseTrial& trial : trials) {
+    coarse.push_back(trial.coarse.passage());
+    fine.push_back(trial.fine.passage());
+  }
+  return compare(median(coarse), median(fine));
 }
 
 }  // namespace lattice

@@ -2,14 +2,14 @@
 /**
 # A DpS breather that noise sets in motion
 
-`sec33_dps_stability` follows perturbed DpS breathers and reads their displacement $X$: the centre of $|v_n|^4$, in sites
-from the place of rest. Here is what a pendulum would do, and how many runs are counted.
+`sec33_dps_stability` follows perturbed DpS breathers and records their displacement $X$: the centre of $|v_n|^4$, in
+sites from the place of rest. Here is what a pendulum would do, and how many runs are counted.
 
-For a small shift $x$ and push $y$ along the translational mode $V$ (spectrum.hpp) the displacement is $X = gx$, where
+For a small shift $a$ and push $b$ along the translational mode $V$ (spectrum.hpp) the displacement is $X = ga$, where
 $g$ is the derivative of the centre along $V$. In the potential of a sine, about a site,
-$$\ddot X = \frac{\lambda^2}{2\pi}\sin 2\pi X,$$
-and a push $y$ gives it the initial speed $g(\mu-m)y$. So the push that depins a breather from a bond is
-$y_c = |\lambda|/(\pi g(\mu-m))$. */
+$$\ddot X = \frac{\sigma^2}{2\pi}\sin 2\pi X,$$
+and a push $b$ gives it the initial speed $g(\mu-m)b$. So the push that depins a breather from a bond is
+$b_c = |\sigma|/(\pi g(\mu-m))$. */
 
 #include <cmath>
 #include <complex>
@@ -21,18 +21,18 @@ $y_c = |\lambda|/(\pi g(\mu-m))$. */
 
 namespace lattice {
 
-/// A breather with its translational mode, of the sign for which a shift x > 0 goes to larger n.
+/// A breather with its translational mode, of the sign for which a shift a > 0 goes to larger n.
 struct PinnedBreather {
   Centre centre;
   double mu;         ///< its frequency
   Field u;           ///< its profile, real
   PinningPair pair;  ///< with that sign
-  double shift;      ///< g: how far the centre moves, in sites, for a unit of x
+  double shift;      ///< g: how far the centre moves, in sites, for a unit of a
 
   explicit PinnedBreather(const Stationary<double>& state);
 
   /// The push at which a pendulum passes the site beside its bond.
-  double freeing_push() const;
+  double pendulum_push() const;
 };
 
 /// Tolerance of the integrator, and samples per unit of time.
@@ -42,12 +42,16 @@ struct Accuracy {
 
 /// What a run is seen to do, sample by sample.
 struct DpsRun {
-  std::vector<double> t{}, X{};  ///< time and displacement
-  std::vector<double> sites{};   ///< on how many sites the breather lives
-  double drift = 0;              ///< of norm or energy, whichever is larger
+  std::vector<double> t{}, X{};         ///< time and displacement
+  std::vector<double> participation{};  ///< on how many sites the breather lives
+  double drift = 0;                     ///< of norm or energy, whichever is larger
 
   /// When |X| exceeds `distance` for the first time, interpolated; nan if it never does.
   double reaches(double distance) const;
+  /// Whether it does so by this time.
+  bool passes(double distance, double by = HUGE_VAL) const { return reaches(distance) <= by; }
+  /// The largest |X|.
+  double farthest() const;
   /// When it passes the next site, |X| = 1; the end of the run if it never does.
   double passage() const;
   /// By which factor the number of sites grows at most.

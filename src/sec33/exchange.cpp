@@ -8,27 +8,21 @@
 
 namespace lattice {
 
-Orbit<double> follow(const Shooting<double>& problem, const Orbit<double>& from,
-                     const NewtonRule<double>& how) {
+// The size of a breather goes like the square of omega_b - 1
+Orbit<double> newton_from(const Shooting<double>& problem, const Orbit<double>& from,
+                          const NewtonRule<double>& how) {
   const double growth = (problem.omega - 1) / (from.omega - 1);
   return newton(problem, Vector<double>(growth * growth * from.x), how);
 }
 
+// At two tolerances
 template <class T>
-Pairs<T> pairs_by_library(const Chain& chain, const Orbit<T>& orbit,
-                          const EventTolerance<T>& tolerance) {
-  return floquet_pairs(chain, orbit.start, orbit.period(), tolerance);
+Spectrum spectrum(const Shooting<double>& problem, const Orbit<double>& orbit) {
+  return spectrum<T>(in_precision<T>(problem), orbit, 0);
 }
 
 template <class T>
-Spectrum spectrum(const Shooting<double>& problem, const Orbit<double>& orbit,
-                  PairsOf<T>* pairs_of_orbit) {
-  return spectrum<T>(in_precision<T>(problem), orbit, pairs_of_orbit, 0);
-}
-
-template <class T>
-Spectrum spectrum(const Shooting<T>& in_t, const Orbit<double>& orbit, PairsOf<T>* pairs_of_orbit,
-                  double rank) {
+Spectrum spectrum(const Shooting<T>& in_t, const Orbit<double>& orbit, double rank) {
   Progress progress("tolerances", 2);
   const auto pairs = [&](int coarser) {
     Orbit<double> guess = orbit;
@@ -36,7 +30,8 @@ Spectrum spectrum(const Shooting<T>& in_t, const Orbit<double>& orbit, PairsOf<T
     if (coarser) guess.x *= 1.000001;
     auto how = rule<T>(coarser);
     how.rank = rank, how.scale = rank > 0 ? 1 : 0;
-    return pairs_of_orbit(in_t.chain, newton(in_t, guess, how), how.events);
+    const Orbit<T> found = newton(in_t, guess, how);
+    return floquet_pairs<T>(in_t.chain, found.start, found.period(), how.events);
   };
   const Pairs<T> fine = pairs(0);
   progress.tick();
@@ -83,7 +78,7 @@ Estimate from_one(const Pair& pair) {
 double quick_kappa(Centre centre, const Spot& spot, Orbit<double>& orbit,
                    const NewtonRule<double>& how) {
   const auto problem = problem_at(centre, spot);
-  orbit = follow(problem, orbit, how);
+  orbit = newton_from(problem, orbit, how);
   return floquet_pairs(problem.chain, orbit.start, orbit.period(), how.events).pinning();
 }
 
@@ -115,7 +110,7 @@ Exchange refined_zero(Centre centre, const Cut& cut, Exchange found) {
   place -= quick_kappa(centre, cut.at(place), found.orbit) / found.slope;
   const auto kappa_here = [&] {
     const auto problem = problem_at(centre, cut.at(place));
-    found.orbit = follow(problem, found.orbit);
+    found.orbit = newton_from(problem, found.orbit);
     return spectrum<T>(problem, found.orbit).kappa();
   };
   const Estimate first = kappa_here();
@@ -139,12 +134,26 @@ Exchange exchange(Centre centre, const Cut& cut, double low, double high, Orbit<
   return refined_zero<T>(centre, cut, exchange_between(centre, cut, below, above, orbit, 1e-5));
 }
 
-#define LATTICE_INSTANCES(T)                                                                      \
-  template Pairs<T> pairs_by_library<T>(const Chain&, const Orbit<T>&, const EventTolerance<T>&); \
-  template Spectrum spectrum<T>(const Shooting<double>&, const Orbit<double>&, PairsOf<T>*);      \
-  template Spectrum spectrum<T>(const Shooting<T>&, const Orbit<double>&, PairsOf<T>*, double);   \
-  template Exchange refined_zero<T>(Centre, const Cut&, Exchange);                                \
-  template Exchange exchange<T>(Centre, const Cut&, double, double, Orbit<double>);
+// Between two wells with opposite signs of kappa
+template <class T>
+Exchange exchange_on(Centre centre, const std::vector<BreatherAt>& line) {
+  std::size_t found = 0;  // the interval that ends at this well
+  for (std::size_t k = 1; k < line.size(); ++k) {
+    const double before = line[k - 1].spectrum.kappa().value, here = line[k].spectrum.kappa().value;
+    const bool nearer = found == 0 || std::abs(line[k].spot.s) < std::abs(line[found].spot.s);
+    if (before * here < 0 && nearer) found = k;
+  }
+  if (found == 0) throw NoBranch("kappa of the pinning pair has one sign in all these wells");
+  const BreatherAt &low = line[found - 1], &high = line[found];
+  return exchange<T>(centre, Cut{true, low.spot.omega_b}, low.spot.s, high.spot.s, low.orbit);
+}
+
+#define LATTICE_INSTANCES(T)                                                        \
+  template Spectrum spectrum<T>(const Shooting<double>&, const Orbit<double>&);     \
+  template Spectrum spectrum<T>(const Shooting<T>&, const Orbit<double>&, double);  \
+  template Exchange refined_zero<T>(Centre, const Cut&, Exchange);                  \
+  template Exchange exchange<T>(Centre, const Cut&, double, double, Orbit<double>); \
+  template Exchange exchange_on<T>(Centre, const std::vector<BreatherAt>&);
 #include "lattice/model/instances.hpp"
 
 }  // namespace lattice

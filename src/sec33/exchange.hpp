@@ -7,6 +7,7 @@ and its $\kappa$ (floquet.hpp) changes its sign. On a cut through the plane of $
 point. This file finds it: by regula falsi in double precision, and a last step in extended precision. */
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "lattice/numerics/estimate.hpp"
@@ -19,7 +20,7 @@ namespace lattice {
 /// A place in the plane, and how many sites more than necessary: up to omega_b = 2 a bead missing at the ends of 21
 /// sites, or 22 around a bond, would be pushed by less than rounding.
 struct Spot {
-  double omega_b = 1.1, s = 0;
+  double omega_b, s;
   std::size_t more = 0;
 };
 /// The problem of a breather in quartic wells at that place of the plane.
@@ -30,8 +31,8 @@ inline Shooting<double> problem_at(Centre centre, const Spot& spot) {
 
 /// The breather of a problem near that of another. The guess scales positions with the square of
 /// omega_b - 1, as in Eq. (20). Throws NewtonFailed.
-Orbit<double> follow(const Shooting<double>& problem, const Orbit<double>& from,
-                     const NewtonRule<double>& how = {});
+Orbit<double> newton_from(const Shooting<double>& problem, const Orbit<double>& from,
+                          const NewtonRule<double>& how = {});
 
 /// The pairs of a breather from two computations: their tolerances differ by a factor of 16, and the coarser one has to
 /// find the orbit again from a point beside it.
@@ -47,21 +48,24 @@ struct Spectrum {
   }
 };
 
-/// A way from an orbit to its pairs, and that of floquet.hpp.
-template <class T>
-using PairsOf = Pairs<T>(const Chain&, const Orbit<T>&, const EventTolerance<T>&);
-template <class T>
-Pairs<T> pairs_by_library(const Chain& chain, const Orbit<T>& orbit,
-                          const EventTolerance<T>& tolerance);
-
 /// The pairs at the orbit of a problem, in type T, with their errors. Throws NewtonFailed.
 template <class T>
-Spectrum spectrum(const Shooting<double>& problem, const Orbit<double>& orbit,
-                  PairsOf<T>* pairs_of_orbit = pairs_by_library<T>);
+Spectrum spectrum(const Shooting<double>& problem, const Orbit<double>& orbit);
 /// The same for a problem in type T; `rank` is that of Newton's rule.
 template <class T>
-Spectrum spectrum(const Shooting<T>& problem, const Orbit<double>& orbit,
-                  PairsOf<T>* pairs_of_orbit, double rank);
+Spectrum spectrum(const Shooting<T>& problem, const Orbit<double>& orbit, double rank);
+
+/// As tables name it: site or bond.
+inline std::string name_of(Centre centre) {
+  return centre == Centre::bond ? "bond" : "site";
+}
+
+/// A breather at a place of the plane, with its pairs.
+struct BreatherAt {
+  Spot spot;
+  Orbit<double> orbit{};
+  Spectrum spectrum{};
+};
 
 /// How many pairs but the first leave the unit circle by more than their error.
 int off_circle(const std::vector<Pair>& pairs);
@@ -83,8 +87,8 @@ Estimate from_one(const Pair& pair);
 
 /// A cut runs along s at fixed omega_b, or along omega_b at fixed s.
 struct Cut {
-  bool along_s = true;   ///< or along omega_b
-  double fixed = 1.1;    ///< the other one of the two
+  bool along_s;          ///< or along omega_b
+  double fixed;          ///< the other one of the two
   std::size_t more = 0;  ///< sites
   /// The place on the cut with this parameter.
   Spot at(double p) const { return along_s ? Spot{fixed, p, more} : Spot{p, fixed, more}; }
@@ -120,5 +124,10 @@ Exchange refined_zero(Centre centre, const Cut& cut, Exchange found);
 /// kappa has the same sign at both ends, NewtonFailed if an orbit is not found.
 template <class T>
 Exchange exchange(Centre centre, const Cut& cut, double low, double high, Orbit<double> orbit);
+
+/// The exchange nearest to s = 0 on a line of wells of one frequency, between two neighbours. Throws NoBranch if kappa has
+/// one sign in all of them.
+template <class T>
+Exchange exchange_on(Centre centre, const std::vector<BreatherAt>& line);
 
 }  // namespace lattice

@@ -1,6 +1,7 @@
 /**
 # Statements of section 3.3: Floquet multipliers of the breathers of the chain */
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -49,9 +50,15 @@ STATEMENT("floquet.collision") {
       else
         less(well["kappa"], 0);
     }
-    // Where it leaves the circle or comes back it is at +1
-    for (const double beside : {-0.001, 0.001})
-      less(near_one.at("centre", centre, "s", 0.1525 + beside)["fourth"], bound(1e-4));
+    // Where it leaves the circle or comes back, between these two wells, it is at +1
+    double below = -1, above = 1;
+    for (const auto& well : near_one.where("centre", centre))
+      if (well("s") < s_0)
+        below = std::max(below, well("s"));
+      else
+        above = std::min(above, well("s"));
+    for (const double s : {below, above})
+      less(near_one.at("centre", centre, "s", s)["fourth"], bound(1e-4));
   }
 }
 

@@ -23,12 +23,12 @@ bool same_family(const Orbit<double>& orbit, const Orbit<double>& from) {
 void visit(Node& node, const Node& from) {
   try {
     const auto problem = problem_at(Centre::site, node.spot);
-    node.orbit = follow(problem, from.orbit, chart_rule());
+    node.orbit = newton_from(problem, from.orbit, chart_rule());
     if (!same_family(node.orbit, from.orbit)) {
       if (node.spot.s < 0) return;
       const Spot half{node.spot.omega_b, (node.spot.s + from.spot.s) / 2};
-      const auto between = follow(problem_at(Centre::site, half), from.orbit, chart_rule());
-      node.orbit = follow(problem, between, chart_rule());
+      const auto between = newton_from(problem_at(Centre::site, half), from.orbit, chart_rule());
+      node.orbit = newton_from(problem, between, chart_rule());
       if (!same_family(between, from.orbit) || !same_family(node.orbit, between)) return;
     }
     const auto found =
@@ -60,7 +60,7 @@ Chart chart(bool quick) {
     Nodes column(2 * std::size_t(wells) + 1);
     for (int k = -wells; k <= wells; ++k)
       column[std::size_t(k + wells)].spot = {omega_b, double(k) / wells};
-    seed = follow(problem_at(Centre::site, {omega_b, 0}), seed, chart_rule());
+    seed = newton_from(problem_at(Centre::site, {omega_b, 0}), seed, chart_rule());
     column[std::size_t(wells)].orbit = seed;
     grid.push_back(std::move(column));
   }

@@ -174,7 +174,7 @@ TEST_CASE("a stationary state stands still in the turning frame", "[property][dp
 TEST_CASE("a pendulum tells which push frees a breather", "[property][dps]") {
   const PinnedBreather bond(state(Centre::bond, 10));
   for (double factor : {0.95, 1.1}) {
-    const Field v = pushed(bond, {0, factor * bond.freeing_push()});
+    const Field v = pushed(bond, {0, factor * bond.pendulum_push()});
     CHECK((run_of(bond, v, 500, 1e-9).reaches(1) > 0) == (factor > 1));
   }
 }
@@ -188,7 +188,7 @@ TEST_CASE("a breather of the DpS equation and its pendulum", "[unit][dps]") {
         (place_of(centre, pushed(b, 1e-5)) - place_of(centre, pushed(b, -1e-5))) / 2e-5;
     CHECK(g > 0);
     check_close(b.shift, g, 0, 1e-7);
-    check_close(b.freeing_push(), b.pair.rate / M_PI / b.shift / (2.5 - b.pair.m), 0, 1e-13);
+    check_close(b.pendulum_push(), b.pair.rate / M_PI / b.shift / (2.5 - b.pair.m), 0, 1e-13);
   }
   // Shift, push and growing part of any perturbation
   const PinnedBreather site(stationary<double>(Centre::site, 2.5, 9));
