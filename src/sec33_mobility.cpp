@@ -213,17 +213,6 @@ TwoRuns<KickedPath> report_weak(Report& report, const Breathers& at) {
   return paths[0];
 }
 
-void report_passages(Report& report, const TwoRuns<KickedPath>& site) {
-  Table& passages = report.table("passages");
-  for (double x : {1.0, 1.5, 2.0, 2.5, 3.0}) {
-    const auto time = [x](const KickedPath& p) { return p.time_at(x); };
-    const auto ratio = [x](const KickedPath& p) { return p.speed_at(x) / p.speed_at(1.5); };
-    passages.add(Row{{"distance", "from the start", x, "site"},
-                     {"time", "when the centre is there", site.of(time)},
-                     {"speed_ratio", "speed there over that at 1.5 sites", site.of(ratio)}});
-  }
-}
-
 /**
 | after $c = 3\cdot10^{-6}$ | around a site | around a bond, stretched | compressed |
 |---|---|---|---|
@@ -240,7 +229,7 @@ void report_passages(Report& report, const TwoRuns<KickedPath>& site) {
 | 3 (a site) | [2.705e5](cell:passages/distance=3/time) | [0.590](cell:speed_ratio) |
 
 It passes every site as fast as the one before, also the third, so it is not pinned at the second. A figure that ends
-at $t = 1.8\cdot10^5$ would show two sites but no pinning. The cause of the printed pinning is not known.
+at $t = 1.8\cdot10^5$ would show two sites but no pinning. We do not know what the article saw.
 
 ## Why most of a kick is wasted
 
@@ -270,9 +259,9 @@ mode nearly solves $(\delta-\frac32K)\,\xi = 0$, and $g$ is nearly $\xi$; hence
 $$\varphi \approx \tfrac23\delta-\delta = -\frac{\omega_b-1}3.$$
 In this limit $\tilde E_{PN}$ is $-(\omega_b-1)/5$ times $E_{PN}$ (`sec32_barrier`). The ratio of the two small factors
 gives $c_c^2/2 \approx \frac35E_{PN}$: two different quantities have the same order of magnitude. This does not explain
-why they are close at $\omega_b = 1.1$, for below it both barriers vanish twice, $E_{PN}$ first at
-[1.0146](cell:sec32_barrier/sign_changes/s=0/kind=1/zero=1/omega) and never where $\tilde E_{PN}$ does, so that their
-ratio takes all values.
+why they are close at $\omega_b = 1.1$, for below it both barriers change sign, $E_{PN}$ first at
+[1.0146](cell:sec32_barrier/sign_changes/s=0/kind=1/zero=1/omega), and not at the same frequencies (`sec32_barrier`), so
+that their ratio takes all values.
 
 ## The threshold
 
@@ -353,10 +342,11 @@ chain has 4.4518e-6 ± 4e-10. (computed)
 How accurately must the energy be conserved? The kick at the threshold adds only $7\cdot10^{-8}$ of the breather's
 energy, and one expects that a drift must be smaller. It need not be, as figure x48 shows. With a step of 0.4 the energy
 drifts by thousands of times what the kick adds, yet $V^2$ stays on its line, and $c_c$ moves by a fraction of
-$10^{-4}$. A drift changes the action slowly and gives the centre no push. It acts on $\varphi$ and $\tilde E_{PN}$,
-which vary smoothly with the action, so $c_c$ should move by no more than the drift as a fraction of the energy of the
-*breather*, and this is what we find. At shorter steps the three kicks limit $c_c$: their lines disagree by $10^{-5}$.
-So the runs of the next sections, with large steps, count although they would not pass `check_energy`.
+$10^{-4}$. Our explanation is that a drift changes the action slowly but gives the centre no push. Then it acts only on
+$\varphi$ and $\tilde E_{PN}$, which vary smoothly with the action, and $c_c$ should move by no more than the drift as
+a fraction of the energy of the *breather*; this is what we find. At shorter steps the three kicks limit $c_c$: their
+lines disagree by $10^{-5}$. So the runs of the next sections, with large steps, count although they would not pass
+`check_energy`.
 
 ![Square of the speed at the maximum against that of the kick, and the threshold against the step. Drawn by
 x48_threshold.gp from `speeds_at_maximum` and `threshold_steps`.](fig:x48) */
@@ -510,9 +500,9 @@ motion in linear wells.
 ## Try it
 
 **To change it.** The parameters stand at the top. Another frequency or well needs `decision` and `watch` of about
-$11/\Omega$, longer chains if Newton's method says so, and steps that pass `check_energy`; take $\omega_b$ and $s$ where
-the bond-centred breather is the stable one (`sec33_floquet`). Another kick is another unit vector `at.g` in `breathers`:
-runs, prediction and threshold follow it. Another observable is a member of `KickedPath` (kick.hpp), another rule for
+$11/\Omega$, kicks in `report_speeds` above the threshold, longer chains if `resting_breather` asks for them, and steps
+that pass `check_energy`; take $\omega_b$ and $s$ where the bond-centred breather is the stable one (`sec33_floquet`).
+Another kick is another unit vector `at.g` in `breathers`: runs, prediction and threshold follow it. Another observable is a member of `KickedPath` (kick.hpp), another rule for
 free and pinned is `mobility_of` (kick.cpp).
 
 1. *Easy.* What does a kick of twice the size do to the speed?

@@ -40,6 +40,7 @@ PeriodMap period_map(const RestingBreather& at, const EventTolerance<double>& ru
   return map;
 }
 
+// The slow plane, from its eigenvectors
 Pinning pinning_of(const RestingBreather& at, const EventTolerance<double>& rule) {
   const PeriodMap map = period_map(at, rule);
   const Matrix<double> M_yy = map.basis.transpose() * map.yy * map.basis;
@@ -74,6 +75,7 @@ double pendulum_speed(double start, double omega, bool from_maximum) {
   return a;
 }
 
+// A cubic through the means near the maximum
 double hill_speed(const KickedPath& path, double hill) {
   std::vector<std::size_t> near;
   for (std::size_t k = 0; k < path.centre.size(); ++k)
@@ -101,6 +103,7 @@ double threshold_from(double c1, double v1, double c2, double v2) {
   return std::sqrt(square);
 }
 
+// Newton's method, on a chain without a floor; the runs have one
 RestingBreather resting_breather(Centre centre, Phase phase, double omega_b, std::size_t sites,
                                  double s) {
   const Fitted found =
@@ -129,6 +132,7 @@ EventCorrected fourteen_stages(double step) {
   return {step, nystrom(blanes_moan_6_14())};
 }
 
+// Both barriers, and the prediction
 BreatherPair barriers_at(double omega_b, double s) {
   BreatherPair pair{s, omega_b};
   for (int k : {0, 1}) pair.orbit[k] = find_breather(problem_of(both_centres[k], omega_b, s));

@@ -26,6 +26,7 @@ Estimate speed_of(const KickedPath& path, double since, double until) {
   return {std::abs(v.value), v.error};
 }
 
+// Strong kicks
 void report_other_strong(Report& report, const Breathers& at, double c,
                          const TwoRuns<EventCorrected>& by) {
   const auto row = [&](const Other& other) {
@@ -45,6 +46,7 @@ void report_other_strong(Report& report, const Breathers& at, double c,
   report.table("other_strong").fill(kicks, row, "other strong kicks");
 }
 
+// Weak kicks
 void report_other_weak(Report& report, const RestingBreather& site, double c) {
   const auto row = [&](const Other& other) {
     const RestingBreather one = other.of(site);
@@ -62,6 +64,19 @@ void report_other_weak(Report& report, const RestingBreather& site, double c) {
   report.table("other_weak").fill(kicks, row, "other weak kicks");
 }
 
+// Is the site-centred breather pinned, and does it slow down?
+void report_passages(Report& report, const TwoRuns<KickedPath>& site) {
+  Table& passages = report.table("passages");
+  for (double x : {1.0, 1.5, 2.0, 2.5, 3.0}) {
+    const auto time = [x](const KickedPath& p) { return p.time_at(x); };
+    const auto ratio = [x](const KickedPath& p) { return p.speed_at(x) / p.speed_at(1.5); };
+    passages.add(Row{{"distance", "from the start", x, "site"},
+                     {"time", "when the centre is there", site.of(time)},
+                     {"speed_ratio", "speed there over that at 1.5 sites", site.of(ratio)}});
+  }
+}
+
+// Thresholds
 void report_other_thresholds(Report& report, const Breathers& at, const Breathers& longer,
                              const std::array<Prediction, 2>& laws,
                              const std::array<Estimate, 2>& found) {

@@ -27,6 +27,9 @@ void report_other_strong(Report& report, const Breathers& at, double c,
 /// Table `other_weak`: how far the site-centred breather comes after these kicks, until it has passed a third site.
 void report_other_weak(Report& report, const RestingBreather& site, double c);
 
+/// Table `passages`: when the site-centred breather passes sites and bonds, and how fast.
+void report_passages(Report& report, const TwoRuns<KickedPath>& site);
+
 /// Table `readings`: thresholds along the mode and for the printed norm; `longer` are the same breathers on longer
 /// chains. `laws` and `found` are the thresholds along g of both phases of the bond-centred breather.
 void report_other_thresholds(Report& report, const Breathers& at, const Breathers& longer,

@@ -26,6 +26,7 @@ ApproximateStart approximate_start(std::size_t sites, double eps) {
   return out;
 }
 
+// Both tables need no run
 void report_start(Report& report, std::size_t sites, double tau) {
   const double eps_101 = breather_eps(1.01);
   report.table("scales").add(
@@ -43,6 +44,7 @@ void report_start(Report& report, std::size_t sites, double tau) {
   }
 }
 
+// What stays behind, in stretches of time
 std::vector<ResidueStretch> residue_stretches(const std::vector<double>& tau,
                                               const std::vector<Field>& A, double from,
                                               double every) {
