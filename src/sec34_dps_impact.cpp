@@ -509,8 +509,8 @@ struct Compare {
 
 ## Try it
 
-**To change it.** The size of the impact, the end of the run and the length of the chain are in `Case`; the instants in
-`report_readings` belong to its time. Other wells or contacts are further members of `Case::chain`, another power also
+**To change it.** The size of the impact, the end of the run and the length of the chain are in `Case`;
+`heights_from` and `heights_to` must lie about its time. Other wells or contacts are further members of `Case::chain`, another power also
 of every `Dps{sites}` (dps.hpp); the DpS equation then has another $\tau_0$.
 
 1. *Easy.* Is a stronger impact described worse?
