@@ -7,6 +7,7 @@
 #include "lattice/gsl/reference.hpp"
 #include "lattice/impact/impact.hpp"
 #include "sec34/acceleration.hpp"
+#include "sec34/dps_comparison.hpp"
 #include "sec34/ensemble.hpp"
 #include "sec34/escapes.hpp"
 #include "sec34/packet.hpp"
@@ -47,6 +48,24 @@ TEST_CASE("a packet's width is not any number", "[unit]") {
     CHECK(front.width() == width);
     check_close(front.tail(), std::sqrt(1e-7), 0, 1e-6);
   }
+}
+
+TEST_CASE("the approximation of an impact starts with other velocities", "[unit][dps]") {
+  for (double eps : {1e-5, 1e-2}) {
+    const ApproximateStart start = approximate_start(20, eps);
+    const double change = eps * std::sqrt(eps) / tau_0(1.5);
+    check_close(start.first, change, 0, 1e-9);
+    check_close(start.second, -change, 0, 1e-9);
+    CHECK((start.place == 0 && start.others == 0));
+  }
+}
+
+TEST_CASE("the height of a packet is from crest to trough about its peak", "[unit]") {
+  State<double> state(30);
+  state.y[3] = -9, state.y[14] = 2, state.y[16] = -3;
+  check_close(amplitude(state, 15).height, 5, 1e-14);
+  check_close(amplitude(state, 15).displacement, 3, 1e-14);
+  check_close(amplitude(state, 1).displacement, 9, 1e-14);
 }
 
 TEST_CASE("only what rises above the waves between is visible", "[property]") {

@@ -6,11 +6,11 @@
 run ends early if the breather comes within eight sites of an end of its chain. If less than nine tenths of the energy
 stays together, the breather has broken up, and that is an error; so is a chain too short for the breather. Errors come
 from two step sizes and, unless `--sites` is given, from two chains, of which the longer one has the smaller step: what a
-strong kick sheds comes back from its ends later. A third run with a longer step, which takes a sixth of the time, tells
+strong kick sheds comes back from its ends later. A third run with a longer step, which takes a sixth of the time, shows
 where those two agree by chance. A breather that has moved less than one site has no speed: it is `nan`.
 
-`sec33_mobility threshold --centre bond --omega 1.1` finds the least kick that frees it (kick_threshold.hpp), takes some
-seconds and refuses an unstable centre. */
+`sec33_mobility threshold --centre bond --omega 1.1` finds the least kick that depins it (kick_threshold.hpp), takes
+some seconds and refuses an unstable centre. */
 
 #include "sec3/breather_options.hpp"
 #include "sec33/kick_threshold.hpp"
@@ -105,7 +105,7 @@ struct OneThreshold : KickedBreather {
       "threshold", "depinning threshold: the least kick that sets a pinned breather moving"};
 
   /**
-  The prediction says where to look. An extrapolation is no proof: a kick one per cent below it must turn back, one per
+  The kicks are those beyond the prediction. An extrapolation is no proof: a kick one per cent below it must turn back, one per
   cent above it must get over. */
   Table table() const {
     const RestingBreather at = at_rest();
@@ -119,15 +119,16 @@ struct OneThreshold : KickedBreather {
           "slowly");
     // The threshold from two methods, and what brackets it
     const EventCorrected fine = fourteen_stages(0.06);
+    const double limit = 10 / p.frequency.value;
     std::array<Estimate, 2> found;
     parallel_for("thresholds", 2, [&](std::size_t i) {
-      found[i] = freeing_kick_of(at, p, i ? EventCorrected{0.15} : fine);
+      found[i] = depinning(at, p.threshold.value, i ? EventCorrected{0.15} : fine, limit).threshold;
     });
     const Estimate c = compare(found[1], found[0]);
     parallel_for("bracket", 2, [&](std::size_t i) {
       const double beside = (i ? 1.01 : 0.99) * c.value;
-      const Mobility fate = mobility_of(decided_path(at, beside, fine, 10 / p.frequency.value));
-      if (fate != (i ? Mobility::free : Mobility::pinned))
+      const Mobility found_to_be = mobility_of(decided_path(at, beside, fine, limit));
+      if (found_to_be != (i ? Mobility::free : Mobility::pinned))
         throw Failure("the threshold is not within one per cent of " + short_text(c.value));
     });
     // What the runs find, and what was predicted
@@ -139,8 +140,7 @@ struct OneThreshold : KickedBreather {
     q.add("predicted", p.threshold, "",
           "threshold predicted from the barrier and the pinning mode");
     q.add_small("effective_barrier", p.barrier, "",
-                "E_site - E_bond at equal area (2 pi times the action), the barrier for the moving "
-                "breather");
+                "E_site - E_bond at equal action, the barrier for the moving breather");
     q.add_small("kinetic_share", p.share, "",
                 "fraction of the energy c^2/2 that goes into translational kinetic energy; "
                 "negative if the effective mass is");

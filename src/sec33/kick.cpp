@@ -17,10 +17,12 @@ std::vector<double> kick_direction(const std::vector<double>& y) {
   return g;
 }
 
-State<double> kicked(State<double> state, double c) {
-  const std::vector<double> g = kick_direction(state.y);
+State<double> kicked(State<double> state, double c, const std::vector<double>& g) {
   for (std::size_t n = 0; n < g.size(); ++n) state.v[n] += c * g[n];
   return state;
+}
+State<double> kicked(const State<double>& state, double c) {
+  return kicked(state, c, kick_direction(state.y));
 }
 
 double sample_of_mean(double period) {
@@ -52,6 +54,11 @@ double KickedPath::mean_speed(double distance, std::size_t start) const {
   throw std::runtime_error("the kicked breather does not travel that far");
 }
 
+double KickedPath::speed_at(double distance) const {
+  const double since = (distance - 0.1) / mean_speed(distance - 0.1);
+  return 0.2 / ((distance + 0.1) / mean_speed(distance + 0.1) - since);
+}
+
 // `run` gives its drift relative to the breather's energy
 double KickedPath::drift_margin(double c, double energy) const {
   return c * c / 2 / energy / run.energy_drift;
@@ -59,8 +66,8 @@ double KickedPath::drift_margin(double c, double energy) const {
 
 Mobility mobility_of(const KickedPath& path) {
   const double far = path.farthest();
-  if (far > 0.6) return Mobility::free;
-  return std::abs(path.travelled()) < far - 0.02 ? Mobility::pinned : Mobility::undecided;
+  if (far > free_beyond) return Mobility::free;
+  return std::abs(path.travelled()) < far - turned_back ? Mobility::pinned : Mobility::undecided;
 }
 
 KickedPath follow_kicked(const Method& method, const Chain& chain, const State<double>& start,

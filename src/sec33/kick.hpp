@@ -3,8 +3,8 @@
 # Kicking a breather
 
 When all beads of a breather are at rest they are given the velocities $c\,g_n$, with $g_n$ the discrete gradient
-$y_{n+1}-y_{n-1}$ divided by its norm, so that the kick adds the energy $c^2/2$. The chapter `sec33_mobility` writes
-kick and run out; here they are for commands, live page and tests. */
+$y_{n+1}-y_{n-1}$ divided by its norm, so that the kick adds the energy $c^2/2$. Chapter (`sec33_mobility`), commands,
+live page and tests all kick and follow breathers by the functions of this file. */
 
 #include <algorithm>
 #include <cstddef>
@@ -18,8 +18,9 @@ namespace lattice {
 /// The direction g of a kick; beads beyond both ends are at rest. Throws std::invalid_argument for a chain at rest.
 std::vector<double> kick_direction(const std::vector<double>& y);
 
-/// The state after a kick of size `c` (a velocity).
-State<double> kicked(State<double> state, double c);
+/// The state after a kick of size `c` (a velocity) along `g`, by default the discrete gradient.
+State<double> kicked(State<double> state, double c, const std::vector<double>& g);
+State<double> kicked(const State<double>& state, double c);
 
 /**
 The centre $X$ of Eq. (24) swings with every oscillation, so it is averaged over 89 samples at intervals of
@@ -35,7 +36,7 @@ double breather_place(const std::vector<double>& e);
 
 /// The means of X, in sites from the middle of the chain, at the middles of their intervals.
 struct KickedPath : Path {
-  double share = 1;   ///< the least share of the energy near the largest density, of all samples
+  double share = 1;   ///< the least fraction of the energy within five sites of the largest density
   double energy = 0;  ///< of the chain at the end of the run
   Run run{};
 
@@ -47,12 +48,16 @@ struct KickedPath : Path {
   /// `distance` over the time that it takes from mean `start` on, interpolated between two means. Throws
   /// std::runtime_error if the path does not lead so far.
   double mean_speed(double distance, std::size_t start = 0) const;
+  /// When the distance from the first mean is this, and the speed there, over a fifth of a site.
+  double time_at(double distance) const { return t[0] + distance / mean_speed(distance); }
+  double speed_at(double distance) const;
   /// The energy of a kick, c^2/2, over the energy that the integration gained or lost; `energy` is the breather's.
   double drift_margin(double c, double energy) const;
 };
 
-/// Free: 0.6 sites from the start, well beyond the next maximum of the potential. Pinned: turned back by 0.02 sites before
-/// that.
+/// Free: this far from the start, well beyond the next maximum of the potential at 0.5. Pinned: turned back by this
+/// much before. Both in sites; the means of X are known to 1e-6.
+inline constexpr double free_beyond = 0.6, turned_back = 0.02;
 enum class Mobility { undecided, free, pinned };
 Mobility mobility_of(const KickedPath& path);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 namespace lattice {
@@ -15,19 +16,22 @@ Vector<double> eigenvector_near(const Matrix<double>& m, double value, Vector<do
 }
 
 // Around a site half a period and the reflection, around a bond a whole period
-PeriodMap period_map(const Chain& chain, Centre centre, State<double> state, double period,
-                     const EventTolerance<double>& rule) {
-  const auto n = Eigen::Index(chain.sites);
-  const bool site = centre == Centre::site;
-  Tangent<double> tangent(chain.sites, 2 * chain.sites);
-  flow(chain, state, site ? period / 2 : period, rule, &tangent);
+PeriodMap period_map(const RestingBreather& at, const EventTolerance<double>& rule) {
+  const auto n = Eigen::Index(at.chain.sites);
+  const bool site = at.centre == Centre::site;
+  State<double> state = at.rest;
+  Tangent<double> tangent(at.chain.sites, 2 * at.chain.sites);
+  flow(at.chain, state, site ? at.period / 2 : at.period, rule, &tangent);
   const auto entry = [&](Eigen::Index i, Eigen::Index k) {
     const double value = tangent(std::size_t(site ? n - 1 - i : i), std::size_t(k));
     return site ? -value : value;
   };
   PeriodMap map{Matrix<double>(n, n), Matrix<double>(n, n), Matrix<double>::Identity(n, n)};
   for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index k = 0; k < n; ++k) map.A(i, k) = entry(i, k), map.B(i, k) = entry(i, k + n);
+    for (Eigen::Index k = 0; k < n; ++k) {
+      map.yy(i, k) = entry(i, k);
+      map.yv(i, k) = entry(i, k + n);
+    }
   // Around a bond even perturbations suffice; the shift in time is odd and drops out
   if (site) return map;
   map.basis = Matrix<double>::Zero(n, n / 2);
@@ -36,29 +40,42 @@ PeriodMap period_map(const Chain& chain, Centre centre, State<double> state, dou
   return map;
 }
 
-Pinning pinning_of(const Chain& chain, Centre centre, const State<double>& start, double period,
-                   const EventTolerance<double>& rule) {
-  const PeriodMap map = period_map(chain, centre, start, period, rule);
-  const Matrix<double> A = map.basis.transpose() * map.A * map.basis;
-  const Matrix<double> B = map.basis.transpose() * map.B * map.basis;
-  const std::vector<double> direction = kick_direction(start.y);
-  const Vector<double> g =
-      map.basis.transpose() *
-      Eigen::Map<const Vector<double>>(direction.data(), Eigen::Index(direction.size()));
-  const double near = centre == Centre::site ? -1 : 1;
+// The slow plane, from its eigenvectors
+Pinning pinning_of(const RestingBreather& at, const EventTolerance<double>& rule) {
+  const PeriodMap map = period_map(at, rule);
+  const Matrix<double> M_yy = map.basis.transpose() * map.yy * map.basis;
+  const Matrix<double> M_yv = map.basis.transpose() * map.yv * map.basis;
+  const Vector<double> g = map.basis.transpose() *
+                           Eigen::Map<const Vector<double>>(at.g.data(), Eigen::Index(at.g.size()));
+  const double near = at.centre == Centre::site ? -1 : 1, period = at.period;
   // Right and left eigenvectors span the plane: a shift of positions and a push of velocities
-  const Vector<double> x = eigenvector_near(A, near, g);
-  const Vector<double> z = eigenvector_near(A.transpose(), near, g);
-  const double cosine = z.dot(A * x) / z.dot(x), b = z.dot(B * z) / z.dot(x), part = x.dot(g);
-  const double share = b * part * part / (period * x.dot(z));
+  const Vector<double> xi = eigenvector_near(M_yy, near, g);
+  const Vector<double> zeta = eigenvector_near(M_yy.transpose(), near, g);
+  const double cosine = zeta.dot(M_yy * xi) / zeta.dot(xi),
+               b = zeta.dot(M_yv * zeta) / zeta.dot(xi), part = xi.dot(g);
+  const double share = b * part * part / (period * xi.dot(zeta));
   const double miss = 2 * (1 - std::abs(cosine)) / (period * period);
-  const Vector<double> shift = (part < 0 ? -1 : 1) * (map.basis * x);
+  const Vector<double> shift = (part < 0 ? -1 : 1) * (map.basis * xi);
   const std::vector<double> mode(shift.begin(), shift.end());
-  if (centre == Centre::bond) return {miss, share, part, mode};
+  if (at.centre == Centre::bond) return {miss, share, mode};
   // Around a site half a period is taken twice, which doubles the angle
-  return {2 * (1 + std::abs(cosine)) * miss, 2 * cosine * share, part, mode};
+  return {2 * (1 + std::abs(cosine)) * miss, 2 * cosine * share, mode};
 }
 
+double pendulum_speed(double start, double omega, bool from_maximum) {
+  const double change = omega / std::numbers::pi;
+  if (!from_maximum && start <= change) return 0;
+  double a = from_maximum ? std::hypot(start, change) : start;
+  double b = from_maximum ? start : std::sqrt(start * start - change * change);
+  while (std::abs(a - b) > 1e-14 * a) {
+    const double mean = (a + b) / 2;
+    b = std::sqrt(a * b);
+    a = mean;
+  }
+  return a;
+}
+
+// A cubic through the means near the maximum
 double hill_speed(const KickedPath& path, double hill) {
   std::vector<std::size_t> near;
   for (std::size_t k = 0; k < path.centre.size(); ++k)
@@ -86,21 +103,39 @@ double threshold_from(double c1, double v1, double c2, double v2) {
   return std::sqrt(square);
 }
 
-RestingBreather resting_breather(Centre centre, Phase phase, double omega_b, std::size_t sites) {
+// Newton's method, on a chain without a floor; the runs have one
+RestingBreather resting_breather(Centre centre, Phase phase, double omega_b, std::size_t sites,
+                                 double s) {
   const Fitted found =
-      fit_chain(centre, omega_b, Quartic{0}, centre == Centre::site ? sites | 1 : sites,
+      fit_chain(centre, omega_b, Quartic{s}, centre == Centre::site ? sites | 1 : sites,
                 sites_of(centre, Length::spare), 1e-16, phase);
-  return {centre, Chain{found.problem.chain.sites}, found.orbit.start, found.problem.period(),
-          found.orbit.energy};
+  const State<double>& rest = found.orbit.start;
+  return {centre,
+          Chain{rest.y.size(), simplest(Well(Quartic{s}))},
+          rest,
+          found.problem.period(),
+          found.orbit.energy,
+          kick_direction(rest.y)};
+}
+
+RestingBreather along_pinning_mode(RestingBreather at) {
+  at.g = pinning_of(at).shift;
+  return at;
+}
+
+RestingBreather reversed(RestingBreather at) {
+  for (double& x : at.g) x = -x;
+  return at;
 }
 
 EventCorrected fourteen_stages(double step) {
   return {step, nystrom(blanes_moan_6_14())};
 }
 
-BreatherPair barriers_at(double omega_b) {
-  BreatherPair pair{0, omega_b};
-  for (int k : {0, 1}) pair.orbit[k] = find_breather(problem_of(both_centres[k], omega_b));
+// Both barriers, and the prediction
+BreatherPair barriers_at(double omega_b, double s) {
+  BreatherPair pair{s, omega_b};
+  for (int k : {0, 1}) pair.orbit[k] = find_breather(problem_of(both_centres[k], omega_b, s));
   measure_in<double>(pair);
   return pair;
 }
@@ -110,7 +145,7 @@ Prediction predict_threshold(const RestingBreather& at, const Estimate& barrier)
   for (std::size_t i = 0; i < 2; ++i) {
     EventTolerance<double> rule;
     if (i == 0) rule.tolerance *= 16;
-    found[i] = pinning_of(at.chain, at.centre, at.rest, at.period, rule);
+    found[i] = pinning_of(at, rule);
   }
   const auto pair = [&](auto of) { return compare(of(found[0]), of(found[1])); };
   Prediction out;
@@ -122,9 +157,6 @@ Prediction predict_threshold(const RestingBreather& at, const Estimate& barrier)
   out.threshold =
       pair([&](const Pinning& p) { return std::sqrt(2 * std::abs(barrier.value / p.share)); });
   out.threshold.error += 0.5 * out.threshold.value * std::abs(barrier.error / barrier.value);
-  const Estimate cosine = pair([](const Pinning& p) { return std::abs(p.cosine); });
-  out.along_mode = {out.threshold.value * cosine.value,
-                    out.threshold.error * cosine.value + out.threshold.value * cosine.error};
   return out;
 }
 
@@ -136,21 +168,23 @@ KickedPath decided_path(const RestingBreather& at, double c, const Method& metho
   throw std::runtime_error("a kick neither depins the breather nor leaves it pinned");
 }
 
-Estimate freeing_kick_of(const RestingBreather& at, const Prediction& guess,
-                         const EventCorrected& method) {
-  std::array<double, 3> c{1.05, 1.2, 1.4}, v{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    c[i] *= guess.threshold.value;
-    const KickedPath path = decided_path(at, c[i], method, 10 / guess.frequency.value);
+Depinning depinning(const RestingBreather& at, double predicted, const Method& method,
+                    double limit) {
+  Depinning out;
+  for (std::size_t i = 0; i < kicks_beyond.size(); ++i) {
+    out.c[i] = kicks_beyond[i] * predicted;
+    const KickedPath path = decided_path(at, out.c[i], method, limit);
     if (mobility_of(path) != Mobility::free)
       throw std::runtime_error("a kick above the predicted threshold leaves the breather pinned");
-    v[i] = hill_speed(path);
+    out.speed[i] = hill_speed(path);
+    out.drift = std::max(out.drift, path.run.energy_drift);
   }
   const auto from = [&](std::size_t i, std::size_t k) {
-    return threshold_from(c[i], v[i], c[k], v[k]);
+    return threshold_from(out.c[i], out.speed[i], out.c[k], out.speed[k]);
   };
   const Estimate one = compare(from(0, 2), from(0, 1)), two = compare(from(1, 2), from(0, 1));
-  return {one.value, std::max(one.error, two.error)};
+  out.threshold = {one.value, std::max(one.error, two.error)};
+  return out;
 }
 
 }  // namespace lattice

@@ -31,7 +31,7 @@ STATEMENT("impact.kink") {
 }
 
 STATEMENT("impact.kink_soliton") {
-  const Data kinks = table("kink_shape").where("velocity", 6, 64);
+  const Data kinks = table("kink_shape").where("velocity", 5, 64);
   const auto apart = [](const char* kink, const char* pulse) {
     return [=](const Data::Row& row) { return abs(row[kink] / row[pulse] - 1); };
   };

@@ -1,0 +1,137 @@
+#include "sec34/dps_comparison.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "lattice/diagnostics/observe.hpp"
+#include "lattice/dps/dps_impact.hpp"
+#include "lattice/impact/impact.hpp"
+
+namespace lattice {
+
+ApproximateStart approximate_start(std::size_t sites, double eps) {
+  const std::vector<double> a = interleaved(dps_impact(sites));
+  std::vector<double> rate(2 * sites);
+  Dps{sites}(0, a.data(), rate.data());
+  const auto velocity = [&](std::size_t n) {
+    return 2 * eps * (-a[2 * n + 1] + std::sqrt(eps) * rate[2 * n]);
+  };
+  ApproximateStart out;
+  for (std::size_t n = 0; n < sites; ++n)
+    out.place = std::max(out.place, std::abs(2 * eps * a[2 * n]));
+  for (std::size_t n = 2; n < sites; ++n) out.others = std::max(out.others, std::abs(velocity(n)));
+  out.first = velocity(0) - 2 * eps;
+  out.second = velocity(1);
+  return out;
+}
+
+// Both tables need no run
+void report_start(Report& report, std::size_t sites, double tau) {
+  const double eps_101 = breather_eps(1.01);
+  report.table("scales").add(
+      {{"eps", "size at which breathers have the frequency 1.01", exact(eps_101), "", "exact"},
+       {"end", "time at the slow time 250", exact(tau / std::sqrt(eps_101)), "", "exact"}});
+  Table& start = report.table("start");
+  for (double eps : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2}) {
+    const ApproximateStart at = approximate_start(sites, eps);
+    const auto of = [eps](double v) { return Estimate(v, 1e-15 * eps); };
+    start.add({{"eps", "size of the impact", eps},
+               {"place", "largest displacement of a bead", exact(at.place), "", "exact"},
+               {"first", "velocity of the first bead beyond 2 eps", of(at.first), "", "rounding"},
+               {"second", "velocity of the second bead", of(at.second), "", "rounding"},
+               {"others", "largest velocity of another bead", exact(at.others), "", "exact"}});
+  }
+}
+
+// What stays behind, in stretches of time
+std::vector<ResidueStretch> residue_stretches(const std::vector<double>& tau,
+                                              const std::vector<Field>& A, double from,
+                                              double every) {
+  std::vector<ResidueStretch> out;
+  for (double end = from; end <= tau.back() + 1e-9; end += every) {
+    ResidueStretch s{end};
+    for (std::size_t k = 0; k < tau.size(); ++k) {
+      if (tau[k] < end - every - 1e-9 || tau[k] >= end + 1e-9) continue;
+      const std::vector<double> d = density(A[k]);
+      s.first_site = std::max(s.first_site, d[0]);
+      s.first_ten = std::max(s.first_ten, std::accumulate(d.begin(), d.begin() + 10, 0.0));
+      if (tau[k] > end - 1e-9)
+        s.sharing = participation({d.begin(), d.begin() + std::ptrdiff_t(*front_packet(d)) - 10});
+    }
+    out.push_back(s);
+  }
+  return out;
+}
+
+void report_residue(Report& report, const std::vector<ResidueStretch>& coarse,
+                    const std::vector<ResidueStretch>& fine) {
+  Table& table = report.table("residue_in_time");
+  for (std::size_t i = 0; i < fine.size(); ++i)
+    table.add({{"tau", "slow time at the end of a stretch of 25", fine[i].tau},
+               {"first_site", "largest |A_1|^2 in the stretch",
+                compare(coarse[i].first_site, fine[i].first_site)},
+               {"first_ten", "largest norm of the first ten sites in the stretch",
+                compare(coarse[i].first_ten, fine[i].first_ten)},
+               {"sharing", "sites that share the residue at its end: its participation number",
+                compare(coarse[i].sharing, fine[i].sharing), "site"}});
+}
+
+// Up to ten sites behind both packets
+static std::size_t end_of_train(const std::vector<double>& chain, const std::vector<double>& dps) {
+  return std::min(*front_packet(chain), *front_packet(dps)) - 10;
+}
+
+double trains_apart(const std::vector<double>& chain, const std::vector<double>& dps) {
+  const auto until = std::ptrdiff_t(end_of_train(chain, dps));
+  const auto train = [&](const std::vector<double>& e) {
+    return std::sqrt(std::accumulate(e.begin(), e.begin() + until, 0.0));
+  };
+  return std::abs(train(dps) / train(chain) - 1);
+}
+
+double sites_apart(const std::vector<double>& chain, const std::vector<double>& dps) {
+  double apart = 0, largest = 0;
+  for (std::size_t n = 0; n < end_of_train(chain, dps); ++n) {
+    apart = std::max(apart, std::abs(std::sqrt(dps[n]) - std::sqrt(chain[n])));
+    largest = std::max(largest, std::sqrt(chain[n]));
+  }
+  return apart / largest;
+}
+
+Amplitude amplitude(const State<double>& now, std::size_t peak) {
+  const std::size_t m = packet_half_width, from = peak > m ? peak - m : 0,
+                    until = std::min(peak + m + 1, now.y.size());
+  const auto [trough, crest] = std::minmax_element(now.y.begin() + std::ptrdiff_t(from),
+                                                   now.y.begin() + std::ptrdiff_t(until));
+  return {*crest - *trough, std::max(*crest, -*trough)};
+}
+Amplitude amplitude(const Chain& chain, const State<double>& now) {
+  return amplitude(now, *front_packet(energy_density(chain, now)));
+}
+
+Heights heights_at(const Chain& chain, double eps, double from, double to, std::size_t instants,
+                   const EventCorrected& method, double dps_tolerance) {
+  Heights out;
+  State<double> state = struck(chain.sites, 2 * eps);
+  evolve(method, chain, state, from, 5);
+  evolve(method, chain, state, to - state.t, (to - from) / double(instants - 1),
+         [&](const State<double>& now) {
+           out.t.push_back(now.t);
+           out.chain.push_back(amplitude(chain, now).height);
+         });
+
+  // The DpS equation, in its slow time
+  Field A = dps_impact(chain.sites);
+  const Dps dps{chain.sites};
+  const double rate = std::sqrt(eps);
+  evolve_dps(dps, A, rate * from, 1, dps_tolerance);
+  evolve_dps(dps, A, rate * (to - from), instants - 1, dps_tolerance,
+             [&](double tau, const Field& now) {
+               const double t = from + tau / rate;
+               out.dps.push_back(amplitude(chain, dps_state(now, eps, t)).height);
+             });
+  return out;
+}
+
+}  // namespace lattice
