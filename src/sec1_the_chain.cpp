@@ -12,7 +12,12 @@ the unit circle, except a pair next to $+1$ that makes a disturbance grow by 0.0
 ![A packet that travels, one that turns round, a breather, and its Floquet multipliers.](fig:x36)
 
 The code needs the C++ standard library and Eigen. Of our own library it uses what writes tables, and
-`compare(coarse, fine)`: the finer value, with its difference from the coarser one as error. */
+`compare(coarse, fine)`: the finer value, with its difference from the coarser one as error.
+
+<!-- head -->
+`build/bin/sec1_the_chain` computes this chapter in less than 1 s on two cores and writes 8 tables to
+`build/data/sec1_the_chain`. Its figures: `make x36`, `make x40`.
+<!-- /head --> */
 
 #include <Eigen/Dense>
 #include <algorithm>

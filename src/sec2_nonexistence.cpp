@@ -18,7 +18,12 @@ motion of free beads is rest, in which no contact overlaps, $x_n \ge x_{n-1}$ (`
 
 ![Mean contact forces are the same at every contact of free chains (a) and not in wells (b); energy and mean force of a
 localized state (c, d). Drawn by x16_mean_force.py from the tables `mean_forces` (against `n`) and `dispersal` (against
-`t`).](fig:x16) */
+`t`).](fig:x16)
+
+<!-- head -->
+`build/bin/sec2_nonexistence` computes this chapter in less than 1 s on two cores and writes 4 tables to
+`build/data/sec2_nonexistence`. Its figures: `make x16`, `make x41`.
+<!-- /head --> */
 #include <algorithm>
 #include <cmath>
 #include <numbers>

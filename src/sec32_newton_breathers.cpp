@@ -18,6 +18,13 @@ of the previous chapter.
 ![Bond-centred breathers, of the DpS equation and of the chain, and their quasi-continuum approximation. Drawn by
 fig02_bond_centred.gp: the columns of `bond_profiles` against `n`.](fig:02)
 
+<!-- head -->
+`build/bin/sec32_newton_breathers` computes this chapter in 3 s on two cores and writes 12 tables to
+`build/data/sec32_newton_breathers`. Its figures: `make fig02`, `make fig03`, `make fig04`, `make fig05`, `make fig06`,
+`make x44`. With your parameters: `breather`, one breather: amplitude, energy, area (2 pi times the action) and
+residual.
+<!-- /head -->
+
 ## Model
 
 The beads sit in the wells of Eq. (10), mostly linear ones ($s = 0$), and push on their neighbours, Eqs. (6) and (9):

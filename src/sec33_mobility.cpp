@@ -21,6 +21,13 @@ $|\varphi|\,c_c^2/2 = |\tilde E_{PN}|$: only the small fraction $|\varphi|$ of t
 the barrier to be passed, $\tilde E_{PN}$, is that at equal *action*, which is smaller, too. That $c_c^2/2$ and $E_{PN}$
 have the same order of magnitude comes from two small factors that nearly cancel.
 
+<!-- head -->
+`build/bin/sec33_mobility` computes this chapter in 32 s on two cores and writes 14 tables to
+`build/data/sec33_mobility`. Its figures: `make fig14`, `make fig15`, `make x15`, `make x48`. With your parameters:
+`kick`, speed of a breather after a kick along its discrete gradient; `threshold`, depinning threshold: the least kick
+that sets a pinned breather moving.
+<!-- /head -->
+
 ## Model
 
 The chain has harmonic wells, Eqs. (6) to (9), and free ends,

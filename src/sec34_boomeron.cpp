@@ -23,6 +23,12 @@ predictable beyond the first reflection only if $v_0$ is known to a millionth. A
 fig22_turning_maps.py: `e` over `t` and `n` from the table `density_maps`, `mean`, `low` and `high` from `ensemble`, the
 dashed line from `predictable`.](fig:22)
 
+<!-- head -->
+`build/bin/sec34_boomeron` computes this chapter in 5 s on two cores and writes 14 tables to
+`build/data/sec34_boomeron`. Its figures: `make fig22`, `make fig23`, `make x51`, `make x58`. With your parameters:
+`run`, one impact: turning point, reflection at the struck end, decorrelation time.
+<!-- /head -->
+
 ## Model
 
 The chain has the wells of Eq. (10), and only its first bead moves at $t=0$, Eqs. (9) and (26):

@@ -22,6 +22,12 @@ We find the first and the last as printed, if amplitudes are measured suitably, 
 ![Energy density and speed of the packet against impact velocity. Drawn by fig19_impact_velocity.gp: `peak` and `speed`
 against `velocity`, from the table `velocity_sweep`.](fig:19)
 
+<!-- head -->
+`build/bin/sec34_impact` computes this chapter in 7 s on two cores and writes 15 tables to `build/data/sec34_impact`.
+Its figures: `make fig19`, `make fig20`, `make fig21`, `make x50`, `make x57`. With your parameters: `run`, one impact:
+speed, centre and energies of the foremost packet.
+<!-- /head -->
+
 ## Model
 
 The beads obey Eq. (9) with the wells of Eq. (10), $W(y) = y^2/2 + s\,y^4/4$, which are soft for $s < 0$. The first one

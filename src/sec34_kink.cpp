@@ -19,6 +19,12 @@ slow kink, which breathes, and fast ones, and the resemblance to the soliton gro
 and `ejected_far` against `velocity` from the table `kink_transition`; `wells` over `n` and `t` from
 `kink_examples`.](fig:x01)
 
+<!-- head -->
+`build/bin/sec34_kink` computes this chapter in 4 s on two cores and writes 6 tables to `build/data/sec34_kink`. Its
+figures: `make x01`, `make x52`. With your parameters: `run`, one impact in pendulum wells (a kink needs neighbouring
+wells): how many beads changed wells.
+<!-- /head -->
+
 ## Model
 
 The chain is that of Eq. (9) with another well,
@@ -312,7 +318,7 @@ void reproduce(Report& report) {
 | statement | printed | here | verdict |
 |---|---|---|---|
 | `impact.kink`: for W = 1 - cos y and large impact the breather becomes a kink ejecting beads at the far end | kink | kink_transition.advanced (velocity = 1) and 864 other values: 1 <= 184; kink_transition.advanced (velocity = 1) and 864 other values: 1 <= 165; kink_transition.advanced (velocity = 1) and 864 other values: 0.005698 < 0.05 | holds |
-| `impact.kink_soliton`: the kink is reminiscent of Nesterenko's soliton | reminiscent | kink_shape.speed (velocity = 7), (velocity = 8): 1.15 < 1.178 (the closest of 22) | holds, assuming |
+| `impact.kink_soliton`: the kink is reminiscent of Nesterenko's soliton | reminiscent | fails 1 of 31 comparisons; first kink_shape.length (velocity = 5.5), kink_shape.pulse_length (velocity = 5.5): 0.6253 < 0.5 | quantified |
 | `impact.no_blowup_pendulum`: no blow-up for W = 1 - cos y | does not occur | confinement.speed (velocity = 2): 1 < 1.001 (the closest of 15) | holds |
 <!-- /statements -->
 

@@ -10,6 +10,12 @@ like the square root of this number: 0.15 and 0.11 in the array. Then we derive 
 ![Newton's cradle and an array of clamped cantilevers decorated by beads. Drawn by fig01_two_chains.py: the sizes of the
 table `schematic`.](fig:01)
 
+<!-- head -->
+`build/bin/sec35_scales` computes this chapter in 2 s on two cores and writes 12 tables to `build/data/sec35_scales`.
+Its figures: `make fig01`, `make x53`. With your parameters: `scales`, constants of the cantilever array and of the
+cradle, in SI units.
+<!-- /head -->
+
 ## Model
 
 Beads of mass $m$ that push on each other with $\gamma x^{3/2}$ at the overlap $x$ and collide at the speed $V$ touch for

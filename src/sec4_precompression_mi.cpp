@@ -10,6 +10,15 @@ The nonlinear Schrödinger (NLS) equation also predicts when the breather appear
 the three wells. That the impact's breather no longer turns round depends on the compression: at 1/25 of the article's
 it still does.
 
+<!-- head -->
+`build/bin/sec4_precompression_mi` computes this chapter in 10 s on two cores and writes 28 tables to
+`build/data/sec4_precompression_mi`. Its figures: `make fig25`, `make fig26`, `make fig27`, `make fig28`, `make x55`,
+`make x59`. With your parameters: `coefficients`, coefficients of the NLS equation at one wavenumber; `band`, phonon
+band: edges, inflection point and modulationally unstable wavenumbers; `impact`, one impact on a compressed chain:
+centre, width and energy of the packet; `ring`, one modulated phonon on a ring: when its energy localises, and how
+narrow the packet becomes.
+<!-- /head -->
+
 ## Model
 
 The wells of Eq. (10) and the compressed contact of Eq. (33), all dimensionless, give
