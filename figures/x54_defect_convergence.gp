@@ -11,7 +11,7 @@ set key top left samplen 1.6
 set xlabel 'time step  {/:Italic h}  (units of τ_c)'
 set ylabel 'relative error'
 table = data.'/sec36_cantilever_defect/convergence.ecsv'
-plot table using 'step':'force' with linespoints ls 4 title 'force at {/:Italic n} = 80', \
+plot table using 'step':'force' with linespoints ls 4 title 'force at cantilever 80', \
      '' using 'step':'near' with linespoints ls 3 title 'kept at 0.925 radii', \
      '' using 'step':'reflected' with linespoints ls 1 title 'reflected at 1.1 radii', \
      5e-4*x**5 lc rgb grey dt (2,2) title 'slope 5'

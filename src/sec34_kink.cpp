@@ -256,26 +256,27 @@ void report_shape(Report& report) {
   const std::vector<double> velocities{5, 5.25, 5.5, 6, 7, 8, 12, 16, 32, 64};
   const auto row = [](double v0) -> Row {
     const KinkWatch free{{long_chain, None{}}, near, far, maximum};
-    const TwoRuns<Passage> kink{passage(kinks, v0, 0.02), passage(kinks, v0, 0.01)},
+    const TwoRuns<KinkPassage> kink{passage(kinks, v0, 0.02), passage(kinks, v0, 0.01)},
         pulse{passage(free, v0, 0.02), passage(free, v0, 0.01)};
-    const auto speed = [](const Passage& p) { return p.speed; };
-    const auto length = [](const Passage& p) { return p.length; };
-    const auto scaled = [](const Passage& p) { return p.scaled(); };
-    return {{"velocity", "velocity of the impact on the first bead", v0},
-            {"speed", "of the kink", kink.of(speed), "site per unit of time"},
-            {"later", "of the kink, a hundred beads on",
-             kink.of([](const Passage& p) { return p.later; }), "site per unit of time"},
-            {"length", "of the kink, at half of the largest velocity", kink.of(length), "site"},
-            {"scaled", "speed of the kink over the fifth root of its largest velocity",
-             kink.of(scaled)},
-            {"spread", "largest less smallest of the beads' largest velocities, over their mean",
-             kink.of([](const Passage& p) { return p.spread; }), "",
-             "difference of two resolutions, against the largest"},
-            {"wells", "by which the kink moves a bead on",
-             kink.of([](const Passage& p) { return std::lround(p.way / period); }), "", "exact"},
-            {"pulse_speed", "the same without wells", pulse.of(speed), "site per unit of time"},
-            {"pulse_length", "the same without wells", pulse.of(length), "site"},
-            {"pulse_scaled", "the same without wells", pulse.of(scaled)}};
+    const auto speed = [](const KinkPassage& p) { return p.speed; };
+    const auto length = [](const KinkPassage& p) { return p.length; };
+    const auto scaled = [](const KinkPassage& p) { return p.scaled(); };
+    return {
+        {"velocity", "velocity of the impact on the first bead", v0},
+        {"speed", "of the kink", kink.of(speed), "site per unit of time"},
+        {"later", "of the kink, a hundred beads on",
+         kink.of([](const KinkPassage& p) { return p.later; }), "site per unit of time"},
+        {"length", "of the kink, at half of the largest velocity", kink.of(length), "site"},
+        {"scaled", "speed of the kink over the fifth root of its largest velocity",
+         kink.of(scaled)},
+        {"spread", "largest less smallest of the beads' largest velocities, over their mean",
+         kink.of([](const KinkPassage& p) { return p.spread; }), "",
+         "difference of two resolutions, against the largest"},
+        {"wells", "by which the kink moves a bead on",
+         kink.of([](const KinkPassage& p) { return std::lround(p.way / period); }), "", "exact"},
+        {"pulse_speed", "the same without wells", pulse.of(speed), "site per unit of time"},
+        {"pulse_length", "the same without wells", pulse.of(length), "site"},
+        {"pulse_scaled", "the same without wells", pulse.of(scaled)}};
   };
   report.table("kink_shape").fill(velocities, row, "kinks");
 }

@@ -12,7 +12,7 @@
 
 namespace lattice {
 
-double Passage::scaled() const {
+double KinkPassage::scaled() const {
   return speed / std::pow(largest, 0.2);
 }
 
@@ -27,7 +27,7 @@ static double speed_on(const Beads& stretch, double level, const std::vector<dou
   return fit_line(times, places).slope;
 }
 
-Passage passage(const KinkWatch& watch, double v0, double step) {
+KinkPassage passage(const KinkWatch& watch, double v0, double step) {
   const Beads &near = watch.near, &far = watch.far;
   std::vector<double> t;
   std::vector<std::vector<double>> y(far.last), v(near.last);
@@ -49,8 +49,8 @@ Passage passage(const KinkWatch& watch, double v0, double step) {
     duration += time_above(t, v[n - 1], largest.back() / 2) / double(near.last - near.first + 1);
   }
   const auto [least, most] = std::minmax_element(largest.begin(), largest.end());
-  Passage out{.speed = speed_on(near, watch.passed_at, t, y),
-              .later = speed_on(far, watch.passed_at, t, y)};
+  KinkPassage out{.speed = speed_on(near, watch.passed_at, t, y),
+                  .later = speed_on(far, watch.passed_at, t, y)};
   for (double one : largest) out.largest += one / double(largest.size());
   out.spread = (*most - *least) / out.largest;
   out.length = out.speed * duration;

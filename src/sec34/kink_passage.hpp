@@ -24,7 +24,7 @@ struct KinkWatch {
 };
 
 /// What passes. A speed is the slope of the times at which the beads of a stretch pass `passed_at`.
-struct Passage {
+struct KinkPassage {
   double speed = 0;    ///< on the near stretch
   double later = 0;    ///< on the far one
   double largest = 0;  ///< largest velocity of a bead, mean over the near stretch
@@ -38,7 +38,7 @@ struct Passage {
 };
 
 /// The passage after an impact of this velocity, with steps and samples of `step`. Throws Failure if nothing passes.
-Passage passage(const KinkWatch& watch, double v0, double step);
+KinkPassage passage(const KinkWatch& watch, double v0, double step);
 
 /// The energy at a bead and ahead of it, sum of e_m over m >= bead, Eq. (23), when it passes `passed_at`.
 double energy_ahead(const KinkWatch& watch, double v0, std::size_t bead, double step);
