@@ -45,7 +45,7 @@ run(${CMAKE_COMMAND} -S ${place}/chapter -B ${place}/chapter/build -D CMAKE_PREF
     CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=-O0)
 run(${CMAKE_COMMAND} --build ${place}/chapter/build)
 file(READ ${place}/chapter/build/own_chain.svg drawn)
-if(NOT text MATCHES "unequal_beads holds: [^\n]*mu = 0\\.95[^\n]*0\\.1977[0-9]+ " OR NOT drawn MATCHES "</svg>")
+if(NOT text MATCHES "unequal_beads holds: [^\n]*mu = 0\\.98[^\n]*0\\.2247[0-9]+ " OR NOT drawn MATCHES "</svg>")
   message(FATAL_ERROR "the chapter says: ${text}")
 endif()
 file(READ ${place}/chapter/statements.cpp source)

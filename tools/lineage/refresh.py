@@ -85,26 +85,23 @@ def tally(claims, verdicts):
     def named(word):
         return f"{count[word]} ({', '.join(f'`{id}`' for id in of[word])})"
 
-    return [f"Of {len(claims)} statements {len(claims) - open_} can be decided. {hold} hold: {count['reproduced']} numbers as printed, "
-            f"{count['reproduced, assuming']} under a condition that the article does not state, {count['holds']} assertions, and "
-            f"{count['holds, assuming']} more that assume a bound or another choice of ours. {count['in part']} hold in part. "
-            f"{named('within its own accuracy')} is missed by no more than the accuracy that the article prints, {named('follows')} only because "
-            f"it is computed from another number, and {count['discrepant']} are discrepant. The other {open_} are words without a number, or numbers "
-            "whose method is not printed; ours stand beside them."]
+    return [f"- {hold} of {len(claims)} statements hold: {count['reproduced']} numbers as printed, {count['reproduced, assuming']} more under a condition "
+            f"that the article does not state, {count['holds']} assertions, and {count['holds, assuming']} more that assume a bound or another choice of ours.",
+            f"- {count['in part']} hold in part, and {count['discrepant']} are discrepant. {named('within its own accuracy')} is missed by no more than the "
+            f"accuracy that the article prints, {named('follows')} because it is computed from a number that is.",
+            f"- {open_} cannot be decided: words without a number, or numbers whose method is not printed. Ours stand beside them."]
 
 
 def index_rows(root, figures):
-    """Every chapter, in the order in which the book is read, with its figures and what judges its statements."""
+    """Every chapter, in the order in which the book is read, with its figures."""
     contents = Path(root) / "book/contents.txt"
     rows, order = [], ecsv.text_of(contents).split("\n") if contents.exists() else []
     for program in programs_of(root):
         section, title = re.match(r"/\*\*\n# (\w[\w.]*):? (.*)", ecsv.text_of(Path(root) / f"src/{program}.cpp")).groups()
         shown = [id for id, row in figures.items() if row["program"] == program]
-        judged = f"src/statements/{program}.cpp"
-        link = f"[judged]({judged})" if (Path(root) / judged).exists() else ""
         rows.append((order.index(program) if program in order else len(order), f"| {section} | [{title[0].upper() + title[1:]}](src/{program}.cpp) | "
-                     f"{', '.join(id.lstrip('0') for id in shown)} | {link} |"))
-    return ["| section | chapter | figures | statements |", "|---|---|---|---|", *(row for *_, row in sorted(rows))]
+                     f"{', '.join(id.lstrip('0') for id in shown)} |"))
+    return ["| section | chapter | figures |", "|---|---|---|", *(row for _, row in sorted(rows))]
 
 
 def module_rows(root):
