@@ -129,11 +129,14 @@ class Book:
         self.labels |= {row["label"]: f"Fig. {int(id)}" for id, row in self.figures.items() if row["label"]}
 
     def table_at(self, program, table):
-        """Where a chapter names a table first, as (source, line), or the longest piece of a name that it puts together."""
+        """Where a chapter, or the code of its section that it includes, names a table first, as (source, line), or the longest piece
+        of a name that they put together."""
         chapter = self.by_page[program]
-        said = [(len(word), -k) for k, line in enumerate(chapter.text.split("\n"), 1) for word in re.findall(r'"(\w{3,})"', line)
-                if table.startswith(word) or table.endswith(word)]
-        return (chapter, -max(said)[1]) if said else None
+        stems = [name.rpartition(".")[0] for name in chapter.includes if name.startswith("sec")]
+        places = [chapter, *(s for s in self.sources if s.included.rpartition(".")[0] in stems)]
+        said = [(len(word), -at, -k) for at, source in enumerate(places) for k, line in enumerate(source.text.split("\n"), 1)
+                for word in re.findall(r'"(\w{3,})"', line) if table.startswith(word) or table.endswith(word)]
+        return (places[-max(said)[1]], -max(said)[2]) if said else None
 
     # Links
 
@@ -366,8 +369,8 @@ class Book:
     def table_links(self, row):
         """Where a chapter begins each table of a figure."""
         chapter = self.by_page[row["program"]]
-        lines = {found[1] for name in row["data"].split() if (found := self.table_at(row["program"], name))}
-        return ", ".join([self.page_link(chapter.page), *(md.link(f"{chapter.page}.html#L-{k}", f"line {k}") for k in sorted(lines))])
+        lines = {(found[0].page, found[1]) for name in row["data"].split() if (found := self.table_at(row["program"], name))}
+        return ", ".join([self.page_link(chapter.page), *(md.link(f"{page}.html#L-{k}", f"line {k}") for page, k in sorted(lines))])
 
     def naming(self, label):
         """The statements of the article that name a figure."""

@@ -67,10 +67,10 @@ def own_commands(root, program):
     return [titles[name] for name in re.findall(r"\w+", listed[1])] if listed else []
 
 
-def head_lines(root, program, figures):
+def head_lines(root, program, figures, costs):
     """What stands at the head of a chapter: its command, what that costs and writes, its figures, its other commands."""
     tables = sum(name.startswith(program + "/") for name in ecsv.sums_of(Path(root) / "paper/full.sha256"))
-    seconds = read_costs(root).get(program, math.nan)
+    seconds = costs.get(program, math.nan)
     drawn = [command_of(id) for id, row in figures.items() if row["program"] == program]
     said = [f"`{run_of(program)}` computes this chapter in {'less than 1' if seconds < 1 else shown_cost(seconds)} s on two cores "
             f"and writes {tables} tables to `build/data/{program}`."]

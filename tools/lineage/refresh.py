@@ -157,6 +157,7 @@ def fresh_texts(root, measured):
             raise ecsv.Fault(f"{path}: {str(fault).removeprefix(f'{path}: ')}") from None
 
     findings, verdicts, figures = read_findings(root), read_verdicts(root), read_figures(root)
+    costs = renewed_costs(root, measured)
     told = {id: finding_lines(row, numbers) for id, row in findings.items()}
     printed_rows = (claims if root == article(root) else {}) | read_literature(root)
     for path in sources(root):
@@ -164,11 +165,11 @@ def fresh_texts(root, measured):
         rows = {id: row for id, row in printed_rows.items() if row["program"] == home}
         marked = told | {"statements": statement_rows(rows, numbers, verdicts)}
         if "<!-- head -->" in ecsv.text_of(path):
-            marked["head"] = head_lines(root, path.stem, figures)
+            marked["head"] = head_lines(root, path.stem, figures, costs)
         yield fresh(path, lambda text: fresh_page(with_numbers(text, numbers, home), marked))
     if (root / "paper/findings.ecsv").exists():
         yield fresh(root / "paper/findings.ecsv", lambda text: with_numbers(text, numbers))
-    yield root / "paper/costs.ecsv", costs_text(renewed_costs(root, measured))
+    yield root / "paper/costs.ecsv", costs_text(costs)
     tables = generated_tables(root, claims, numbers)
     for page in (root / name for name in PAGES if (root / name).exists()):
         yield fresh(page, lambda text: fresh_page(text, tables))
