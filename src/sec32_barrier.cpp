@@ -249,9 +249,10 @@ well, $s = -\frac16$, for $\omega_b$ up to 1.9. (computed)
 <!-- /barrier.signs -->
 
 The zeros of the two barriers alternate in all three wells, as predicted: at equal area there are
-[13](cell:zeros/s=-1/6/equal_area) in the soft well and [6](cell:zeros/s=0/equal_area) in the linear one, each in another
-step of the frequency than those of $E_{PN}$. Newton's method in the frequency finds the zeros of $E_{PN}$; the error of
-the barrier over its slope is the error of the zero (`frequency_of_zero`). Two zeros within one step would be missed. */
+[13](cell:zeros/s=-1/6/equal_area) in the soft well and [6](cell:zeros/s=0/equal_area) in the linear one, each in
+another step of the frequency than those of $E_{PN}$. Newton's method in the frequency finds the zeros of $E_{PN}$;
+the error of the barrier over its slope is the error of the zero (`frequency_of_zero`). Two zeros within one step
+would be missed. */
 using Families = std::vector<BreatherPairs>;  // the pairs of breathers in each well
 
 Families report_barriers(Report& report) {
@@ -350,9 +351,9 @@ barrier of the soft well is three orders below the printed value, and at equal a
 the printed value, which therefore probably belongs to that well.
 
 The signs at 1.1 hold a surprise: in the soft and the linear well the stable breather is the one around the bond, in the
-hard well the one around the site (section 3.3), and each time it has the *higher* energy at equal area. A breather rests
-where the energy at equal action is largest if a moving one has *less* energy than one at rest, that is, if its effective
-mass is negative; that it is negative is computed in `sec33_mobility`.
+hard well the one around the site (section 3.3), and each time it has the *higher* energy at equal area. A breather
+rests where the energy at equal action is largest if a moving one has *less* energy than one at rest, that is, if its
+effective mass is negative; that it is negative is computed in `sec33_mobility`.
 
 | $\omega_b$, $s$ | $\lvert E_{PN}\rvert$, article | $E_{PN}$ | $\tilde E_{PN}$ |
 |---|---|---|---|
@@ -378,17 +379,17 @@ all frequencies but the first, the soft one at 31 of 49 (`pn.harmonic_smaller`).
 | at 1.3 | three to four orders | [858](cell:key_pairs/s=-1/6/omega=1.3/over_linear) | [2.49e4](cell:s=1/over_linear) |
 | a sixtieth above | | [21.3](cell:key_pairs/s=-1/6/omega=79/60/over_linear) | [616](cell:s=1/over_linear) |
 
-How accurate is the printed $1.77\cdot10^{-11}$ at 1.1? It exceeds ours by [1.46e-12](cell:accuracy/excess). The article
-prints two accuracies of its breather. The residual, $1.5\cdot10^{-9}$, is that of a breather whose energy is
-[1.60e-12](cell:accuracy/energy) off, if all of it is a detuning along the family (`energy_of_residual`). An iterate of
-the article's equations can be as far off: ours, after five steps, has a residual of
+How accurate is the printed $1.77\cdot10^{-11}$ at 1.1? It exceeds ours by [1.46e-12](cell:accuracy/excess). The
+article prints two accuracies of its breather. The residual, $1.5\cdot10^{-9}$, is that of a breather whose energy is
+[1.60e-12](cell:accuracy/energy) off, if all of it is a detuning along the family (`energy_of_residual`). An iterate
+of the article's equations can be as far off: ours, after five steps, has a residual of
 [3.61e-10](cell:sec32_newton_breathers/convergence/equations=whole_period/steps=5/residual) and an energy too high by
-[3.66e-13](cell:energy_excess); in proportion, the printed residual gives $1.52\cdot10^{-12}$. So the residual, which says
-how well an orbit solves the equations, allows the difference, and no better can be said (`pn.omega11`). That it was the
-cause we do not know: the last change of the positions, $1.7\cdot10^{-11}$, allows
-[7.6e-15](cell:accuracy/energy_of_variation) only, and in ours this change is larger by six orders. It is as small where
-the pinning mode is left out, but there the residual costs only
-[-8.4e-14](cell:sec32_newton_breathers/convergence/equations=without_pinning_mode/energy_excess). */
+[3.66e-13](cell:sec32_newton_breathers/convergence/equations=whole_period/steps=5/energy_excess); in proportion, the
+printed residual gives $1.52\cdot10^{-12}$. So the residual, which says how well an orbit solves the equations,
+allows the difference, and no better can be said (`pn.omega11`). That it was the cause we do not know: the last
+change of the positions, $1.7\cdot10^{-11}$, allows [7.6e-15](cell:accuracy/energy_of_variation) only, and in ours
+this change is larger by six orders. It is as small where the pinning mode is left out, but there the residual costs
+only [-8.4e-14](cell:sec32_newton_breathers/convergence/equations=without_pinning_mode/energy_excess). */
 void report_accuracy(Report& report) {
   const auto problem = conditions(Centre::site, printed_omega, linear);
   BreatherPair pair = find_pair(linear, printed_omega);
@@ -449,8 +450,8 @@ breathers of the chapter come from there. The factor $-\delta/5$ and the printed
    that moves keeps its action.
 2. *Harder.* Contacts whose force grows with the square of the overlap:
    `build/bin/sec32_barrier barrier --omega 1.001 --contact power --alpha 2` gives `equal_area` = -1.994595e-13. Divide
-   it by `equal_frequency`: what becomes of the factor $-\delta/5$? Hint: with the exponent $\alpha$ the DpS scaling is
-   $\mathcal H = e\,\delta^p$, $p = 2/(\alpha-1)$.
+   it by `equal_frequency`: what becomes of the factor $-\delta/5$? Hint: with the exponent $\alpha$ the scaling is
+   $H = a\,\delta^p$, $p = 2/(\alpha-1)$.
 
 The command `barrier` prints both barriers with your own parameters (commands/one_barrier.hpp). */
 int main(int argc, char** argv) {

@@ -30,11 +30,12 @@ residual.
 The beads sit in the wells of Eq. (10), mostly linear ones ($s = 0$), and push on their neighbours, Eqs. (6) and (9):
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},
   \qquad y_n(t+T_b) = y_n(t),\quad T_b = 2\pi/\omega_b.$$
-The chain has free ends; all quantities are dimensionless. A breather starts from rest, so the positions $y_n(0)$ are
-the unknowns, and its motion is even in time. A reflection of the chain must also change the sign of all positions, since
-contacts only push. Around a bond the breather is its own image, $y_{1-n} = -y_n$, so half of the chain suffices; since
-an even periodic motion is also even about $T_b/2$, all beads are at rest there. Around a site the image is the breather
-half a period later, $y_n(t) = -y_{-n}(t+T_b/2)$. With the evenness this gives $y_n(T_b/4) = -y_{-n}(T_b/4)$ and
+The chain has free ends; all quantities are dimensionless. A
+breather starts from rest, so the positions $y_n(0)$ are the unknowns, and its motion is even in time. A reflection of
+the chain must also change the sign of all positions, since contacts only push. Around a bond the breather is its own
+image, $y_{1-n} = -y_n$, so half of the chain suffices; since an even periodic motion is also even about $T_b/2$, all
+beads are at rest there. Around a site the image is the breather half a period later, $y_n(t) = -y_{-n}(t+T_b/2)$. With
+the evenness this gives $y_n(T_b/4) = -y_{-n}(T_b/4)$ and
 $\dot y_n(T_b/4) = \dot y_{-n}(T_b/4)$. So the conditions, as many as unknowns, are
 $$\dot y_n(T_b/2) = 0 \quad\text{(bond)},\qquad
   y_n+y_{-n} = 0,\quad \dot y_n-\dot y_{-n} = 0 \quad\text{at } t = T_b/4 \quad\text{(site)}.$$ */
@@ -129,9 +130,9 @@ Path iterate(const Shooting<double>& problem, Resolution resolution, double leas
 
 /**
 The other breathers of this chapter come from the library's `newton`, which makes these steps for any symmetry and
-precision until the residual no longer falls, and from `find_breather`, which starts at $\omega_b = 1.1$ at most, continues the
-branch to the frequency, and rejects a motion in which neighbours oscillate in phase. An independent program
-(`tests/second`), with another integrator, finds the same breathers at 1.1.
+precision until the residual no longer falls, and from `find_breather`, which starts at $\omega_b = 1.1$ at most,
+continues the branch to the frequency, and rejects a motion in which neighbours oscillate in phase. An independent
+program (`tests/second`), with another integrator, finds the same breathers at 1.1.
 
 ## Convergence of Newton's method
 
@@ -153,7 +154,7 @@ breather, which shifts it along the chain (the cosine of their angle is
 Tsironis, Phys. Rev. Lett. 77, 1996). Its singular value becomes small only close to the solution, within three steps.
 The fourth step is then [6.30e-3](cell:convergence/equations=whole_period/steps=4/step) long, a shift along the chain
 whose square is of the order of the new residual. Even after ten steps the next one is
-[8e-9 ± 8e-9](cell:convergence/equations=whole_period/steps=10/next_step), machine precision divided by the singular
+[8e-9](cell:convergence/equations=whole_period/steps=10/next_step), machine precision divided by the singular
 value. If least squares leave out the singular values below $10^{-5}$, there is no rise and the steps soon vanish, but
 what is left of the residual along the pinning mode is never corrected. Symmetry excludes this mode from the beginning.
 
@@ -385,8 +386,8 @@ mirror image only in the limit of small amplitude.
 `omega`.](fig:06)
 
 The surprise is how nearly the energies of the two kinds agree while their amplitudes differ by a tenth. The relative
-difference is largest at the lowest frequency. Towards $\omega_b = 1$ it tends to that of the two DpS norms, from bond to
-site $1.331\cdot10^{-6}$ ([-1.331e-6](cell:sec32_dps_profiles/norms/gap) from site to bond).
+difference is largest at the lowest frequency. Towards $\omega_b = 1$ it tends to that of the two DpS norms, from bond
+to site $1.331\cdot10^{-6}$ ([-1.331e-6](cell:sec32_dps_profiles/norms/gap) from site to bond).
 
 | $\omega_b$ | amplitude, site over bond, minus one (article: visible) | the same of the energies (article: indistinguishable) | asymmetry |
 |---|---|---|---|
@@ -483,8 +484,8 @@ void report_small_amplitude(Report& report) {
 | `newton.qc_small`: quasi-continuum ansatz is excellent at omega_b = 1.01 | excellent | 0.05113 relative | quantified |
 | `newton.qc_worse`: accuracy of the quasi-continuum ansatz deteriorates at omega_b = 1.1 | ordering | approximation.difference (centre = site, omega = 1.01), (centre = site, omega = 1.1): 0.05113 < 0.1176; approximation.difference (centre = bond, omega = 1.01), (centre = bond, omega = 1.1): 0.04755 < 0.09777 | holds |
 | `newton.energy_equal`: energy curves of both families are indistinguishable for omega_b in (1; 2] | indistinguishable | branches.energy_gap (omega = 1.001): 1.186e-06 < 0.01 (the closest of 82) | holds |
-| `newton.symmetry`: bond-centred: y_(1-n) = -y_n; site-centred: y_n(t) = -y_(-n)(t + T_b/2) | symmetry | symmetry.broken (centre = bond, omega = 1.5): 9.815e-10 < 1e-08 (the closest of 10) | holds |
-| `newton.any_s`: branches of both centres bifurcate from the origin for every s in [-1; 1] | exist | other_wells.exponent (s = -1, centre = site) away from 2: 0.0008169 < 0.05 (the closest of 18) | holds |
+| `newton.symmetry`: bond-centred: y_(1-n) = -y_n; site-centred: y_n(t) = -y_(-n)(t + T_b/2) | symmetry | symmetry.broken (centre = site, omega = 1.3): 8.007e-10 < 1e-08 (the closest of 10) | holds |
+| `newton.any_s`: branches of both centres bifurcate from the origin for every s in [-1; 1] | exist | other_wells.exponent (s = -1, centre = site) away from 2: 0.0008169 < 0.05 (the closest of 6) | holds |
 | `newton.grows`: amplitude and energy of both centres increase with omega_b | increase | branches.amplitude_site (omega = 1.988), (omega = 2): 2.37 < 2.457 (the closest of 324) | holds |
 | `newton.site_asymmetry`: asymmetry of site-centred breathers under n -> -n increases with omega_b and is visible at 1.1 | increases | branches.asymmetry (omega = 1.988), (omega = 2): 0.4598 < 0.4637 (the closest of 82) | holds |
 | `newton.amplitude_differs`: the amplitudes of the two centres differ visibly | visible | branches.amplitude_gap (omega = 2): 0.01 < 0.07143 (the closest of 82) | holds |
@@ -496,8 +497,8 @@ void report_small_amplitude(Report& report) {
 
 **To change it.** The frequency of the first breather is `omega_b`, up to 1.1, and `sites` its chain. `s` is the well of
 the chapter; below zero the branches turn back before 2, and the last of the frequencies `searched` has to be smaller
-(1.7 for $s = -0.5$). The contact is `contact`, for instance `bare(PowerContact{1.8})` (the singular value of the pinning
-mode is then larger, and `pinning` $10^{-3}$); another well replaces `Quartic{anharmonicity}` in `conditions`.
+(1.7 for $s = -0.5$). The contact is `contact`, for instance `bare(PowerContact{1.8})` (the singular value of the
+pinning mode is then larger, and `pinning` $10^{-3}$); another well replaces `Quartic{anharmonicity}` in `conditions`.
 
 1. *Easy.* How does the amplitude grow with $\omega_b - 1$?
    `build/bin/sec32_newton_breathers breather --centre bond --omega 1.002` gives `amplitude` = 3.53917e-6. Hint: at
