@@ -30,13 +30,12 @@ residual.
 The beads sit in the wells of Eq. (10), mostly linear ones ($s = 0$), and push on their neighbours, Eqs. (6) and (9):
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},
   \qquad y_n(t+T_b) = y_n(t),\quad T_b = 2\pi/\omega_b.$$
-The chain has free ends; all quantities are dimensionless. A
-breather starts from rest, so the positions $y_n(0)$ are the unknowns, and its motion is even in time. A reflection of
-the chain must also change the sign of all positions, since contacts only push. Around a bond the breather is its own
-image, $y_{1-n} = -y_n$, so half of the chain suffices; since an even periodic motion is also even about $T_b/2$, all
-beads are at rest there. Around a site the image is the breather half a period later, $y_n(t) = -y_{-n}(t+T_b/2)$. With
-the evenness this gives $y_n(T_b/4) = -y_{-n}(T_b/4)$ and
-$\dot y_n(T_b/4) = \dot y_{-n}(T_b/4)$. So the conditions, as many as unknowns, are
+The chain has free ends; all quantities are dimensionless. A breather starts from rest, so the positions $y_n(0)$ are
+the unknowns, and its motion is even in time. A reflection of the chain must also change the sign of all positions,
+since contacts only push. Around a bond the breather is its own image, $y_{1-n} = -y_n$, so half of the chain suffices;
+since an even periodic motion is also even about $T_b/2$, all beads are at rest there. Around a site the image is the
+breather half a period later, $y_n(t) = -y_{-n}(t+T_b/2)$. With the evenness this gives $y_n(T_b/4) = -y_{-n}(T_b/4)$
+and $\dot y_n(T_b/4) = \dot y_{-n}(T_b/4)$. So the conditions, as many as unknowns, are
 $$\dot y_n(T_b/2) = 0 \quad\text{(bond)},\qquad
   y_n+y_{-n} = 0,\quad \dot y_n-\dot y_{-n} = 0 \quad\text{at } t = T_b/4 \quad\text{(site)}.$$ */
 #include <array>
