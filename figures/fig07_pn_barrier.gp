@@ -29,7 +29,7 @@ do for [k=1:3] {
          with lines ls 4 title '|E_{PN}|/E_{bc}', \
        table using "omega":(only(s, abs(column("equal_area")))) with lines ls 3 \
          title '|E_{PN}|, equal area', \
-       zeros using "omega":(column("kind") < 1.5 ? only(s, 4e-20) : NaN) with points pt 9 ps 0.5 \
+       zeros using "omega":(only(s, 4e-20)) with points pt 9 ps 0.5 \
          lc rgb blue title 'sign change'
 }
 unset multiplot

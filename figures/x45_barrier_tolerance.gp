@@ -14,4 +14,5 @@ set ylabel 'relative error' offset 1
 set key top left samplen 1.8 spacing 1.0
 plot table using "tolerance":(only(53, column("equal_frequency"))) with linespoints ls 2 title 'E_{PN}, 53 bits', \
      table using "tolerance":(only(64, column("equal_frequency"))) with linespoints ls 1 title 'E_{PN}, 64 bits', \
+     table using "tolerance":(only(53, column("equal_area"))) with linespoints ls 4 title 'equal area, 53 bits', \
      table using "tolerance":(only(64, column("equal_area"))) with linespoints ls 3 title 'equal area, 64 bits'

@@ -267,7 +267,7 @@ $$\varphi \approx \tfrac23\delta-\delta = -\frac{\omega_b-1}3.$$
 In this limit $\tilde E_{PN}$ is $-(\omega_b-1)/5$ times $E_{PN}$ (`sec32_barrier`). The ratio of the two small factors
 gives $c_c^2/2 \approx \frac35E_{PN}$: two different quantities have the same order of magnitude. This does not explain
 why they are close at $\omega_b = 1.1$, for below it both barriers change sign, $E_{PN}$ first at
-[1.0146](cell:sec32_barrier/sign_changes/s=0/kind=1/zero=1/omega), and not at the same frequencies (`sec32_barrier`), so
+[1.0146](cell:sec32_barrier/sign_changes/s=0/zero=1/omega), and not at the same frequencies (`sec32_barrier`), so
 that their ratio takes all values.
 
 ## The threshold

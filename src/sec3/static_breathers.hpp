@@ -23,13 +23,13 @@ namespace lattice {
 /// themselves, at most `perturbation`.
 inline double broken_symmetry(const Shooting<double>& problem, double perturbation,
                               unsigned long seed) {
-  auto free = in_precision<Wide>(problem);
   const std::size_t sites = problem.chain.sites;
-  free.symmetry = even_in_time(sites);
-  State<Wide> start(sites);
-  const auto y = shaken(find_breather(problem).start.y, perturbation, seed);
-  std::copy(y.begin(), y.end(), start.y.begin());
-  const Orbit<Wide> orbit = newton(free, free.reduce(start));
+  Shooting<double> even = problem;
+  even.symmetry = even_in_time(sites);
+  State<double> start(sites);
+  start.y = shaken(find_breather(problem).start.y, perturbation, seed);
+  const auto free = in_precision<Wide>(even);
+  const Orbit<Wide> orbit = newton(free, newton(even, even.reduce(start)));
   State<Wide> image = orbit.start;
   if (sites % 2 == 1) flow(free.chain, image, free.period() / 2);  // around a site
   Wide most = 0;
@@ -67,13 +67,12 @@ inline Widths widths_of(const Shooting<double>& problem) {
   return {starts.of(of_displacements), starts.of(of_energies)};
 }
 
-/// The article's residual of positions x at t = 0, in precision T: the change of positions and velocities after a whole
-/// period, over the largest of them.
-template <class T>
-double return_after_period(const Shooting<double>& problem, const Vector<double>& x) {
-  const auto same = in_precision<T>(problem);
-  const State<T> start = same.expand(x.cast<T>());
-  State<T> end = start;
+/// The article's residual of positions x at t = 0: the change of positions and velocities after a whole period, over the
+/// largest of them, computed in extended precision.
+inline double return_after_period(const Shooting<double>& problem, const Vector<double>& x) {
+  const auto same = in_precision<Wide>(problem);
+  const State<Wide> start = same.expand(x.cast<Wide>());
+  State<Wide> end = start;
   flow(same.chain, end, same.period());
   return double(largest_difference(end, start) / largest(start));
 }
