@@ -1,7 +1,7 @@
 # Figure x56: largest displacement of bond-centred DpS breathers under noise against its push.
 width = 85; height = 60
 load 'figures/style.gp'
-set key top left
+set key at graph 0.98,0.42 right samplen 1
 set xtics 0.5
 set xlabel 'push of the noise / threshold'
 set ylabel 'largest displacement (sites)' offset 1
