@@ -8,7 +8,7 @@ set xtics 0.5
 set yrange [-8:8]
 set format x ''
 set ylabel 'argument (rad) · 10^4' offset 1
-set key at graph (side eq 'right' ? 0.97 : 0.60),0.90 right samplen 2.2
+set key at graph (side eq 'right' ? 0.99 : 0.60),0.97 right samplen 1.8
 set label 1 '(a)' at graph 0.03,0.93
 plot table using "s":(1e4*column("argument")) with lines ls 1 title 'pinning pair', \
      table using "s":(-1e4*column("argument")) with lines ls 1 notitle, \

@@ -4,13 +4,13 @@
 
 `sec33_floquet exchange --centre bond --omega 1.1` prints the anharmonicities $s$ between $-1$ and $1$ at which the pinning
 pair passes $+1$ (exchange.hpp), the one nearest to the linear well first. Other pairs may leave the circle elsewhere and
-are not looked at.
+are not searched.
 
-Wells are looked at in steps of a fortieth, or so short that the amplitude changes by less than three per cent, from the
-linear one to $s = \pm1$, to where the family ends, or to where the article's 31 or 32 sites do not hold its tail. A
-breather may lose and regain its stability between two looks of one sign. Then $|\kappa|$ is least at one of these, and
-the parabola through it and its neighbours tells where it comes nearest to zero in between; two parabolas more, each a
-tenth as wide, follow. */
+$\kappa$ is computed in steps of a fortieth, or so short that the amplitude changes by less than three per cent, from the
+linear well to $s = \pm1$, to where the family ends, or to where the article's 31 or 32 sites do not hold its tail. A
+breather may lose and regain its stability between two of these of one sign. Then $|\kappa|$ is least at one of them, and
+the parabola through it and its neighbours has its extremum nearest to zero in between; two parabolas more, each a tenth
+as wide, follow. */
 
 #include <vector>
 
@@ -19,7 +19,7 @@ tenth as wide, follow. */
 
 namespace lattice {
 
-/// The wells between which was looked, and all exchanges there, in extended precision.
+/// The ends of the search, and all exchanges between them, in extended precision.
 struct InWells {
   double from, to;
   std::vector<Estimate> places;

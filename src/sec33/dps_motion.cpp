@@ -13,7 +13,7 @@ PinnedBreather::PinnedBreather(const Stationary<double>& state)
       mu(state.mu),
       u(state.u.begin(), state.u.end()),
       pair(contact_spectrum(state)),
-      shift(0) {
+      centre_per_shift(0) {
   // The derivative of the centre along V, which also gives V its sign
   double sum = 0, moment = 0;
   for (std::size_t i = 0; i < u.size(); ++i) {
@@ -22,13 +22,13 @@ PinnedBreather::PinnedBreather(const Stationary<double>& state)
     sum += cube * x;
     moment += 4 * n * cube * pair.V(Eigen::Index(i));
   }
-  shift = std::abs(moment / sum);
+  centre_per_shift = std::abs(moment / sum);
   if (moment < 0) pair.V = -pair.V;
 }
 
 // What carries a pendulum from the bottom of its potential just to the top
 double PinnedBreather::pendulum_push() const {
-  return pair.rate / (std::numbers::pi * shift * (mu - pair.m));
+  return pair.rate / (std::numbers::pi * centre_per_shift * (mu - pair.m));
 }
 
 double DpsRun::reaches(double distance) const {

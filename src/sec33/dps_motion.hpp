@@ -9,7 +9,7 @@ For a small shift $a$ and push $b$ along the translational mode $V$ (spectrum.hp
 $g$ is the derivative of the centre along $V$. In the potential of a sine, about a site,
 $$\ddot X = \frac{\sigma^2}{2\pi}\sin 2\pi X,$$
 and a push $b$ gives it the initial speed $g(\mu-m)b$. So the push that depins a breather from a bond is
-$b_c = |\sigma|/(\pi g(\mu-m))$. */
+$b_p = |\sigma|/(\pi g(\mu-m))$. */
 
 #include <cmath>
 #include <complex>
@@ -24,14 +24,14 @@ namespace lattice {
 /// A breather with its translational mode, of the sign for which a shift a > 0 goes to larger n.
 struct PinnedBreather {
   Centre centre;
-  double mu;         ///< its frequency
-  Field u;           ///< its profile, real
-  PinningPair pair;  ///< with that sign
-  double shift;      ///< g: how far the centre moves, in sites, for a unit of a
+  double mu;                ///< its frequency
+  Field u;                  ///< its profile, real
+  PinningPair pair;         ///< with that sign
+  double centre_per_shift;  ///< g: how far the centre moves, in sites, for a unit of a
 
   explicit PinnedBreather(const Stationary<double>& state);
 
-  /// The push at which a pendulum passes the site beside its bond.
+  /// b_p, the push at which a pendulum passes the site beside its bond.
   double pendulum_push() const;
 };
 
@@ -64,7 +64,7 @@ struct NoiseTrial {
   std::complex<double> kick{};  ///< shift and push of the noise along the translational mode
   DpsRun coarse{}, fine{};      ///< at two tolerances
 
-  /// What `number` reads from the finer run, with its distance from that of the coarser one.
+  /// `number` of the finer run, with its distance from that of the coarser one.
   template <class Number>
   Estimate of(Number number) const {
     return compare(number(coarse), number(fine));

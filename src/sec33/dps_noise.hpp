@@ -2,8 +2,7 @@
 /**
 # DpS breathers under noise
 
-`sec33_dps_stability` follows breathers under noise, seed by seed. Here are the noise, definitions of it that the
-article's words admit beside the main one, and what is counted. */
+`sec33_dps_stability` follows breathers under noise, seed by seed. Here are the noise and what is counted. */
 
 #include <cstddef>
 #include <vector>
@@ -27,29 +26,29 @@ double fraction_beyond(double threshold, const Noise& noise, const PinnedBreathe
 
 /// Breathers that start alike, under the same kind of noise.
 struct NoiseGroup {
-  const char *noise,
-      *start;  ///< as tables name them: complex, narrow, real or relative; site, bond or control
+  const char* noise;  ///< as tables name it: main, narrow, real or relative
+  const char* start;  ///< site, bond or control
   const PinnedBreather& breather;
   Noise of;
-  std::size_t seeds;
-  double time, counted_by;  ///< of the runs, and by when a departure counts
+  double time;               ///< of the runs
+  double counted_by = time;  ///< by when a departure counts
+  std::size_t seeds = 16;
   bool without_mode =
-      false;  ///< a control, whose noise has no component along the translational mode
+      false;  ///< a control: its noise has no component along the translational mode
   NoiseTrials trials{};
 
   /// The breather under the noise of this seed; writes shift and push to the trial.
   Field perturbed(NoiseTrial& trial) const;
 };
 
-/// Sixteen seeds each of two more definitions, until t = 750: real noise, since the profile is real, and noise
-/// proportional to the breather.
-std::vector<NoiseGroup> real_and_relative_noise(const PinnedBreather& site,
-                                                const PinnedBreather& bond, double amplitude);
+/// How many of these breathers pass on if and only if their push exceeds the threshold: beyond its error, and at both
+/// tolerances.
+int predicted_by(const Estimate& threshold, const NoiseGroup& group);
 
-/// The rows of tables: run by run, group by group, and whether each control moves later than the breather under all of
-/// the noise.
-void add_runs(Table& table, const std::vector<NoiseGroup>& groups);
-void add_departures(Table& table, const std::vector<NoiseGroup>& groups);
+/// The rows of tables: run by run, for the group, and whether each control moves later than the breather under all of the
+/// noise.
+void add_runs(Table& table, const NoiseGroup& group);
+void add_departures(Table& table, const NoiseGroup& group);
 void add_controls(Table& table, const NoiseGroup& all_of_it, const NoiseGroup& controls);
 
 }  // namespace lattice

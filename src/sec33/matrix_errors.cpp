@@ -60,7 +60,7 @@ void add_noise(Table& table, const Shooting<double>& problem, const Orbit<double
                     fine = displaced_by_noise(M, eta, kappa);
     const Estimate change = compare(coarse.kappa, fine.kappa);
     table.add({{"source", "source of the error", "noise"},
-               {"delta", "size of the change of the matrix", eta},
+               {"delta", "eta, size of the change of the matrix", eta},
                {"displacement", "largest displacement among the four multipliers next to +1",
                 compare(coarse.multipliers, fine.multipliers), "", how},
                {"modulus", "largest distance of a modulus from one, among the four",

@@ -26,7 +26,7 @@ STATEMENT("dps.instability_moves") {
     less(1 - bound(0.1), mean(all, "left"));
     less(1 - bound(0.5), mean(all, "moved"));
   };
-  moves("complex");
+  moves("main");
   for (const char* noise : {"narrow", "real", "relative"}) reading(noise, [&] { moves(noise); });
 
   // Without the translational mode the same noise acts later
@@ -40,7 +40,7 @@ STATEMENT("dps.bond_robust") {
     return Quantity{{mean(runs.where("noise", noise).where("seed", 1, seeds), "left")},
                     "of the breathers leave their bond"};
   };
-  answer(leave("complex", 64));
+  answer(leave("main", 64));
   for (const char* noise : {"narrow", "real", "relative"}) reading(noise, leave(noise, 16));
   control([&] {  // it does not spread
     for (const auto& run : runs) less(run["spread"], 1.1);

@@ -14,7 +14,7 @@ static void look(DpsOutcome& out, double tau, const Field& field) {
 }
 
 DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::size_t samples,
-                      const Tolerance& tolerance, const DpsLook& watch) {
+                      const Tolerance& tolerance, const DpsObserver& watch) {
   DpsOutcome out{{}, start};
   out.norm_drift =
       evolve_dps(dps, out.end, duration, samples, tolerance, [&](double tau, const Field& field) {

@@ -24,7 +24,7 @@ struct DpsOutcome {
 /// Follows the packet that leaves the struck field `start`; `watch` sees every sample. Throws
 /// std::runtime_error if GSL cannot go on.
 DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::size_t samples,
-                      const Tolerance& tolerance, const DpsLook& watch = {});
+                      const Tolerance& tolerance, const DpsObserver& watch = {});
 
 /// The largest maximum in time of |A_n|, which oscillates from site to site, while the centre moves over the last site of
 /// its path, or over the last two if none falls on the last. Its error is what the samples leave; both are nan where

@@ -23,7 +23,7 @@ std::vector<double> interleaved(const Field& field) {
 }
 
 double evolve_dps(const Rhs& equation, Field& field, double duration, std::size_t samples,
-                  const Tolerance& tolerance, const DpsLook& observe) {
+                  const Tolerance& tolerance, const DpsObserver& observe) {
   std::vector<double> x = interleaved(field);
   Reference reference(equation, x.size(), tolerance);
   const double start = norm(field);

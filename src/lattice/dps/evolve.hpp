@@ -32,12 +32,12 @@ struct TurningDps {
 std::vector<double> interleaved(const Field& field);
 
 /// Sees a run at its samples: the slow time and the field.
-using DpsLook = Observer<double, Field>;
+using DpsObserver = Observer<double, Field>;
 
 /// Carries `field` over the slow time `duration` and calls `observe` at the start and after each of
 /// `samples` equal intervals; returns the largest relative change of the norm. `equation` is a Dps or a
 /// TurningDps. Throws std::runtime_error if GSL cannot go on.
 double evolve_dps(const Rhs& equation, Field& field, double duration, std::size_t samples,
-                  const Tolerance& tolerance, const DpsLook& observe = {});
+                  const Tolerance& tolerance, const DpsObserver& observe = {});
 
 }  // namespace lattice

@@ -21,39 +21,42 @@ double breather_eps(double omega_b, double alpha) {
 namespace {
 
 /**
-A contact acts on its two beads with opposite forces, so each is computed once: walking along the chain
-we keep that of the contact behind and find that of the contact in front. `power` makes $|d|^{\alpha-1}$ of
-$|d|^2$. */
+A contact acts on its two beads with opposite forces, so each is computed once: that of the contact in front of each site
+goes into `da`, in a loop that the compiler can vectorise, and is then replaced by the difference, from the far end on.
+`power` makes $|d|^{\alpha-1}$ of $|d|^2$. */
 template <class Power>
-void walk_along(const Dps& dps, const double* a, double* da, Power power) {
+void walk_along(const Dps& dps, const double* __restrict a, double* __restrict da, Power power) {
   const auto stiffness = [&](double x, double y) {
     const double square = x * x + y * y;
     return square > 1e-120 ? power(square) : 0;
   };
   const auto [sites, near_end, exponent, rate] = dps;
-  double re = 0, im = 0;
+  const std::size_t last = sites - 1;
+  for (std::size_t n = 0; n < last; ++n) {
+    const double x = a[2 * n + 2] - a[2 * n], y = a[2 * n + 3] - a[2 * n + 1];
+    const double m = stiffness(x, y);
+    da[2 * n] = m * x;
+    da[2 * n + 1] = m * y;
+  }
+  // The contact before the first site, which on a ring is that behind the last one
   const bool ring = near_end == Ends::periodic;
+  double re = 0, im = 0;
   if (near_end != Ends::free) {
-    const double* behind = a + 2 * (sites - 1);
-    const double x = ring ? a[0] - behind[0] : a[0], y = ring ? a[1] - behind[1] : a[1];
+    const double x = ring ? a[0] - a[2 * last] : a[0], y = ring ? a[1] - a[2 * last + 1] : a[1];
     const double m = stiffness(x, y);
     re = m * x;
     im = m * y;
   }
-  for (std::size_t n = 0; n < sites; ++n) {
-    double re_next = 0, im_next = 0;
-    if (n + 1 < sites || ring) {
-      const double* ahead = n + 1 < sites ? a + 2 * n + 2 : a;
-      const double x = ahead[0] - a[2 * n], y = ahead[1] - a[2 * n + 1];
-      const double m = stiffness(x, y);
-      re_next = m * x;
-      im_next = m * y;
-    }
-    da[2 * n] = rate * (im_next - im);
-    da[2 * n + 1] = -rate * (re_next - re);
-    re = re_next;
-    im = im_next;
+  da[2 * last] = ring ? re : 0;
+  da[2 * last + 1] = ring ? im : 0;
+  for (std::size_t n = last; n > 0; --n) {
+    const double along = da[2 * n] - da[2 * n - 2], across = da[2 * n + 1] - da[2 * n - 1];
+    da[2 * n] = rate * across;
+    da[2 * n + 1] = -rate * along;
   }
+  const double along = da[0] - re, across = da[1] - im;
+  da[0] = rate * across;
+  da[1] = -rate * along;
 }
 
 }  // namespace

@@ -155,7 +155,7 @@ PinningPair::PinningPair(const ContactSpectrum<double>& spectrum)
       mu(spectrum.mu),
       m(spectrum.m[1]),
       rate(lambda_modulus(mu, m, spectrum.exponent)),
-      push((mu - m) / rate) {}
+      leverage((mu - m) / rate) {}
 
 std::complex<double> PinningPair::of(const Field& w) const {
   std::complex<double> sum = 0;
@@ -165,7 +165,7 @@ std::complex<double> PinningPair::of(const Field& w) const {
 
 double PinningPair::growing(const Field& w) const {
   const auto xy = of(w);
-  return (xy.real() + push * xy.imag()) / 2;
+  return (xy.real() + leverage * xy.imag()) / 2;
 }
 
 void PinningPair::add(std::complex<double> z, Field& w) const {

@@ -124,11 +124,11 @@ std::vector<std::complex<T>> full_exponents(const Stationary<T>& state);
 The second eigenvector $V$ of $M$ looks like the derivative of the breather along the chain: added to the field it
 shifts the breather, and $iV$ pushes it. In the coordinates $x = V\cdot\mathrm{Re}\,w$ and $y = V\cdot\mathrm{Im}\,w$ a
 perturbation $w$ moves like a pendulum near one of its rest positions, $\dot x = (\mu-m)y$, $\dot y = (\alpha m-\mu)x$.
-The growing share is $\frac12(x + (\mu-m)y/\lambda)$: a push counts $(\mu-m)/\lambda$ times as much as a shift. */
+The growing part is $\frac12(x + (\mu-m)y/\lambda)$: a push counts as much as a shift that is larger by its *leverage* $(\mu-m)/\lambda$. */
 struct PinningPair {
   Eigen::VectorXd V;   ///< of length one; its sign is arbitrary
   double mu, m, rate;  ///< rate: |lambda|
-  double push;         ///< (mu - m) / |lambda|
+  double leverage;     ///< of a push: (mu - m) / |lambda|
 
   /// From a spectrum with its second eigenvector.
   explicit PinningPair(const ContactSpectrum<double>& spectrum);
@@ -136,7 +136,7 @@ struct PinningPair {
   /// (x, y) of the perturbation `w`. The projection is exact, since V has unit length and the
   /// eigenvectors of M are orthogonal.
   std::complex<double> of(const Field& w) const;
-  /// Share of the growing direction, measured by the x that belongs to it.
+  /// The part along the growing direction, measured by the x that belongs to it.
   double growing(const Field& w) const;
   /// Adds z V to `w`: the real part shifts, the imaginary part pushes.
   void add(std::complex<double> z, Field& w) const;

@@ -46,7 +46,7 @@ Field pushed(const PinnedBreather& breather, std::complex<double> z) {
 
 /// Carries `v` in the frame that turns with the breather of exponent `alpha`; calls `look` at equal intervals.
 void follow(const PinnedBreather& breather, Field& v, double time, std::size_t samples,
-            double tolerance, double alpha, const DpsLook& look) {
+            double tolerance, double alpha, const DpsObserver& look) {
   evolve_dps(TurningDps{{v.size(), Ends::free, alpha, 1}, breather.mu}, v, time, samples, tolerance,
              look);
 }
@@ -66,7 +66,7 @@ DpsRun run_of(const PinnedBreather& breather, Field v, double time, double toler
 /// At which rate the shift of `breather` changes along its growing (sign 1) or decaying (-1) direction.
 double rate_along(const PinnedBreather& breather, double sign, double size, double time,
                   double alpha) {
-  Field v = pushed(breather, {size, sign * size / breather.pair.push});
+  Field v = pushed(breather, {size, sign * size / breather.pair.leverage});
   double first = 0, last = 0;
   follow(breather, v, time, 1, 1e-12, alpha, [&](double t, Field w) {
     for (std::size_t i = 0; i < w.size(); ++i) w[i] -= breather.u[i];
@@ -187,8 +187,8 @@ TEST_CASE("a breather of the DpS equation and its pendulum", "[unit][dps]") {
     const double g =
         (place_of(centre, pushed(b, 1e-5)) - place_of(centre, pushed(b, -1e-5))) / 2e-5;
     CHECK(g > 0);
-    check_close(b.shift, g, 0, 1e-7);
-    check_close(b.pendulum_push(), b.pair.rate / M_PI / b.shift / (2.5 - b.pair.m), 0, 1e-13);
+    check_close(b.centre_per_shift, g, 0, 1e-7);
+    check_close(b.pendulum_push(), b.pair.rate / M_PI / b.centre_per_shift / (2.5 - b.pair.m), 0, 1e-13);
   }
   // Shift, push and growing part of any perturbation
   const PinnedBreather site(stationary<double>(Centre::site, 2.5, 9));
