@@ -354,8 +354,8 @@ too. One pair is exactly $+1$, because the breather may be shifted in time. Anot
 to it, because the breather may almost be shifted along the chain; disturbances of this kind set breathers in motion
 (Chen, Aubry and Tsironis 1996).
 
-We sort them by their distance from $+1$. The first two are real and keep their distance, [0.000215 ±
-5e-6](cell:multipliers/k=2/distance), as the step is refined: they are the pinning pair
+We sort them by their distance from $+1$. The first two are real and keep their distance,
+[0.000215 ± 5e-6](cell:multipliers/k=2/distance), as the step is refined: they are the pinning pair
 ([0.000214](cell:sec33_floquet/spectra/centre=site/omega=1.1/s=0/fourth) in `sec33_floquet`). The next two tend to $+1$
 (figure x40): they are the exact pair. All others lie on the unit circle, to 8 digits. So the breather is unstable
 against a shift along the chain, but only weakly: such a shift grows by 0.02 per cent in a period. */
@@ -392,9 +392,9 @@ eigenvalue by about its square root. So the exact pair should approach $+1$ like
 (dashed); it does by 18. The pinning pair settles only at steps below 0.003. With 1600 steps in a period it is still
 0.000187, and twice as many change that by 12 per cent.
 
-The turning point, site [20.055 ± 0.008](cell:turning/site), agrees with that of `sec34_boomeron`, [20.065 ±
-0.006](cell:sec34_boomeron/turns/velocity=1.9/apex_site), and the energy of the breather,
-[1.53599e-4](cell:standing/energy), with that of `sec32_barrier`,
+The turning point, site [20.055 ± 0.008](cell:turning/site), agrees with that of `sec34_boomeron`,
+[20.065 ± 0.006](cell:sec34_boomeron/turns/velocity=1.9/apex_site), and the energy of the breather,
+[1.5360e-4](cell:standing/energy), with that of `sec32_barrier`,
 [1.53599e-4](cell:sec32_barrier/key_pairs/s=0/omega=1.1/energy_site). */
 void report_breather(Report& report, int finer) {
   struct Level {

@@ -220,7 +220,7 @@ an end of the chain or the energy drifts: such a loss could pass for dispersal.
 |---|---|---|
 | energy on nine sites at $t = 20$ | [0.0438](cell:dispersal/chain=free/t=20/core) | [0.99999](cell:chain=wells/core) |
 | at $t = 200$ | [0.00163](cell:dispersal/chain=free/t=200/core) | [0.99998](cell:chain=wells/core) |
-| impulse of the contact up to $t = 20$ | [0.774](cell:dispersal/chain=free/t=20/impulse) | [2.74](cell:chain=wells/impulse) |
+| impulse of the contact up to $t = 20$ | [0.774](cell:dispersal/chain=free/t=20/impulse) | [2.73](cell:chain=wells/impulse) |
 | up to $t = 200$ | [0.975](cell:dispersal/chain=free/t=200/impulse) | [28.8](cell:chain=wells/impulse) |
 
 In wells the impulse grows with time, and the mean stays. Without them the contact transmits 79 per cent of this impulse
@@ -394,7 +394,7 @@ void reproduce(Report& report) {
 <!-- statements -->
 | statement | printed | here | verdict |
 |---|---|---|---|
-| `thm.mean_force`: period-averaged contact force is the same at every bond and zero for a localized periodic motion |  | mean_forces.force (motion = ring_wave, n = 5): 9.412e-12 < 1e-08 (the closest of 25) | holds |
+| `thm.mean_force`: period-averaged contact force is the same at every bond and zero for a localized periodic motion |  | dispersal.mean (chain = free, t = 100), (chain = free, t = 200) away from 0.5: 0.02478 < 0.1 (the closest of 17) | holds |
 | `thm.equilibria`: all time-periodic solutions that are localized to the right are independent of t and increasing with n (in the proof x_n >= x_(n-1)) |  | returns.back (start = displaced, chain = equal): 0.1 < 0.5121 (the closest of 12) | holds |
 | `thm.wells`: with an on-site potential the average interaction forces are no more independent of n |  | mean_forces.force (motion = breather_site, n = 13), (motion = breather_site, n = 14): 0.0958 < 0.1449 (the closest of 10) | holds |
 <!-- /statements -->
