@@ -389,8 +389,8 @@ double energy(const Breather& b, const VectorXd& y) {
 Energy and speed converge like $h^2$, as they should. Next to $+1$ it is otherwise. The linearised motion is less smooth
 than the motion, and its error falls only like $h^{3/2}$ (`secA_integrators`); and an error of a matrix moves a double
 eigenvalue by about its square root. So the exact pair should approach $+1$ like $h^{3/4}$, by a factor 13 in the figure
-(dashed); it does by 18. The pinning pair settles only at steps below 0.003. With 1600 steps in a period it is still
-0.000187, and twice as many change that by 12 per cent.
+(dashed); it does by 18. The pinning pair settles only at steps below 0.003. It changes by 1 per cent from 400
+to 800 steps in a period and by 12 from 1600 to 3200: at long steps one halving understates the error.
 
 The turning point, site [20.055 ± 0.008](cell:turning/site), agrees with that of `sec34_boomeron`,
 [20.065 ± 0.006](cell:sec34_boomeron/turns/velocity=1.9/apex_site), and the energy of the breather,
