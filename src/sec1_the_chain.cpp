@@ -238,6 +238,7 @@ Tail tail_of_packet(int steps) {
   return tail;
 }
 
+// The factors, ahead of the packet and behind it
 void report_tail(Table& table, const Tail& coarse, const Tail& fine) {
   const char* scale = "of two steps, against the largest";
   const Index behind = 10;  // so many beads
@@ -261,6 +262,7 @@ void report_tail(Table& table, const Tail& coarse, const Tail& fine) {
     }
 }
 
+// All three results, with the steps and with half of them
 void report_impacts(Report& report, int steps) {
   const Estimate speed =
                      compare(packet_speed(travelling, steps), packet_speed(travelling, 2 * steps)),

@@ -329,6 +329,7 @@ std::vector<Motion> localized(const Chain& chain, const State<double>& breather,
           {"step_down", chain, step_down, time}};
 }
 
+// How near a motion comes to its start again
 struct Return {
   double away = 0, back = 1;  // largest distance from the start, and the ratio
   bool moved() const { return away > 1e-3; }
@@ -349,6 +350,7 @@ Return closest_return(const Motion& m, double step, double every) {
   return out;
 }
 
+// Every start on both chains
 void report_returns(Report& report, const State<double>& breather) {
   const double every = 2 * std::numbers::pi / omega_b / instants,
                time = (report.quick ? 5 : 24) * instants * every;
