@@ -262,7 +262,7 @@ void report_tail(Table& table, const Tail& coarse, const Tail& fine) {
     }
 }
 
-// All three results, with the steps and with half of them
+// All three results, with the given steps and with twice as many
 void report_impacts(Report& report, int steps) {
   const Estimate speed =
                      compare(packet_speed(travelling, steps), packet_speed(travelling, 2 * steps)),
