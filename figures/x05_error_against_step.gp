@@ -31,7 +31,7 @@ set label 1 panel('b') at graph 0.92,0.94
 set xlabel 'force evaluations  {/:Italic N}  in one period'; set ylabel 'error of the tangent' offset 1,0
 plot tangent using (strcol('method') eq 'verlet' ? column('evaluations') : NaN):'tangent' \
        with linespoints ls 4 title 'velocity Verlet', \
-     '' using (strcol('method') eq 'blanes-moan-6' ? column('evaluations') : NaN):'tangent' \
+     '' using (strcol('method') eq 'blanes_moan_6' ? column('evaluations') : NaN):'tangent' \
        with linespoints ls 1 title 'splitting, order 6', \
      '' using (strcol('method') eq 'flow' ? column('evaluations') : NaN):'tangent' \
        with linespoints ls 2 title 'flow', \

@@ -17,8 +17,7 @@ def motion(name, column):
 figure, grid = plt.subplot_mosaic([["a", "b"], ["c", "d"]],
                                   figsize=(draw.TWO_COLUMNS, 110 * draw.MM))
 free, wells, core, mean = (grid[name] for name in "abcd")
-for name, mark, label in [("ring_wave", "o-", "wave on a ring"),
-                          ("uneven_ring", "s--", "uneven ring"),
+for name, mark, label in [("uneven_ring", "s--", r"uneven ring, $\alpha = 3/2$"),
                           ("walls", "^:", r"walls, $\alpha = 2$")]:
     free.plot(motion(name, "n"), motion(name, "force"), mark, ms=3.5, mfc="white", mew=0.8,
               lw=0.8, label=label)

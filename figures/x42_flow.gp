@@ -16,7 +16,7 @@ plot segment using 'levels':'in_t' with linespoints ls 1 title 'steps equal in  
 set logscale x
 set format x '10^{%T}'
 set key maxrows 2 width -4
-set xrange [100:1e6]; set yrange [1e-18:1]
+set xrange [100:1e5]; set yrange [1e-17:1]
 set ytics 1e3
 unset mytics
 set xlabel 'force evaluations for each bead'; set ylabel 'error of displacements  {/:Italic y_n}(50)' offset 1,0

