@@ -17,7 +17,7 @@ plot predicted(x) < 0 ? NaN : predicted(x) with lines ls 1 title 'predicted', \
 set logscale xy
 set format y '10^{%T}'
 set key bottom right
-set xrange [0.14:0.42]; set yrange [1e-10:3e-3]
+set xrange [0.14:0.42]; set yrange [1e-12:3e-3]
 set xtics (0.15, 0.2, 0.3, 0.4)
 unset mxtics
 set xlabel 'time step  {/:Italic h}'; set ylabel 'fraction' offset 1,0

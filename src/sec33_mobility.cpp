@@ -509,7 +509,7 @@ Both our strong speeds are lower than the printed ones by the same fraction; we 
 **To change it.** The parameters stand at the top. Another frequency or well needs `decision` of about $11/\Omega$ and
 `watch` of $11/\Omega$, $6/\Omega$ and $3/\Omega$, kicks in `Plan` above the threshold, longer chains if
 `resting_breather` asks for them, and steps that pass `check_energy`; take $\omega_b$ and $s$ where the bond-centred
-breather is stable (`sec33_floquet`). Another kick is another unit vector `g` of the `breathers`; another observable is a
+breather is stable (`sec33_floquet`). Another kick is another unit vector `g` of `breathers`; another observable is a
 member of `KickedPath` (kick.hpp), another rule for free and pinned is `mobility_of` (kick.cpp).
 
 1. *Easy.* What does a kick of twice the size do to the speed?
