@@ -11,7 +11,7 @@ namespace {
 
 /// Of one of the breathers: reversed or along the mode.
 struct Other {
-  std::size_t breather;
+  Which breather;
   std::string kick;
 
   RestingBreather of(const RestingBreather& at) const {
@@ -28,39 +28,40 @@ Estimate speed_of(const KickedPath& path, double since, double until) {
 
 // Strong kicks
 void report_other_strong(Report& report, const Breathers& at, double c,
-                         const TwoRuns<EventCorrected>& by) {
+                         const TwoRuns<EventCorrected>& method) {
   const auto row = [&](const Other& other) {
     const RestingBreather one = other.of(at[other.breather]);
-    const auto speed = [&](const Method& method) {
-      const KickedPath path = one.after(c, method, 8000);
+    const auto speed = [&](const Method& by) {
+      const KickedPath path = one.after(c, by, 8000);
       return speed_of(path, 0, path.run.t_end);
     };
     return Row{
         {"breather", "its centre and, at the kick, its contact", breather_names[other.breather]},
         {"kick", "reversed or along the pinning mode", other.kick},
-        {"speed", "slope of X until t = 8000", compare(speed(by.coarse), speed(by.fine)),
+        {"speed", "slope of X until t = 8000", compare(speed(method.coarse), speed(method.fine)),
          "site per unit of time", "from two steps and the fit"}};
   };
-  const std::vector<Other> kicks{
-      {0, "reversed"}, {0, "along_mode"}, {1, "along_mode"}, {2, "along_mode"}};
+  const std::vector<Other> kicks{{around_site, "reversed"},
+                                 {around_site, "along_mode"},
+                                 {stretched, "along_mode"},
+                                 {compressed, "along_mode"}};
   report.table("other_strong").fill(kicks, row, "other strong kicks");
 }
 
 // Weak kicks
-void report_other_weak(Report& report, const RestingBreather& site, double c) {
+void report_other_weak(Report& report, const RestingBreather& site, double c,
+                       const TwoRuns<EventCorrected>& method) {
   const auto row = [&](const Other& other) {
-    const RestingBreather one = other.of(site);
-    const auto farthest = [&](const Method& method) {
+    const auto farthest = [&](const Method& by) {
       const auto look = [](const KickedPath& so_far, auto&...) { return so_far.farthest() < 3.1; };
-      return one.after(c, method, 3.5e5, look).farthest();
+      return other.of(site).after(c, by, 3.5e5, look).farthest();
     };
     return Row{
         {"kick", "of the site-centred breather: reversed or along the pinning mode", other.kick},
         {"farthest", "largest distance; the run ends beyond 3.1",
-         compare(farthest(EventCorrected{0.2}), farthest(EventCorrected{0.15})), "site",
-         "from two steps"}};
+         compare(farthest(method.coarse), farthest(method.fine)), "site", "from two steps"}};
   };
-  const std::vector<Other> kicks{{0, "reversed"}, {0, "along_mode"}};
+  const std::vector<Other> kicks{{around_site, "reversed"}, {around_site, "along_mode"}};
   report.table("other_weak").fill(kicks, row, "other weak kicks");
 }
 
@@ -77,20 +78,16 @@ void report_passages(Report& report, const TwoRuns<KickedPath>& site) {
 }
 
 // Thresholds
-void report_other_thresholds(Report& report, const Breathers& at, const Breathers& longer,
-                             const std::array<Prediction, 2>& laws,
-                             const std::array<Estimate, 2>& found) {
+void add_other_thresholds(Table& table, Which phase, const RestingBreather& at,
+                          const RestingBreather& longer, const Prediction& law,
+                          const Estimate& found) {
   const auto norm = [](const RestingBreather& one) { return 1 / gradient(one.rest.y).norm(); };
-  Table& table = report.table("readings");
-  for (std::size_t i = 0; i < laws.size(); ++i) {
-    const RestingBreather& bond = at[i + 1];
-    const Estimate length = compare(norm(bond), norm(longer[i + 1]));
-    const Prediction mode = predict_threshold(along_pinning_mode(bond), laws[i].barrier);
-    table.add(Row{{"breather", "its centre and, at the kick, its contact", breather_names[i + 1]},
-                  {"along_mode", "c_c predicted of a kick along the mode", mode.threshold},
-                  {"printed_norm", "length of g as printed", length, "", "chains of two lengths"},
-                  {"as_printed", "c_c for this g", quotient(found[i], length)}});
-  }
+  const Estimate length = compare(norm(at), norm(longer));
+  const Prediction mode = predict_threshold(along_pinning_mode(at), law.barrier);
+  table.add(Row{{"breather", "its centre and, at the kick, its contact", breather_names[phase]},
+                {"along_mode", "c_c predicted of a kick along the mode", mode.threshold},
+                {"printed_norm", "length of g as printed", length, "", "chains of two lengths"},
+                {"as_printed", "c_c for this g", quotient(found, length)}});
 }
 
 void report_short_run(Report& report, const TwoRuns<KickedPath>& runs,

@@ -110,10 +110,10 @@ Amplitude amplitude(const Chain& chain, const State<double>& now) {
   return amplitude(now, *front_packet(energy_density(chain, now)));
 }
 
-Heights heights_at(const Chain& chain, double eps, double from, double to, std::size_t instants,
-                   const EventCorrected& method, double dps_tolerance) {
+Heights heights_at(const Chain& chain, State<double> state, Field A, double eps, double from,
+                   double to, std::size_t instants, const EventCorrected& method,
+                   double dps_tolerance) {
   Heights out;
-  State<double> state = struck(chain.sites, 2 * eps);
   evolve(method, chain, state, from, 5);
   evolve(method, chain, state, to - state.t, (to - from) / double(instants - 1),
          [&](const State<double>& now) {
@@ -122,7 +122,6 @@ Heights heights_at(const Chain& chain, double eps, double from, double to, std::
          });
 
   // The DpS equation, in its slow time
-  Field A = dps_impact(chain.sites);
   const Dps dps{chain.sites};
   const double rate = std::sqrt(eps);
   evolve_dps(dps, A, rate * from, 1, dps_tolerance);

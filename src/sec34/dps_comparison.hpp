@@ -49,11 +49,12 @@ struct Amplitude {
 Amplitude amplitude(const State<double>& now, std::size_t peak);
 Amplitude amplitude(const Chain& chain, const State<double>& now);
 
-/// The heights at these instants, in both models.
+/// The heights at these instants, in both models, from these starts.
 struct Heights {
   std::vector<double> t{}, chain{}, dps{};
 };
-Heights heights_at(const Chain& chain, double eps, double from, double to, std::size_t instants,
-                   const EventCorrected& method, double dps_tolerance);
+Heights heights_at(const Chain& chain, State<double> state, Field A, double eps, double from,
+                   double to, std::size_t instants, const EventCorrected& method,
+                   double dps_tolerance);
 
 }  // namespace lattice

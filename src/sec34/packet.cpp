@@ -5,7 +5,7 @@
 
 namespace lattice {
 
-double energy_change(const Path& path) {
+double change_between_halves(const Path& path, const std::vector<double>& series) {
   const std::size_t end = path.centre.size();
   std::size_t begin = 0;
   while (begin < end && path.centre[begin] < fit_from) ++begin;
@@ -13,10 +13,13 @@ double energy_change(const Path& path) {
   const std::size_t half = (begin + end) / 2;
   const auto mean = [&](std::size_t from, std::size_t until) {
     double sum = 0;
-    for (std::size_t i = from; i < until; ++i) sum += path.energy[i];
+    for (std::size_t i = from; i < until; ++i) sum += series[i];
     return sum / double(until - from);
   };
   return mean(half, end) / mean(begin, half) - 1;
+}
+double energy_change(const Path& path) {
+  return change_between_halves(path, path.energy);
 }
 
 // The strongest window behind the packet, at least one width clear of it

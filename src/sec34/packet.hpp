@@ -15,8 +15,10 @@ around it. */
 
 namespace lattice {
 
-/// Relative change of the packet's mean energy from the first half of its way to the second; the means remove its
-/// pulsation. Throws std::runtime_error if fewer than six samples lie beyond `fit_from`.
+/// Relative change of the mean of `series`, one entry a sample, from the first half of the packet's way to the second;
+/// the means remove its pulsation. Throws std::runtime_error if fewer than six samples lie beyond `fit_from`.
+double change_between_halves(const Path& path, const std::vector<double>& series);
+/// That of the packet's energy.
 double energy_change(const Path& path);
 
 /// The largest energy in a window behind the packet, at least one width clear of it, over that of the packet around
