@@ -12,8 +12,8 @@ their direction, and says that
 - during a few reflections its centre moves like a particle in an almost constant force, which grows with $s$ and $v_0$;
 - it turns for $s\ge0.005$ and not for $s = 0$.
 
-The first holds. The others hold only in part. Where a packet turns is a smooth function of the impact, but when it turns
-is not, since for hundreds of units of time it hovers near its turning point; so at $v_0=1.87$ it is there at the times
+The first holds. The others hold only in part. Where a packet turns changes little with the impact, but when it turns
+changes erratically, since for hundreds of units of time it hovers near its turning point; so at $v_0=1.87$ it is there at the times
 of figure 23, and turns much later. The acceleration is not almost constant, and not even a function of the position.
 Whether it grows with $v_0$ depends on the time over which it is averaged. At $s=0.005$ only impacts far above those of
 the figures turn a packet as long as we look. And beyond the first reflection a packet is predictable only if $v_0$ is
@@ -147,9 +147,10 @@ void report_maps(Report& report) {
 At $v_0=1.9$ the packet reaches site [20.1](cell:turns/s=1/velocity=1.9/apex_site), comes back and is reflected at $t =$
 [898](cell:turns/s=1/velocity=1.9/return_time). But this impact is printed with two digits. Over what rounds to 1.9 the
 turning point falls from site [24.0](cell:turns/s=1/velocity=1.85/apex_site) to
-[16.9](cell:turns/s=1/velocity=1.95/apex_site), smoothly. Its *time* jumps to and fro by hundreds: the packet slows down
-on a plateau, where $X$ has several maxima that are almost equally far out, and a tenth of a site decides which of them
-is the farthest. Times and later motion belong to exactly 1.9; that the packet turns and is reflected is robust.
+[16.9](cell:turns/s=1/velocity=1.95/apex_site), in steps of a site at most. Its *time* jumps to and fro by hundreds: the
+packet slows down on a plateau, where $X$ has several maxima that are almost equally far out, and a tenth of a site
+decides which of them is the farthest. Times and later motion belong to exactly 1.9; that the packet turns and is
+reflected is robust.
 
 ![Turning point and its time for impacts that round to 1.9. Drawn by x64_turning_scan.gp: `apex_site` and `apex_time`
 against `velocity`, from the table `printed_range`.](fig:x64)
@@ -159,7 +160,7 @@ The packet of 1.5, the article's example of slow deceleration, turns in the end 
 has a part from the step and one from the smoothing: what half the width changes (`estimate_turn`). Near its turning
 point a packet is almost at rest, so that small errors decide in which direction it moves, and steps are short. */
 const std::vector<Experiment> turning = {
-    {.v0 = article_moderate, .time = 5500, .sites = 260},  // a long way out
+    {.v0 = article_moderate, .time = 5500, .sites = 260, .step = 0.025},  // a long way out
     {.v0 = article_profile, .time = 1300, .step = 0.025},
     {.v0 = article_turning, .time = 1200, .step = 0.025},
     {.v0 = 1.85, .time = 1200, .step = 0.025},
@@ -237,7 +238,7 @@ by x51_spread.gp: `deviation` against `t` from the table `ensemble`, `apart` fro
 |---|---|---|---|
 | half a site reached at $t$ | [9.7e2 ± 3e1](cell:predictable/noise=1e-4/t) | [1.29e3 ± 4e1](cell:noise=1e-6/t) | [1.43e3 ± 5e1](cell:noise=1e-8/t) |
 | rate of growth, $100 < t < 850$ | [0.0070 ± 4e-4](cell:predictable/noise=1e-4/before) | [0.0069 ± 9e-4](cell:noise=1e-6/before) | [0.0067 ± 4e-4](cell:noise=1e-8/before) |
-| from 950 until half a site | | [0.013 ± 6e-3](cell:predictable/noise=1e-6/after) | [0.0191 ± 8e-4](cell:noise=1e-8/after) |
+| from 950 until half a site | | [0.013 ± 6e-3](cell:predictable/noise=1e-6/after) | [0.0188 ± 9e-4](cell:noise=1e-8/after) |
 | $\sigma_X$, mean for $2000 < t < 2600$ | [8 ± 4](cell:spread/noise=1e-4/part=late/deviation) | [9 ± 1](cell:noise=1e-6/part=late/deviation) | [8 ± 2](cell:noise=1e-8/part=late/deviation) |
 
 Long after the first reflection the motion is erratic, as the article says: $\sigma_X$ is larger than that of centres
