@@ -152,8 +152,8 @@ packet slows down on a plateau, where $X$ has several maxima that are almost equ
 decides which of them is the farthest. Times and later motion belong to exactly 1.9; that the packet turns and is
 reflected is robust.
 
-![Turning point and its time for impacts that round to 1.9. Drawn by x64_turning_scan.gp: `apex_site` and `apex_time`
-against `velocity`, from the table `printed_range`.](fig:x64)
+![Turning point and its time for impacts that round to 1.9. Drawn by x65_turning_scan.gp: `apex_site` and `apex_time`
+against `velocity`, from the table `printed_range`.](fig:x65)
 
 The packet of 1.5, the article's example of slow deceleration, turns in the end too, far outside the figure: at site
 [183](cell:turns/s=1/velocity=1.5/apex_site) and $t =$ [4.36e3 ± 2e1](cell:turns/s=1/velocity=1.5/apex_time). An error

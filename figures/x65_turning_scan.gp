@@ -1,4 +1,4 @@
-# Figure x64: where a packet turns, and when, for impacts that round to 1.9.
+# Figure x65: where a packet turns, and when, for impacts that round to 1.9.
 width = 85; height = 60
 load 'figures/style.gp'
 table = data.'/sec34_boomeron/printed_range.ecsv'
