@@ -8,7 +8,7 @@ ending(s, x) = column("ending") == 1 ? only(s, x) : NaN
 before(s, x) = column("ending") == 0 ? only(s, x) : NaN
 set multiplot layout 1,2 margins char 8,1.5,3.4,0.8 spacing char 10,0
 set xlabel 'impact velocity v_0'
-set xrange [0:2.5]
+set xrange [0:2.3]
 set key top left at graph 0.1,0.97
 set ylabel 'peak energy density'
 set label 1 '(a)' at graph 0.03,0.94

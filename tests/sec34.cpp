@@ -174,14 +174,6 @@ TEST_CASE("a free bead in a soft well is the slower the farther it moves", "[uni
   check_close(seen.amplitude(), 0.9, 0, 1e-6);
 }
 
-TEST_CASE("a speed between two packets is that of a power law", "[unit]") {
-  std::vector<PacketSpeed> packets;
-  for (double e : {0.1, 0.2, 0.4, 0.9}) packets.push_back({e, std::pow(e, 0.3)});
-  for (double e : {0.05, 0.1, 0.3, 0.8})
-    check_close(speed_at_energy(packets, e).value, std::pow(e, 0.3), 1e-13);
-  CHECK_THROWS_AS(speed_at_energy(packets, 1), std::runtime_error);
-}
-
 TEST_CASE("the band of escapes leaves disputed impacts out", "[unit]") {
   const double never = HUGE_VAL;
   const std::vector<Trial> trials{{1, never, never}, {2, 8, never}, {3, 9, 9.5},

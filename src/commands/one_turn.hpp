@@ -78,7 +78,7 @@ struct OneTurn {
   Chain like{.well = Quartic{1}};
 
   void parameters(Parameters& p) {
-    p.add("velocity", velocity, "velocity of the impact on the first bead", {1e-3, 100});
+    p.add("velocity", velocity, "velocity of the impact on the first bead", {1e-3, 1000});
     add_well(p, like.well, {{"s", {0, 1000}}});
     add_contact(p, like.contact);
     p.add("sites", sites, "number of sites (default: as many as needed)", {12, 1e5});

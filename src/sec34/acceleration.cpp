@@ -96,7 +96,7 @@ static Stretch samples_of(const Path& p, WayPart part) {
 
 namespace {
 struct OnPart {
-  double mean, lost;
+  double mean, mean_change;
 };
 }  // namespace
 
@@ -124,7 +124,7 @@ Acceleration acceleration_of(const Path& coarse, const Path& fine, WayPart part)
     return e;
   };
   return {with_error(twice.mean, usual.mean, less.mean),
-          with_error(twice.lost, usual.lost, less.lost)};
+          with_error(twice.mean_change, usual.mean_change, less.mean_change)};
 }
 
 }  // namespace lattice

@@ -38,7 +38,7 @@ double last_speed(const Path& smoothed, double duration);
 /// The most that the centre has ever fallen back from the farthest site reached before, in sites.
 double farthest_return(const Path& smoothed);
 
-/// A part of the way of a packet: between two times; *around the turn*, while it is above nine tenths of its turning
+/// A part of the way of a packet: between two times; *at the turn*, while it is above nine tenths of its turning
 /// point; and on the way *back*, from there to three tenths.
 struct WayPart {
   const char* name;
@@ -49,7 +49,7 @@ struct WayPart {
 /// Mean acceleration on a part of the way, and the velocity lost between its ends, as slopes over ten units of time, in
 /// a unit of time.
 struct Acceleration {
-  Estimate mean, lost;
+  Estimate mean, mean_change;
 };
 
 /// From the paths of two runs. The errors are what the other step and half the smoothing change.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "lattice/numerics/line_fit.hpp"
+
 namespace lattice {
 
 std::vector<Spread> spread_of(const std::vector<Path>& smoothed, std::size_t every) {
@@ -27,6 +29,16 @@ double time_to_spread(const std::vector<Spread>& all, double sites) {
   for (const Spread& at : all)
     if (at.deviation > sites) return at.t;
   throw std::runtime_error("the packets stay together");
+}
+
+Estimate growth(const std::vector<Spread>& all, double from, double to) {
+  std::vector<double> t, logarithm;
+  for (const Spread& at : all)
+    if (at.t >= from && at.t <= to) {
+      t.push_back(at.t);
+      logarithm.push_back(std::log(at.deviation));
+    }
+  return fit_line(t, logarithm).estimate();
 }
 
 double mean_deviation(const std::vector<Spread>& all, double from, double to) {

@@ -30,16 +30,6 @@ double residue(const std::vector<double>& e, std::size_t peak) {
   return most / window_sum(e, peak);
 }
 
-Estimate speed_at_energy(const std::vector<PacketSpeed>& packets, double energy) {
-  std::size_t i = 1;
-  while (i + 1 < packets.size() && packets[i].energy < energy) ++i;
-  const PacketSpeed &below = packets[i - 1], &above = packets[i];
-  if (energy > above.energy) throw std::runtime_error("no packet has as much energy");
-  const double part = std::log(energy / below.energy) / std::log(above.energy / below.energy);
-  const double speed = below.speed.value * std::pow(above.speed.value / below.speed.value, part);
-  return {speed, std::max(below.speed.error, above.speed.error)};
-}
-
 // With the velocity v the bead was at zero the time y/v ago
 void Oscillation::add(double t, double y, double v) {
   if (y >= 0 && last_ < 0) passages_.push_back(t - y / v);

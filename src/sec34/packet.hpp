@@ -74,15 +74,6 @@ class Front {
   double behind_ = 0;
 };
 
-/// A packet's energy and speed.
-struct PacketSpeed {
-  double energy;
-  Estimate speed;
-};
-/// The speed at this energy, between packets of rising energies, for powers of them. Throws std::runtime_error beyond
-/// the strongest.
-Estimate speed_at_energy(const std::vector<PacketSpeed>& packets, double energy);
-
 /// The oscillation of one bead, sample by sample: the times at which it passes zero upwards, and its largest
 /// displacement.
 class Oscillation {

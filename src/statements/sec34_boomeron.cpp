@@ -124,7 +124,7 @@ STATEMENT("boomeron.force_grows") {
   grows("out", "acceleration");
   reading("earlier", [&] { grows("earlier", "acceleration"); });
   reading("later", [&] { grows("later", "acceleration"); });
-  reading("speeds", [&] { grows("out", "lost"); });
+  reading("speeds", [&] { grows("out", "mean_change"); });
 }
 
 STATEMENT("boomeron.waves") {
