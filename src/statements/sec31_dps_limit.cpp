@@ -22,8 +22,8 @@ static Estimate mean_order(const Data& rows, const char* column = "order") {
 }
 
 STATEMENT("dps.error_order") {
-  // Between the two smallest sizes, for three starts and three horizons
-  answer(mean_order(table("dps_order").where("eps", std::pow(10, -5.75))), "");
+  // Its limit at small amplitude, for three starts and three horizons
+  answer(mean_order(table("limits")), "");
 }
 
 STATEMENT("dps.travelling_close") {
