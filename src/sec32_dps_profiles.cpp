@@ -47,16 +47,16 @@ The difference of the equations at neighbouring sites contains strains only, and
 $$w_{n+1} - 2w_n + w_{n-1} + \mu d_n = 0,\qquad n \ge 0,\qquad
   w_{-1} = -w_0 \text{ (site)},\quad w_{-1} = w_1 \text{ (bond)}.$$
 
-The approximation assumes that the forces alternate, $w_n = (-1)^{n+1}g$ with a smooth envelope $g$ around the centre. At
-$\mu = 1$ the equation then contains $g(x\pm1)$, and three terms of their Taylor series turn it into Eq. (17), $g'' = -4g
-+ g|g|^{-1/3}$. Its last term has an infinite slope at $g = 0$, which lets a solution reach zero and stay there.
+The approximation assumes that the forces alternate, $w_n = (-1)^{n+1}g$ with a smooth envelope $g$ around the centre.
+At $\mu = 1$ the equation then contains $g(x\pm1)$, and three terms of their Taylor series turn it into Eq. (17), $g'' =
+-4g + g|g|^{-1/3}$. Its last term has an infinite slope at $g = 0$, which lets a solution reach zero and stay there.
 Multiplied by $g'$ and integrated with $g = g' = 0$ at the edge it is $g'^2 = \frac65g^{5/3} - 4g^2$, and
 $$g(x) = (\tfrac3{10})^3\cos^6\tfrac x3 \text{ for } |x| \le \tfrac{3\pi}2,\qquad
   u_n = (-1)^n[g(n+\tfrac12)+g(n-\tfrac12)] \text{ (site, Eq. (19))},\quad
   u_n = (-1)^n[g(n)+g(n-1)] \text{ (bond, Eq. (18))}.$$
 It keeps $g''$ and drops the fourth derivative, although the half-width, [4.712](statement:dps.qc_support), is less than
-five sites: there is no small parameter. And compact support must fail at its edge, where the true tail falls faster than
-exponentially but not to zero. For other exponents the power 6 becomes $2\alpha/(\alpha-1)$. */
+five sites: there is no small parameter. And compact support must fail at its edge, where the true tail falls faster
+than exponentially but not to zero. For other exponents the power 6 becomes $2\alpha/(\alpha-1)$. */
 constexpr double alpha = 1.5;      // exponent of the contacts, 3/2 for spheres
 constexpr Index strains = 12;      // of the right half: 25 sites around a site, 24 around a bond
 constexpr double other_mu = 1.25;  // for the scaling; the same start must lead there
@@ -78,9 +78,9 @@ double approximation(Centre centre, long n) {
 
 The symmetry keeps the breather from sliding along the chain, a direction in which the equations are nearly indifferent.
 The strains keep the tail accurate: there $d_n \approx -w_{n-1}/\mu$, without cancellation. A relative error of one
-strain is multiplied by 3/2 from site to site outwards, while an absolute one would exceed the tail. So the start has the
-strains inside the support of the approximation only, four for spheres, and each step of Newton's method adds one more.
-The arithmetic has 34 digits. */
+strain is multiplied by 3/2 from site to site outwards, while an absolute one would exceed the tail. So the start has
+the strains inside the support of the approximation only, four for spheres, and each step of Newton's method adds one
+more. The arithmetic has 34 digits. */
 using Strains = Vector<Quadruple>;
 
 struct Breather {
@@ -259,10 +259,10 @@ void report_support(Report& report) {
 ## Two norms that are almost equal, and the scaling with the frequency
 
 The norm around a site is [0.005360](cell:breathers/centre=site/norm); the one around a bond differs from it by the
-fraction [-1.331e-6](cell:norms/gap), bond minus site. Why the two are so nearly equal, and why the one around a bond is the smaller, we do not
-know. In the limit of small amplitude the energy of the chain's breather is $2\epsilon^2N$, so that at equal frequency
-the energies should differ by the same fraction; at the article's $\omega_b = 1.01$ the difference is only a fifth of that
-(`sec32_barrier`).
+fraction [-1.331e-6](cell:norms/gap), bond minus site. Why the two are so nearly equal, and why the one around a bond is
+the smaller, we do not know. In the limit of small amplitude the energy of the chain's breather is $2\epsilon^2N$, so
+that at equal frequency the energies should differ by the same fraction; at the article's $\omega_b = 1.01$ the
+difference is only a fifth of that (`sec32_barrier`).
 
 If $u$ solves the equation at $\mu = 1$, $\mu^2u$ solves it at $\mu$, since $(\mu^2u)^{3/2} = \mu\cdot\mu^2u^{3/2}$:
 the amplitude grows like $\mu^2$ at unchanged width. To test the method we solve at $\mu = 1.25$ from the same start,
@@ -330,8 +330,8 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** `alpha` is the exponent of the contacts: approximation and equations follow it, and the tail gets the
-power `alpha`. `strains` is the length of the chain, whose last displacement must be a normal number of double precision:
-with `alpha = 2` take `strains = 8`.
+power `alpha`. `strains` is the length of the chain, whose last displacement must be a normal number of double
+precision: with `alpha = 2` take `strains = 8`.
 
 1. *Easy.* How good is $y_n = 2\epsilon u_n\cos\omega_bt$ for a small breather of the chain?
    `build/bin/sec32_newton_breathers breather --omega 1.001` gives `amplitude` = 9.63900e-7. Hint: Eq. (20) gives
