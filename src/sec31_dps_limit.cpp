@@ -394,7 +394,7 @@ another well a struct like `Asymmetric` in the list `others`. With `alpha = 1.75
 
 1. *Easy.* Does a packet of the chain move as the DpS equation says?
    `build/bin/sec34_impact run --velocity 0.01 --time 1000` gives `speed` = 0.02531. Hint: an impact of velocity $v_0$
-   has $\epsilon = v_0/2$; `sec31_dps_limit impact --tau 70.7` prints the speed in sites per $\tau$ (larger by 5 per cent).
+   has $\epsilon = v_0/2$; `sec31_dps_limit impact --tau 70.7` prints the speed in sites per $\tau$.
 2. *Harder.* What replaces the DpS equation for contacts of another exponent, and how fast are its packets?
    `build/bin/sec31_dps_limit impact --tau 100 --alpha 2` gives `speed` = 0.4059. Hint: $|A|^{1/2}$ becomes
    $|A|^{\alpha-1}$, the slow time $\epsilon^{\alpha-1}t$. */
