@@ -25,7 +25,7 @@ set format y '%g'
 set key top left at graph 0.03,0.86 maxrows 4 width 0
 set xzeroaxis lw 0.8 lc rgb grey
 set xlabel 'amplitude a of the wave'
-set ylabel 'localization later than predicted (%)'
+set ylabel 'delay of localization (%)'
 set xrange [0.06:0.165]
 set yrange [-4:20]
 plot (x/0.15)**2*14.7 with lines lc rgb grey lw 1 title '∝ a^2', \

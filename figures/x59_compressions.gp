@@ -10,10 +10,10 @@ set ylabel 'centre of the packet (site)' offset 1,0
 set xrange [0:2000]
 set yrange [3:3000]
 unset key
-set label 1 'd = 0.5' at 1500,1200
-set label 2 '0.05' at 1700,155
-set label 3 '0.03' at 1700,95
-set label 4 '0.02' at 1700,38
+set label 1 'd = 0.5' at 1350,1450
+set label 2 '0.05' at 1500,180
+set label 3 '0.03' at 1730,103
+set label 4 '0.02' at 1500,37
 set label 5 '0' at 1040,6
 plot paths using "t":(only(0.5, column("centre"))) with lines ls 3, \
      paths using "t":(only(0.05, column("centre"))) with lines ls 4, \

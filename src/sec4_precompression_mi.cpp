@@ -292,7 +292,8 @@ void report_weaker(Report& report) {
                {"amplitude", "of the phonon", ring.amplitude},
                {"late", "time of localization over the prediction, less 1",
                 after(pair.localized, nls_time(ring)), "",
-                "interval of the samples, against the largest; nan in a quick run"}});
+                "interval of the samples, against the largest, known to 9 per cent; nan in a quick "
+                "run"}});
 }
 
 /**
