@@ -1,8 +1,8 @@
-# Figure x55: side bands of a modulated phonon with the NLS equation's, and the error of the NLS growth rate.
+# Figure x55: side bands of a modulated phonon with the NLS equation's, and how late its energy localizes.
 width = 170; height = 62
 load 'figures/style.gp'
 bands = data.'/sec4_precompression_mi/sidebands.ecsv'
-rates = data.'/sec4_precompression_mi/rate_error.ecsv'
+weaker = data.'/sec4_precompression_mi/weaker.ecsv'
 only(s, x) = abs(column("s") - s) < 1e-9 ? x : NaN
 set multiplot layout 1,2 margins char 9,1.5,3.4,0.8 spacing char 10,0
 set logscale y
@@ -20,13 +20,15 @@ plot bands using "foldings":(only(-1./6, column("by_nls"))) with lines lc rgb gr
      bands using "foldings":(only(0, column("sideband"))) with lines ls 1 title 's = 0', \
      bands using "foldings":(only(1, column("sideband"))) with lines ls 3 title 's = 1'
 set label 1 '(b)'
-set logscale x
+unset logscale
+set format y '%g'
+set key top left at graph 0.03,0.86 maxrows 4 width 0
+set xzeroaxis lw 0.8 lc rgb grey
 set xlabel 'amplitude a of the wave'
-set ylabel 'relative error of the NLS rate'
-set xrange [0.008:0.2]
-set yrange [2e-7:0.3]
-plot rates using "amplitude":(0.5*column("amplitude")**2) with lines lc rgb grey lw 1 title 'a^2/2', \
-     rates using "amplitude":(only(-1./6, column("error"))) with linespoints ls 2 ps 0.5 title 's = −1/6', \
-     rates using "amplitude":(only(0, column("error"))) with linespoints ls 1 ps 0.5 title 's = 0', \
-     rates using "amplitude":(only(1, column("error"))) with linespoints ls 3 ps 0.6 title 's = 1'
+set ylabel 'delay of localization (%)'
+set xrange [0.06:0.165]
+set yrange [-4:20]
+plot (x/0.15)**2*14.7 with lines lc rgb grey lw 1 title '∝ a^2', \
+     weaker using "amplitude":(only(-1./6, 100*column("late"))):(100*column("late_error")) with yerrorlines ls 2 ps 0.5 title 's = −1/6', \
+     weaker using "amplitude":(only(1, 100*column("late"))):(100*column("late_error")) with yerrorlines ls 3 ps 0.6 title 's = 1'
 unset multiplot

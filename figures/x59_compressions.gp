@@ -7,13 +7,13 @@ set lmargin 8; set rmargin 3; set bmargin 3.4; set tmargin 0.8
 set logscale y
 set xlabel 'time t'
 set ylabel 'centre of the packet (site)' offset 1,0
-set xrange [0:3000]
-set yrange [3:5000]
+set xrange [0:2000]
+set yrange [3:3000]
 unset key
-set label 1 'd = 0.5' at 2300,2100
-set label 2 '0.05' at 2450,280
-set label 3 '0.03' at 2450,72
-set label 4 '0.02' at 2150,25
+set label 1 'd = 0.5' at 1350,1450
+set label 2 '0.05' at 1500,180
+set label 3 '0.03' at 1730,103
+set label 4 '0.02' at 1500,37
 set label 5 '0' at 1040,6
 plot paths using "t":(only(0.5, column("centre"))) with lines ls 3, \
      paths using "t":(only(0.05, column("centre"))) with lines ls 4, \

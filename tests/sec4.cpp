@@ -150,7 +150,7 @@ namespace {
 /// One pulse until `split`, then a second one of this height for a time `lasting`; the energy gathers at t = 2000.
 RingPair drawn(double split, double height, double lasting) {
   RingPair pair;
-  pair.gathered = {2000, 50};
+  pair.localized = {2000, 50};
   for (double t = 50; t <= 9000; t += 50) {
     const bool two = t >= split && t < split + lasting;
     const RingSample at{t,
@@ -181,8 +181,8 @@ TEST_CASE("a pulse that splits was one before", "[unit]") {
   CHECK(pulse_splits(drawn(3000, 0.4, 2000), round).one_pulse_for.value == 2000);
   RingPair spread = drawn(3000, 0.8, 2000);
   for (auto& both : spread.samples)
-    for (RingSample& at : both) at.gathered = at.t < 3000;
-  CHECK(pulse_splits(spread, round).in_windows_gathered.value == 0.2);
+    for (RingSample& at : both) at.localized = at.t < 3000;
+  CHECK(pulse_splits(spread, round).in_windows_localized.value == 0.2);
   CHECK(std::isnan(pulse_splits({}, round).second.value));
 }
 
@@ -209,7 +209,7 @@ TEST_CASE("a second hump has a valley on both sides", "[unit]") {
   state.v[95] = 1;
   check_close(ring_sample(chain, state).second, 1, 1e-15);
   check_close(ring_sample(chain, state).second_window, 1, 1e-15);
-  CHECK(ring_sample(chain, state).gathered);
+  CHECK(ring_sample(chain, state).localized);
 }
 
 TEST_CASE("a packet is as wide on a background as without", "[unit]") {
@@ -244,7 +244,8 @@ TEST_CASE("a breather on the ring is concentrated and moves to the right", "[uni
     }
     return m;
   };
-  const Formed made = formed(ring(0, 0.3), ring(1, 0.3)), flat = formed(ring(0, 0), ring(0, 0));
+  const Packet made = packet_of(ring(0, 0.3), ring(1, 0.3)),
+               flat = packet_of(ring(0, 0), ring(0, 0));
   check_close(made.peak_over_mean.value, 1.01 / (3.0 / 200), 1e-11);
   check_close(made.peak_over_mean.error, made.peak_over_mean.value - 1, 1e-11);
   check_close(made.share_of_sites.value, 9 / (1.01 * 1.01 + 199e-4) / 200, 1e-12);

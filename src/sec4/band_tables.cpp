@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include "lattice/numerics/line_fit.hpp"
-#include "sec4/exact_waves.hpp"
 #include "sec4/instability.hpp"
 #include "sec4/phonons.hpp"
 
@@ -126,30 +126,31 @@ static void report_edges(Report& report, double chosen) {
       }
 }
 
-// The shift of an exact wave's frequency, from an amplitude that falls with the compression
-static Estimate beta_from_wave(double q, double d, double s) {
-  const double omega = phonon(q, contact_series(d).v1).omega;
-  return at_zero_amplitude(0.04 * std::min(1.0, 2 * d), [&](double amplitude) {
-    const double shifted = plane_wave(Quartic{s}, CompressedHertz{d}, q, amplitude).omega;
-    return (shifted - omega) * (shifted + omega) / (amplitude * amplitude / 2);
-  });
-}
-
-static void report_other_compressions(Report& report, std::span<const double> wells) {
-  Table& others = report.table("other_compressions");
-  for (double d : {0.05, 0.2, 1.0, 4.0})
-    for (double s : wells)
-      for (int k = 1; k < 8; ++k) {
-        const double q = pi * k / 8;
-        others.add(
-            {{"d", "compression of the contacts", d},
-             {"s", "anharmonicity of the well", s},
-             {"q", "wavenumber", q, "1/site"},
-             {"beta", "NLS coefficient from its formula",
-              of_phonon([](const auto& nls) { return nls.beta; }, q, d, s), "", of_largest},
-             {"measured_beta", "NLS coefficient from the frequency of exact waves",
-              beta_from_wave(q, d, s), "", "from two pairs of amplitudes, against the largest"}});
-      }
+// Phi of the chosen compression, and its largest value and mean over the unstable wavenumbers
+static void report_instability(Report& report, double d, std::span<const double> wells) {
+  Table &table = report.table("instability"), &in_wells = report.table("inflection");
+  for (double s : wells) {
+    for (int k = 0; k <= 200; ++k)
+      table.add({{"q", "wavenumber", pi * k / 200, "1/site"},
+                 {"s", "anharmonicity of the well", s},
+                 {"phi", "modulation coefficient Phi; unstable where positive",
+                  phi(pi * k / 200, d, s), "", of_largest}});
+    double largest[2], mean[2];
+    for (int grid : {0, 1}) {
+      std::vector<double> all;
+      for (int k = 0, points = 2000 << grid; k <= points; ++k)
+        if (const double here = coefficients(pi * k / points, d, s).phi; here > 0)
+          all.push_back(here);
+      largest[grid] = *std::ranges::max_element(all);
+      mean[grid] = std::accumulate(all.begin(), all.end(), 0.0) / double(all.size());
+    }
+    const char* how = "two grids of wavenumbers";
+    in_wells.add(
+        {{"s", "anharmonicity of the well", s},
+         {"largest_phi", "largest Phi of all wavenumbers", compare(largest[0], largest[1]), "",
+          how},
+         {"mean_phi", "mean Phi of the unstable wavenumbers", compare(mean[0], mean[1]), "", how}});
+  }
 }
 
 // All of them
@@ -164,7 +165,7 @@ void report_band(Report& report, double d, std::span<const double> wells) {
   report_compressions(report, wells);
   report_sides(report);
   report_edges(report, d);
-  report_other_compressions(report, wells);
+  report_instability(report, d, wells);
 }
 
 }  // namespace lattice

@@ -12,7 +12,7 @@ to 1e4, where the chapter has one compression. */
 namespace lattice {
 
 /// Writes `contact_series` (of the compression `d`), `compressions`, `inflection_signs`, `sides`, `band_edges` and
-/// `other_compressions`.
+/// `instability` and `inflection` (of `d`).
 void report_band(Report& report, double d, std::span<const double> wells);
 
 }  // namespace lattice

@@ -3,13 +3,12 @@
 # Waves of finite amplitude
 
 A phonon (phonons.hpp) is a wave of vanishing amplitude. There are also waves of finite amplitude that keep their form:
-$y_n(t) = \varphi(\theta)$ with $\theta = qn - \omega t$ is a solution if $\varphi$ has the period $2\pi$ and
-$$\omega^2\varphi'' + W'(\varphi) = V'(r) - V'(r^-), \qquad
-  r(\theta) = \varphi(\theta+q) - \varphi(\theta),\quad r^-(\theta) = r(\theta-q).$$
-For an even well $\theta\to-\theta$, $\varphi\to-\varphi$ leaves this equation unchanged, so we look for odd waves
-$\varphi = \sum_k b_k \sin k\theta$ with $b_1 = a$ given and the frequency unknown. As long as all contacts stay closed
-everything is analytic, and the series converges geometrically. Its frequency and the growth of its disturbances know
-nothing of $\beta$. */
+$y_n(t) = f(\theta)$ with $\theta = qn - \omega t$ is a solution if $f$ has the period $2\pi$ and
+$$\omega^2f'' + W'(f) = V'(r) - V'(r^-), \qquad
+  r(\theta) = f(\theta+q) - f(\theta),\quad r^-(\theta) = r(\theta-q).$$
+For an even well $\theta\to-\theta$, $f\to-f$ leaves this equation unchanged, so we look for odd waves
+$f = \sum_k b_k \sin k\theta$ with $b_1 = a$ given and the frequency unknown. As long as all contacts stay closed
+everything is analytic, and the series converges geometrically. Its frequency knows nothing of $\beta$. */
 
 #include <complex>
 #include <cstddef>
@@ -27,7 +26,7 @@ struct PlaneWave {
   Well well = Harmonic{};
   Contact contact = Hertz{};
 
-  double profile(double theta) const;  ///< phi(theta)
+  double profile(double theta) const;  ///< f(theta)
   double slope(double theta) const;    ///< its derivative
   /// r(theta).
   double relative(double theta) const { return profile(theta + q) - profile(theta); }
@@ -46,7 +45,7 @@ std::complex<double> fourier(const State<double>& state, double q, double omega)
 /**
 A small disturbance $e^{iQn + \lambda t}p(\theta)$ of such a wave obeys a linear equation with coefficients of period
 $2\pi$. With the shift $S p = p(\theta+q)$ and $B = e^{iQ}S - 1$ it is
-$$(\lambda - \omega\partial_\theta)^2 p = -W''(\varphi)\,p - B^\dagger V''(r)\,B\,p,$$
+$$(\lambda - \omega\partial_\theta)^2 p = -W''(f)\,p - B^\dagger V''(r)\,B\,p,$$
 an eigenvalue problem on a grid of $\theta$. The growth rate is the largest real part of $\lambda$. */
 /// The growth rate, 1 per unit of time, of the fastest disturbance of wavenumber Q, `modulation`.
 double growth_rate(const PlaneWave& wave, double modulation);

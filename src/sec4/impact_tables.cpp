@@ -5,6 +5,25 @@
 
 namespace lattice {
 
+void StruckChain::record(const Strike& of, const Chain& chain, const State<double>& now,
+                         const std::vector<double>& e) {
+  if (!samples.empty() && now.t == samples.back().t) return;
+  samples.push_back(packet_sample(now.t, e));
+  for (std::size_t n = 0; n + 1 < now.y.size(); ++n)
+    if (now.y[n + 1] - now.y[n] > of.compression) last_open = now.t;
+  for (double t : of.shown)
+    if (std::abs(now.t - t) < 1e-6) {
+      shown.push_back(snapshot(chain, now));
+      density.push_back(e);
+    }
+}
+void StruckChain::check(const Strike& of) const {
+  const bool closes = of.closed < of.time;
+  if (run.run.escaped()) throw Failure("a bead escapes");
+  if (run.run.energy_drift > (closes ? 1e-8 : 1e-6)) throw Failure("energy is lost");
+  if (closes && last_open > of.closed) throw Failure("a contact opens late");
+}
+
 static void report_profiles(Report& report, std::span<const Struck> compressed) {
   Table &profiles = report.table("impact_profiles"), &history = report.table("packet_history");
   for (const auto& [of, runs] : compressed) {
@@ -72,6 +91,34 @@ static void report_exponents(Report& report, std::span<const Struck> compressed)
 void report_trains(Report& report, std::span<const Struck> compressed) {
   report_profiles(report, compressed);
   report_exponents(report, compressed);
+}
+
+void report_linear_train(Report& report, const Struck& weak) {
+  const char* how =
+      "two resolutions and two stretches of the run, against the largest, known to 20 per cent";
+  report.table("linear_train")
+      .add({{"share_exponent", "exponent in time of the packet's fraction of the energy",
+             later(weak.runs, [](const Traits& its) { return its.share_exponent; }), "", how},
+            {"narrow_exponent", "the same of a packet of 21 sites",
+             later(weak.runs, [](const Traits& its) { return its.narrow_exponent; }), "", how}});
+}
+
+void report_splitting(Report& report, const RingPair& pair, double round) {
+  const PulseSplits splits = pulse_splits(pair, round);
+  const char* how = "difference of two resolutions; nan in a quick run";
+  report.table("splitting")
+      .add({{"round", "time in which a phonon goes round the ring", exact(round), "", "exact"},
+            {"one_pulse_for", "from localization until a second pulse is half as high",
+             splits.one_pulse_for, "",
+             "interval of the samples, known to 7 per cent; nan in a quick run"},
+            {"second", "largest height of a second pulse over the first", splits.second, "", how},
+            {"kept", "the largest that persists once round the ring", splits.kept, "", how},
+            {"of_figure", "largest height of a second maximum of the displacements' envelope",
+             splits.of_figure, "", how},
+            {"in_windows", "largest energy of a second range of 21 sites over the first",
+             splits.in_windows, "", how},
+            {"in_windows_localized", "the same while the energy is localized",
+             splits.in_windows_localized, "", how}});
 }
 
 void report_uncompressed(Report& report, const Struck& turns, const Struck& surface) {

@@ -28,6 +28,12 @@ struct StruckChain {
   std::vector<Snapshot> shown{};               ///< the state at the times of the figures
   std::vector<std::vector<double>> density{};  ///< of the energy then
   double last_open = 0;                        ///< when a contact was open for the last time
+
+  /// Records one instant; the same instant again is ignored.
+  void record(const Strike& of, const Chain& chain, const State<double>& now,
+              const std::vector<double>& e);
+  /// Throws Failure if a bead has escaped, energy is lost, or a contact has opened too late.
+  void check(const Strike& of) const;
 };
 
 /// An impact and its two runs.
@@ -40,6 +46,10 @@ struct Struck {
 void report_trains(Report& report, std::span<const Struck> compressed);
 /// Writes `uncompressed`: a packet that turns round, and a surface mode.
 void report_uncompressed(Report& report, const Struck& turns, const Struck& surface);
+/// Writes `linear_train`, the exponents of `impacts` after an impact that excites linear waves only.
+void report_linear_train(Report& report, const Struck& weak);
+/// Writes `splitting`: what becomes of the pulse on a ring.
+void report_splitting(Report& report, const RingPair& pair, double round);
 /// Writes `envelope_fits`, `tails` and `packet_sites` of a breather, beside a packet without compression.
 void report_breather(Report& report, const Struck& breather, const Struck& uncompressed);
 

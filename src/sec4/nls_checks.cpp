@@ -71,27 +71,12 @@ static void report_edges(Report& report, double d) {
   }
 }
 
-// The phase turns by -omega in a unit of time
-static double frequency_in_run(const Chain& chain, const PlaneWave& wave, double step) {
-  State<double> state = on_ring(wave, chain.sites);
-  const double time = 2 * pi * 60 / wave.omega;
-  double turned = 0, last = 0;
-  evolve(splitting(step), chain, state, time, 0.5, [&](const State<double>& now) {
-    const double phase = std::arg(fourier(now, wave.q, wave.omega));
-    if (now.t > 0) turned += std::remainder(phase - last, 2 * pi);
-    last = phase;
-  });
-  return -turned / time;
-}
-
-// From amplitudes of 0.04, 0.02 and 0.01
-static Estimate beta_from_frequency(double q, double d, double s, double step) {
-  const Chain chain = ring_of({s, q, d, 0}, 48);
+// The shift of an exact wave's frequency, from an amplitude that falls with the compression
+static Estimate beta_from_frequency(double q, double d, double s) {
   const double omega = coefficients(q, d, s).omega;
-  return at_zero_amplitude(0.04, [&](double size) {
-    const double shifted =
-        frequency_in_run(chain, plane_wave(chain.well, chain.contact, q, size), step);
-    return (shifted * shifted - omega * omega) / (size * size / 2);
+  return at_zero_amplitude(0.04 * std::min(1.0, 2 * d), [&](double size) {
+    const double shifted = plane_wave(Quartic{s}, CompressedHertz{d}, q, size).omega;
+    return (shifted - omega) * (shifted + omega) / (size * size / 2);
   });
 }
 
@@ -109,69 +94,47 @@ static bool grows_slowly(double q, double d, double s) {
          std::abs(q - inflection(contact_series(d).v1)) > 0.05;
 }
 
-static constexpr const char* of_largest = "difference of two precisions, against the largest";
-
-static void report_coefficient(Report& report, double d, std::span<const double> wells) {
+static void report_coefficient(Report& report, double chosen, std::span<const double> wells) {
   struct Point {
-    double q, s;
-    Estimate beta{}, phi = undefined;
+    double d, s, q;
   };
   std::vector<Point> points;
-  for (double s : wells)
-    for (int k = report.quick ? 4 : 1; k < 24; k += report.quick ? 4 : 1)
-      points.push_back({pi * k / 24, s});
-  parallel_for("nonlinear frequency", points.size(), [&](std::size_t i) {
-    Point& at = points[i];
-    at.beta =
-        compare(beta_from_frequency(at.q, d, at.s, 0.2), beta_from_frequency(at.q, d, at.s, 0.1));
-    if (grows_slowly(at.q, d, at.s)) at.phi = phi_from_growth(at.q, d, at.s);
-  });
-
-  // Both beside the formula
-  Table& table = report.table("measured_coefficient");
-  for (const auto& [q, s, beta, measured_phi] : points)
-    table.add({{"q", "wavenumber", q, "1/site"},
-               {"s", "anharmonicity of the well", s},
+  for (double d : {chosen, 0.05, 0.2, 1.0, 4.0})
+    for (double s : wells) {
+      const int count = d == chosen && !report.quick ? 24 : 8;
+      for (int k = 1; k < count; ++k) points.push_back({d, s, pi * k / count});
+    }
+  const auto of_formula = [](auto of, const Point& at) {
+    return in_two_precisions([of](auto x, auto y, auto z) { return of(coefficients(x, y, z)); },
+                             at.q, at.d, at.s);
+  };
+  const char* how = "difference of two precisions, against the largest";
+  report.table("measured_coefficient").fill(points, [&](const Point& at) {
+    const bool slow = at.d == chosen && grows_slowly(at.q, at.d, at.s);
+    return Row{{"d", "compression of the contacts", at.d},
+               {"s", "anharmonicity of the well", at.s},
+               {"q", "wavenumber", at.q, "1/site"},
                {"beta", "NLS coefficient from its formula",
-                in_two_precisions([](auto x, auto y, auto z) { return coefficients(x, y, z).beta; },
-                                  q, d, s),
-                "", of_largest},
-               {"measured_beta", "NLS coefficient from the measured frequency shift", beta, "",
-                "from two time steps and two pairs of amplitudes"},
+                of_formula([](const auto& nls) { return nls.beta; }, at), "", how},
+               {"measured_beta", "NLS coefficient from the frequency of exact waves",
+                beta_from_frequency(at.q, at.d, at.s), "",
+                "from two pairs of amplitudes, against the largest"},
                {"phi", "modulation coefficient from its formula",
-                in_two_precisions([](auto x, auto y, auto z) { return coefficients(x, y, z).phi; },
-                                  q, d, s),
-                "", of_largest},
-               {"slow", "1 where the fastest modulation is slow", grows_slowly(q, d, s)},
-               {"growth_phi",
-                "modulation coefficient from the measured growth; nan where stable or out of reach",
-                measured_phi, "", "from two pairs of amplitudes; nan where growth_phi is"}});
+                of_formula([](const auto& nls) { return nls.phi; }, at), "", how},
+               {"slow", "1 where the fastest modulation is slow, at d = 1/2", slow},
+               {"growth_phi", "modulation coefficient from the measured growth; nan unless slow",
+                slow ? phi_from_growth(at.q, at.d, at.s) : undefined, "",
+                "from two pairs of amplitudes; nan where growth_phi is"}};
+  });
   report.table("umklapp").add(
       {{"s", "anharmonicity of the well", 1.0},
        {"growth_over_nls", "at q = pi/2, over the growth of slow modulations",
         at_zero_amplitude(0.04,
-                          [d](double size) {
-                            const Carrier wave{1, pi / 2, d, size};
+                          [chosen](double size) {
+                            const Carrier wave{1, pi / 2, chosen, size};
                             return growth(wave, pi) / growth_by_nls(wave);
                           }),
         "", "from two pairs of amplitudes"}});
-}
-
-// Each from its amplitude down to a sixteenth
-void report_rate_error(Report& report, std::span<const Carrier> carriers) {
-  Table& table = report.table("rate_error");
-  for (Carrier wave : carriers)
-    for (int k = 0; k < 5; ++k, wave.amplitude /= 2) {
-      const auto relative = [&](std::size_t harmonics) {
-        return std::abs(growth(wave, fastest_modulation(wave), harmonics) / growth_by_nls(wave) -
-                        1);
-      };
-      table.add(
-          {{"s", "anharmonicity of the well", wave.s},
-           {"amplitude", "of the wave", wave.amplitude},
-           {"error", "of the NLS rate of the fastest modulation, relative",
-            compare(relative(8), relative(12)), "", "8 and 12 harmonics, against the largest"}});
-    }
 }
 
 static State<double> soliton(const Carrier& wave, double eps, std::size_t sites, double t) {
@@ -181,11 +144,14 @@ static State<double> soliton(const Carrier& wave, double eps, std::size_t sites,
   State<double> state(sites);
   for (std::size_t i = 0; i < sites; ++i) {
     const double n = double(i) - double(sites) / 2;
-    const double z = eps * std::remainder(n - speed * t, double(sites));
-    const double theta = wave.q * n - frequency * t, sech = height / std::cosh(z);
+    const double way = n - speed * t,
+                 z = eps * (way - double(sites) * std::round(way / double(sites)));
+    const double decay = std::exp(-std::abs(z)), square = decay * decay;
+    const double theta = wave.q * n - frequency * t, sech = height * 2 * decay / (1 + square);
     state.y[i] = sech * std::cos(theta);
     state.v[i] =
-        sech * (frequency * std::sin(theta) + speed * eps * std::tanh(z) * std::cos(theta));
+        sech * (frequency * std::sin(theta) +
+                speed * eps * std::copysign((1 - square) / (1 + square), z) * std::cos(theta));
   }
   return state;
 }

@@ -2,8 +2,8 @@
 /**
 # The NLS equation against the chain
 
-Three tests of the formulas of section 4.1 that do not use them: the frequency of exact waves, the growth of their
-modulations (exact_waves.hpp), and runs from the soliton of Eq. (38). */
+Three tests of the formulas of section 4.1: the frequency of exact waves (exact_waves.hpp), the growth of their modulations
+at the wavenumber that the formulas call the fastest one, and runs from the soliton of Eq. (38). */
 
 #include <span>
 
@@ -19,7 +19,4 @@ struct Carrier {
 
 /// Writes `edge_waves`, `measured_coefficient`, `umklapp` and `ansatz_error`.
 void report_nls_checks(Report& report, double d, std::span<const double> wells);
-/// Writes `rate_error`, the error of the NLS growth rate at the amplitudes of the carriers and below.
-void report_rate_error(Report& report, std::span<const Carrier> carriers);
-
 }  // namespace lattice

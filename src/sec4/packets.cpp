@@ -181,7 +181,7 @@ double train_amplitude(const Snapshot& shot) {
   return *std::max_element(first, first + end) / shot.sech.height;
 }
 
-static constexpr double interval = 50;  // between two looks at a pair of runs
+static constexpr double interval = 50;  // between two samples of a pair of runs
 
 static double peak_over_mean(const std::vector<double>& e) {
   return *std::max_element(e.begin(), e.end()) / (total(e) / double(e.size()));
@@ -256,22 +256,19 @@ RingSample ring_sample(const Chain& ring, const State<double>& state) {
 
 WatchedRing watch_packet(const Method& method, const Chain& ring, State<double> state) {
   WatchedRing out{std::move(state)};
-  const auto look = [&](const State<double>& now) {
+  const auto watch = [&](const State<double>& now) {
     out.density = energy_density(ring, now);
     out.t.push_back(now.t);
     out.centre.push_back(packet_sample(now.t, out.density).centre);
   };
-  evolve(method, ring, out.end, 60, 1, look);
+  evolve(method, ring, out.end, watched_time, 1, watch);
   out.shown = snapshot(ring, out.end);
   return out;
 }
 
 // The slope of the centre's path is its speed
-Formed formed(const WatchedRing& coarse, const WatchedRing& fine) {
-  const auto both = [&](auto of) { return compare(of(coarse.density), of(fine.density)); };
-  const auto share = [](const std::vector<double>& e) {
-    return participation(e) / double(e.size());
-  };
+Packet packet_of(const WatchedRing& coarse, const WatchedRing& fine) {
+  const TwoRuns<WatchedRing> runs{coarse, fine};
   const auto over_rms = [](const WatchedRing& ring) {
     double squares = 0;
     const std::vector<double>& a = ring.shown.envelope.amplitude;
@@ -279,11 +276,13 @@ Formed formed(const WatchedRing& coarse, const WatchedRing& fine) {
     return *std::max_element(a.begin(), a.end()) / std::sqrt(squares / double(a.size()));
   };
   const Line rough = fit_line(coarse.t, coarse.centre), best = fit_line(fine.t, fine.centre);
-  return {both(peak_over_mean),
-          both(share),
+  return {runs.of([](const auto& run) { return peak_over_mean(run.density); }),
+          runs.of([](const auto& run) {
+            return participation(run.density) / double(run.density.size());
+          }),
           {best.slope, best.slope_error + std::abs(best.slope - rough.slope)},
-          both(packet_width),
-          compare(over_rms(coarse), over_rms(fine))};
+          runs.of([](const auto& run) { return packet_width(run.density); }),
+          runs.of(over_rms)};
 }
 
 // Two steps side by side, as long as they give the same state
@@ -294,7 +293,7 @@ RingPair side_by_side(const Chain& ring, const State<double>& start, double step
   std::array<State<double>, 2> state{start, start};
   RingPair out;
   Progress progress("ring", 1);
-  while (state[1].t < longest && !(state[1].t > patience * out.gathered.value)) {
+  while (state[1].t < longest && !(state[1].t > patience * out.localized.value)) {
     std::array<RingSample, 2> seen;
     for (std::size_t k : {0, 1}) {
       evolve(method[k], ring, state[k], interval, interval);
@@ -304,8 +303,8 @@ RingPair side_by_side(const Chain& ring, const State<double>& start, double step
     out.agree = Estimate{state[1].t, interval};
     if (!(distance(state[0], state[1]) < 0.1)) return out;
     out.samples.push_back(seen);
-    if (out.gathered.value > 0 || !seen[0].gathered || !seen[1].gathered) continue;
-    out.gathered = {state[1].t, interval};
+    if (out.localized.value > 0 || !seen[0].localized || !seen[1].localized) continue;
+    out.localized = {state[1].t, interval};
     for (std::size_t k : {0, 1}) out.packet[k] = watch_packet(method[k], ring, state[k]);
   }
   out.agree = exact(state[1].t);
@@ -314,50 +313,47 @@ RingPair side_by_side(const Chain& ring, const State<double>& start, double step
 
 // What is read from a pair
 Estimate RingPair::width() const {
-  Estimate least{std::nan(""), std::nan("")};
+  Estimate least = none;
   for (const auto& [coarse, fine] : samples)
-    if (fine.t >= gathered.value && fine.t <= 1.5 * gathered.value && !(fine.width >= least.value))
+    if (fine.t >= localized.value && fine.t <= 1.5 * localized.value &&
+        !(fine.width >= least.value))
       least = compare(coarse.width, fine.width);
   return least;
 }
 
 // One pulse on its way round the ring, then two
 PulseSplits pulse_splits(const RingPair& pair, double round) {
-  std::vector<const std::array<RingSample, 2>*> seen;
-  const double from = pair.gathered.value;
-  for (const auto& both : pair.samples)
-    if (both[1].t >= from && both[1].t <= 2 * from) seen.push_back(&both);
-  const Estimate none{std::nan(""), std::nan("")};
-  if (seen.empty()) return {none, none, none, none, none, none};
-
-  const auto largest = [&](double RingSample::*of, bool only_gathered = false) {
+  using Pair = std::array<RingSample, 2>;
+  std::vector<Pair> seen;
+  for (const Pair& both : pair.samples)
+    if (both[1].t >= pair.localized.value && both[1].t <= 2 * pair.localized.value)
+      seen.push_back(both);
+  if (seen.empty()) return {};
+  const auto largest = [&](auto of) {
     Estimate out{0, 0};
-    for (const auto* both : seen) {
-      const auto& [coarse, fine] = *both;
-      if (only_gathered && !(coarse.gathered && fine.gathered)) continue;
-      if (fine.*of > out.value) out = compare(coarse.*of, fine.*of);
-    }
+    for (const auto& [coarse, fine] : seen)
+      if (of(fine) > out.value) out = compare(of(coarse), of(fine));
     return out;
   };
   const auto two = std::ranges::find_if(
-      seen, [](const auto* both) { return std::max((*both)[0].second, (*both)[1].second) >= 0.5; });
-  const double until = two == seen.end() ? (*seen.back())[1].t : (**two)[1].t;
+      seen, [](const Pair& both) { return std::max(both[0].second, both[1].second) >= 0.5; });
+  const double until = two == seen.end() ? seen.back()[1].t : (*two)[1].t;
 
   // The least of all samples of a way round the ring, and the largest of these
-  const auto samples = std::size_t(std::ceil(round / interval)) + 1;
+  const auto samples = std::ptrdiff_t(std::ceil(round / interval)) + 1;
   Estimate kept{0, 0};
-  for (std::size_t i = 0; i + samples <= seen.size(); ++i) {
-    const auto* least = *std::min_element(
-        seen.begin() + std::ptrdiff_t(i), seen.begin() + std::ptrdiff_t(i + samples),
-        [](const auto* a, const auto* b) { return (*a)[1].second < (*b)[1].second; });
+  for (auto from = seen.begin(); seen.end() - from >= samples; ++from) {
+    const auto least = std::min_element(from, from + samples, [](const Pair& a, const Pair& b) {
+      return a[1].second < b[1].second;
+    });
     if ((*least)[1].second > kept.value) kept = compare((*least)[0].second, (*least)[1].second);
   }
-  return {{until - from, interval},
-          largest(&RingSample::second),
+  return {{until - pair.localized.value, interval},
+          largest([](const RingSample& at) { return at.second; }),
           kept,
-          largest(&RingSample::second_of_figure),
-          largest(&RingSample::second_window),
-          largest(&RingSample::second_window, true)};
+          largest([](const RingSample& at) { return at.second_of_figure; }),
+          largest([](const RingSample& at) { return at.second_window; }),
+          largest([](const RingSample& at) { return at.localized ? at.second_window : 0; })};
 }
 
 }  // namespace lattice

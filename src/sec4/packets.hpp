@@ -16,6 +16,8 @@ one another hold the most energy. */
 
 namespace lattice {
 
+inline const Estimate none{std::nan(""), std::nan("")};  ///< no such quantity
+
 /// Sites on either side of a packet's centre that belong to it, and of those to which its envelope is fitted.
 inline constexpr std::size_t compressed_half_width = 20, envelope_half_width = 10;
 
@@ -96,7 +98,8 @@ double second_hump(const std::vector<double>& a);
 struct RingSample {
   double t, peak_over_mean;
   double second;  ///< height of a second hump of the energy density over that of the first
-  bool gathered;  ///< five times the mean density at a site, and half of the sites share the energy
+  bool
+      localized;  ///< five times the mean density at a site, and half of the sites share the energy
   double width = 0;  ///< of the packet at half height
   double second_window =
       0;  ///< energy of the second richest window of 21 sites over that of the richest
@@ -104,7 +107,8 @@ struct RingSample {
 };
 RingSample ring_sample(const Chain& ring, const State<double>& state);
 
-/// A ring after 60 units of time, some ten oscillations, during which the packet's centre was followed.
+inline constexpr double watched_time = 60;  ///< some ten oscillations
+/// A ring after this time, during which the packet's centre was followed.
 struct WatchedRing {
   State<double> end;
   std::vector<double> density{};  ///< of the energy at the end
@@ -113,37 +117,37 @@ struct WatchedRing {
 };
 WatchedRing watch_packet(const Method& method, const Chain& ring, State<double> state);
 
-/// What has become of the wave, from two runs: largest density over the mean, share of the sites that share the
-/// energy, speed of the centre with the error of its fit, width of the packet, and height of the envelope over its root
-/// mean square.
-struct Formed {
-  Estimate peak_over_mean, share_of_sites, speed, width, envelope_over_rms;
+/// The packet of two such runs: largest density over the mean, fraction of the sites that share the energy, speed of the
+/// centre with the error of its fit, width, and height of the envelope over its root mean square.
+struct Packet {
+  Estimate peak_over_mean = none, share_of_sites = none, speed = none, width = none,
+           envelope_over_rms = none;
 };
-Formed formed(const WatchedRing& coarse, const WatchedRing& fine);
+Packet packet_of(const WatchedRing& coarse, const WatchedRing& fine);
 
-/// Two runs with two steps side by side, the finer one second, looked at every 50 units of time.
+/// Two runs with two steps side by side, the finer one second, sampled every 50 units of time.
 struct RingPair {
   std::vector<std::array<RingSample, 2>> samples{};
-  Estimate agree{};  ///< how long they agree; exact if they have not parted
-  Estimate gathered{std::nan(""), std::nan("")};  ///< when the energy has gathered in both,
-  std::array<WatchedRing, 2> packet{};            ///< and what they look like a little later
+  Estimate agree{};                     ///< how long they agree; exact if they have not parted
+  Estimate localized = none;            ///< when the energy has localized in both,
+  std::array<WatchedRing, 2> packet{};  ///< and their packets a little later
 
-  /// The least width of the packet, up to half as long again as it took the energy to gather; nan if it has not.
+  /// The least width of the packet, up to 1.5 times this; nan if the energy has not localized.
   Estimate width() const;
 };
-/// By `step` and half of it, until `longest` or `patience` times the time that it takes the energy to gather. An
+/// By `step` and half of it, until `longest` or `patience` times the time of localization. An
 /// instability magnifies differences: the runs stop before that when their relative distance has reached a tenth.
 RingPair side_by_side(const Chain& ring, const State<double>& start, double step, double longest,
                       double patience);
 
-/// What becomes of a pulse that has gathered: for how long there is no second one of half its height, and, up to twice the
-/// time of the gathering, the largest height of a second one over the first; the largest that it keeps while a phonon goes
-/// round the ring once; the same of the envelope of the displacements and of the energy in two windows, also of those only
-/// at times when the energy is gathered.
+/// What becomes of a localized pulse: for how long there is no second one of half its height, and, up to twice the time of
+/// localization, the largest height of a second one over the first; the largest that it keeps while a phonon goes `round`
+/// the ring; the same of the envelope of the displacements and of the energy in two windows, also of those only while the
+/// energy is localized. All nan if it never is.
 struct PulseSplits {
-  Estimate one_pulse_for, second, kept, of_figure, in_windows, in_windows_gathered;
+  Estimate one_pulse_for = none, second = none, kept = none, of_figure = none, in_windows = none,
+           in_windows_localized = none;
 };
-/// With the time that a phonon needs to go round the ring; nan if the energy does not gather.
 PulseSplits pulse_splits(const RingPair& pair, double round);
 
 }  // namespace lattice

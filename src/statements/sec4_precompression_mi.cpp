@@ -74,8 +74,9 @@ STATEMENT("pre.band_width") {
 }
 
 STATEMENT("pre.beta") {
+  const Data all = table("measured_coefficient");
   for (double s : wells) {
-    const Data waves = table("measured_coefficient").where("s", s);
+    const Data waves = all.where("d", 0.5).where("s", s);
     for (const auto& wave : waves)
       near(wave["measured_beta"], wave["beta"], bound(1e-3) * abs(wave["beta"]));
     for (const auto& wave : waves.where("slow", 1))
@@ -85,7 +86,7 @@ STATEMENT("pre.beta") {
   // At other compressions, of the largest in the band
   for (double d : {0.05, 0.2, 1.0, 4.0})
     for (double s : wells) {
-      const Data waves = table("other_compressions").where("d", d).where("s", s);
+      const Data waves = all.where("d", d).where("s", s);
       const Estimate top = largest(waves, [](const Data::Row& wave) { return abs(wave["beta"]); });
       for (const auto& wave : waves) near(wave["measured_beta"], wave["beta"], bound(1e-3) * top);
     }
@@ -185,11 +186,11 @@ STATEMENT("pre.same_s1_s0") {
   // In linear wells it comes later and is wider, whatever the wavenumber in hard ones
   const auto precede = [&](const Data::Row& last, const char* width) {
     const auto precedes = [&](const Data::Row& packet) {
-      less(packet["gathered"], last["gathered"]);
+      less(packet["localized"], last["localized"]);
       less(packet[width], last[width]);
     };
     precedes(soft);
-    for (const auto& packet : hard.where("outcome", "breather")) precedes(packet);
+    for (const auto& packet : hard.where("localizes", 1)) precedes(packet);
   };
   precede(linear, "least_width");
   reading("31 waves", [&] {
@@ -204,13 +205,13 @@ STATEMENT("pre.splitting") {
   less(pulse["round"], pulse["one_pulse_for"]);
   less(1 - bound(0.5), pulse["second"]);
   for (const auto& [name, second] : {std::pair{"windows", "in_windows"},
-                                     {"localized", "in_windows_gathered"},
+                                     {"localized", "in_windows_localized"},
                                      {"envelope", "of_figure"},
                                      {"lasting", "kept"}})
     reading(name, [&] { less(0.5, pulse[second]); });
   control([&] {
     const auto soft = table("breathers").at("s", -1.0 / 6);
-    less(2 * soft["gathered"], soft["agree"]);
+    less(2 * soft["localized"], soft["agree"]);
   });
 }
 

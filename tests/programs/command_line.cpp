@@ -224,8 +224,8 @@ TEST_CASE("what does not exist has a reason", "[cli]") {
        "shorter than four averages of the position, each over eleven periods"},
       {"sec34_boomeron run --time 60", "apex_site", "not come back by five sites by t = 60"},
       {"sec34_boomeron run --time 60", "decorrelation_time", "have not decorrelated by t = 240"},
-      {"sec4_precompression_mi ring --longest 200", "gathered",
-       "the energy has not localised by t = 200"},
+      {"sec4_precompression_mi ring --longest 200", "localized",
+       "the energy has not localized by t = 200"},
       {"sec4_precompression_mi impact --velocity 20 --d 10 --s 10 --time 60", "width",
        "beyond the 21 sites of the fit"},
       {"sec4_precompression_mi band --s 0.3", "unstable_to", ""}};
