@@ -58,8 +58,7 @@ advanced by more wells than the bead in the middle: they have separated from it 
 have gone backwards over a maximum and leave at the near end.
 
 Just above the transition a kink is slow, so no fixed time suffices. We count at the times 100, 200, 400, ..., until two
-counts in a row are equal, at most until `patience`. `evolve` integrates Eq. (9) with event-corrected steps
-(event_corrected.hpp). */
+counts in a row are equal, at most until `patience`. The steps of `evolve` are event-corrected. */
 const Well on_site = Pendulum{};                 // W = 1 - cos y
 constexpr double period = 2 * std::numbers::pi;  // from well to well
 constexpr double maximum = std::numbers::pi;     // between two wells
@@ -111,9 +110,8 @@ Outcome outcome(double v0, std::size_t sites, double longest, const Method& meth
 }
 
 /**
-Every impact is followed with two steps, since close to the transition the outcome depends on details of many
-collisions. Where the counts of the two differ, or have not settled, the impact is *undecided*: it is marked and not
-used. */
+Every impact is followed with two steps. Where the counts of the two differ, or have not settled, it is *undecided*, and
+not used. */
 Outcome decided(double v0, std::size_t sites) {
   const Outcome coarse = outcome(v0, sites, patience, EventCorrected{coarse_step});
   Outcome fine = outcome(v0, sites, patience, EventCorrected{fine_step});
@@ -278,8 +276,8 @@ In soft quartic wells a strong impact ends in a blow-up; with $W = 1-\cos y$ it 
 negative, so no bead is ever faster than $v_0$ or farther away than $v_0t$. The runs of `sec34/confinement.cpp` keep to
 that until $t = 2000$, for impacts of up to $v_0 = 6$, and conserve their energy.
 
-In the scan we trust only whole numbers that are equal for two steps, since its long runs become chaotic. Numbers of the
-kink come from single passages, and converge (figure x67). GSL's adaptive method of order eight, which has no event
+In the scan we trust only whole numbers that are equal for two steps, since its long runs become chaotic. Speed and
+length come from single passages, and converge (figure x67). GSL's adaptive method of order eight, which has no event
 detection, must agree with our positions to $10^{-8}$ at $t=60$ after $v_0=2$ (breather) and $v_0=5$ (kink).
 
 ![Error of speed and length of the kink after an impact of 6 against the step. Drawn by x67_kink_convergence.gp, from
@@ -329,8 +327,8 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** The constants of the experiment are free: `beads` (which the statement has, too), steps, scan and
-`patience`. A periodic well of your own (CONTRIBUTING) takes the place of `Pendulum`, with its `period` and `maximum`.
-The velocities of the two examples are also in the script of figure x01.
+`patience`. Another periodic well (CONTRIBUTING) takes the place of `Pendulum`, with its `period` and `maximum`. The
+velocities of the two examples are also in the script of figure x01.
 
 1. *Easy.* Does the kink need the whole chain? `build/bin/sec34_kink run --velocity 5 --sites 30` gives `advanced` = 30.
    Hint: it forms within a few beads.

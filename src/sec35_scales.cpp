@@ -117,8 +117,8 @@ Packet packet_of_dps(std::size_t samples, double tolerance) {
 The excess of the DpS equation is (its value)/(the value in the chain) $-$ 1, both in the units of the chain. It falls
 nearly like $\lambda^{5/4} = (\lambda^{5/2})^{1/2}$, the order of the terms that the equation leaves out
 (`sec31_dps_limit`): between the two weakest decades the exponent of $\lambda^{5/2}$ is
-[0.485](cell:dps_order/deflection) for the deflection and [0.48](cell:dps_order/speed) for the speed. The article calls the
-approximation valid in the array and gives no accuracy. The largest velocity of the bead agrees far better than its
+[0.485](cell:dps_order/deflection) for the deflection and [0.48](cell:dps_order/speed) for the speed. The article calls
+the approximation valid in the array and gives no accuracy. The largest velocity of the bead agrees far better than its
 deflection. In the DpS equation both are $|A_n|$; in the array's packet their ratio is
 [1.137](cell:arrays/array=section_3.6/ratio), so at most one of them can be right.
 
@@ -132,7 +132,7 @@ deflection. In the DpS equation both are $|A_n|$; in the array's packet their ra
 | 1 | [0.495](cell:dps_regime/impact=1/deflection) | [0.484](cell:half_way) | [0.379](cell:speed) | |
 | $1.75\cdot10^{19}$, the cradle | | | [1.827e5](cell:far/speed) | |
 
-In the cradle the DpS equation would make the packet faster by five orders of magnitude. */
+In the cradle the DpS equation would be wrong by five orders of magnitude. */
 struct Compared {
   Estimate deflection, half_way, velocity, speed, push, share, ratio;
 };
@@ -249,8 +249,8 @@ $f$, then matters only if $f$ exceeds the period over 10 ms.
 Its conclusion says for which sizes such breathers should be observable: beads of about 1 cm diameter, loads of about 1 N,
 beams of about 1 cm width. Beads and beams of section 3.6 have half of these sizes. We strike another array, with these
 sizes and otherwise the same beams and materials, at 0.23 m/s, so that the strongest push at bead 80 is about 1 N. There
-the DpS equation is more accurate than in section 3.6. This is due to the weaker impact: $\lambda^{5/2}$ is proportional to
-$V$, and at 1 m/s it would be nearly that of section 3.6.
+the DpS equation is more accurate than in section 3.6. This is due to the weaker impact: $\lambda^{5/2}$ is proportional
+to $V$, and at 1 m/s it would be nearly that of section 3.6.
 
 | array | article | section 3.6, 1 m/s | 1 cm, 0.23 m/s |
 |---|---|---|---|
@@ -265,7 +265,6 @@ $V$, and at 1 m/s it would be nearly that of section 3.6.
 | excess of the speed | | [0.112](cell:arrays/array=section_3.6/speed) | [0.0529](cell:arrays/array=centimetres/speed) | */
 void report_arrays(Report& report, const TwoRuns<Packet>& dps) {
   const Scales s = cantilevers.scales();
-  report.output.add("scales", AllScales{array_impact}.table());
   report.table("array").add(
       {{"tau_h", "time scale of a contact", exact(s.tau_h(array_impact) * 1e3), "ms", "exact"},
        {"tau_c", "time scale of the wells", exact(s.tau_c() * 1e3), "ms", "exact"},

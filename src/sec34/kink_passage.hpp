@@ -38,7 +38,7 @@ struct KinkPassage {
 /// The passage after an impact of this velocity, with steps and samples of `step`. Throws Failure if nothing passes.
 KinkPassage passage(const KinkWatch& watch, double v0, double step);
 
-/// The energy from three beads behind `bead` on, the sum of e_m over m >= bead - 3, Eq. (23), when it passes `passed_at`.
+/// The energy from three beads behind `bead` on, sum of e_m over m >= bead - 3, Eq. (23), when it passes `passed_at`.
 double kink_energy(const KinkWatch& watch, double v0, std::size_t bead, double step);
 
 }  // namespace lattice
