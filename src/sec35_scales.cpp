@@ -11,7 +11,7 @@ like the square root of this number: 0.15 and 0.11 in the array. Then we derive 
 table `schematic`.](fig:01)
 
 <!-- head -->
-`build/bin/sec35_scales` computes this chapter in 2 s on two cores and writes 12 tables to `build/data/sec35_scales`.
+`build/bin/sec35_scales` computes this chapter in 2 s on two cores and writes 11 tables to `build/data/sec35_scales`.
 Its figures: `make fig01`, `make x53`. With your parameters: `scales`, constants of the cantilever array and of the
 cradle, in SI units.
 <!-- /head -->
@@ -56,22 +56,22 @@ constexpr double cradle_impact = 1.75e19;                   // lambda^(5/2), as 
 
 We strike the first bead of a chain of harmonic wells with $\dot y_1(0) = \lambda^{5/2}$, Eq. (30), and record the largest
 deflection, velocity and contact force of bead 80, and the speed of the packet between sites 20 and 60. The run ends when
-the packet is at site 95 of 150. Strong collisions shorten like $\tau_h$, and so do the steps. */
+the packet is at site 95 of 150. A stronger collision is shorter, as $\tau_h$, and we shorten the steps accordingly. */
 constexpr std::size_t sites = 150, observed = 80, half_way = 40;
-constexpr double fit_until = 60, run_until = 95;  // sites
+constexpr double fit_until = 60, run_until = 95;  // sites; fit_from = 20 (path.hpp)
 
 struct Packet {
   double deflection, velocity;  // the largest ones of bead 80
   double half_way;              // the largest deflection of bead 40
   double speed;
-  double push = 0, share = 0;  // largest force, fraction of the energy at bead 80; chain only
+  double push = 0, share = 0;  // chain only: largest force, fraction of the energy at bead 80
 };
 
 Packet packet_of(double impact, double step) {
-  const double shorter = std::pow(impact, 0.2);  // 1 / tau_h
-  step /= std::max(1.0, shorter);
-  // Below the speed of all packets, weak and strong; it only bounds the run
-  const double least_speed = std::min(0.1 * std::sqrt(impact), 0.3 * shorter);
+  const double tau_h = std::pow(impact, -0.2);
+  step *= std::min(1.0, tau_h);
+  // Below the speed of weak packets, sqrt(impact / 2) / 3.3, and of strong ones; it only bounds the run
+  const double least_speed = std::min(0.1 * std::sqrt(impact), 0.3 / tau_h);
   Impact strong{impact, Chain{sites}, run_until / least_speed, step};
   strong.until = run_until;
   std::vector<double> t, half, y, v, push;
@@ -114,12 +114,13 @@ Packet packet_of_dps(std::size_t samples, double tolerance) {
 /**
 ## Where the DpS equation is valid (figure x53)
 
-The excess of the DpS equation is its number, in units of the chain, over that of the chain, less one. It falls nearly
-like $\lambda^{5/4} = (\lambda^{5/2})^{1/2}$, the order of the terms that the equation leaves out (`sec31_dps_limit`):
-between the two weakest decades the exponent of $\lambda^{5/2}$ is [0.485](cell:dps_order/deflection) for the deflection
-and [0.48](cell:dps_order/speed) for the speed. The article calls the approximation valid in the array and gives no
-accuracy. The largest velocity of the bead agrees far better than its deflection, since the packet's frequency is 1.10 and
-the equation takes 1: of two quantities whose ratio is this frequency only one can be right.
+The excess of the DpS equation is (its value)/(the value in the chain) $-$ 1, both in the units of the chain. It falls
+nearly like $\lambda^{5/4} = (\lambda^{5/2})^{1/2}$, the order of the terms that the equation leaves out
+(`sec31_dps_limit`): between the two weakest decades the exponent of $\lambda^{5/2}$ is
+[0.485](cell:dps_order/deflection) for the deflection and [0.48](cell:dps_order/speed) for the speed. The article calls
+the approximation valid in the array and gives no accuracy. The largest velocity of the bead agrees far better than its
+deflection. In the DpS equation both are $|A_n|$; in the array's packet their ratio is
+[1.137](cell:arrays/array=section_3.6/ratio), so at most one of them can be right.
 
 ![Excess of the DpS equation against the impact. Drawn by x53_dps_excess.gp: `deflection` and `speed` over `impact` from
 `dps_regime` and, filled, `arrays`.](fig:x53)
@@ -129,11 +130,9 @@ the equation takes 1: of two quantities whose ratio is this frequency only one c
 | $10^{-3}$ | [0.0253](cell:dps_regime/impact=1e-3/deflection) | [0.0244](cell:half_way) | [0.0187](cell:speed) | |
 | array of section 3.6 | [0.150](statement:cantilever.dps_valid) | | [0.112](cell:arrays/array=section_3.6/speed) | [0.0115](cell:velocity_excess) |
 | 1 | [0.495](cell:dps_regime/impact=1/deflection) | [0.484](cell:half_way) | [0.379](cell:speed) | |
-| $1.75\cdot10^{19}$, the cradle | | | [1.827e5](cell:far/speed) | |
-
-In the cradle the DpS equation would make the packet faster by five orders of magnitude. */
+| $1.75\cdot10^{19}$, the cradle | | | [1.827e5](cell:far/speed) | | */
 struct Compared {
-  Estimate deflection, half_way, velocity, speed, push, share;
+  Estimate deflection, half_way, velocity, speed, push, share, ratio;
 };
 
 Compared compared(double impact, const TwoRuns<Packet>& dps, bool quick) {
@@ -148,7 +147,8 @@ Compared compared(double impact, const TwoRuns<Packet>& dps, bool quick) {
           .velocity = excess(2 * eps, [](const Packet& p) { return p.velocity; }),
           .speed = excess(std::sqrt(eps), [](const Packet& p) { return p.speed; }),
           .push = chain.of([](const Packet& p) { return p.push; }),
-          .share = chain.of([](const Packet& p) { return p.share; })};
+          .share = chain.of([](const Packet& p) { return p.share; }),
+          .ratio = chain.of([](const Packet& p) { return p.velocity / p.deflection; })};
 }
 
 void report_regime(Report& report, const TwoRuns<Packet>& dps) {
@@ -178,14 +178,14 @@ void report_regime(Report& report, const TwoRuns<Packet>& dps) {
 
 All scales follow from the collision of two free beads. Bead 1 runs into bead 2, which is at rest, with $V=1$ in units
 in which $m=\gamma=1$; then times are in units of $\tau_h$ and lengths in units of $\delta = (mV^2/\gamma)^{2/5}$. The
-masses are equal, so the beads exchange their velocities. After the contact bead 1 is at rest, and the centre of mass,
-at the speed $V/2$, has carried it as far as $t_c/2$: this gives the contact time $t_c$ without event location. The
+masses are equal, so the beads exchange their velocities. After the contact bead 1 is at rest, and the centre of mass, at
+the speed $V/2$, has moved $V t_c/2$, and bead 1 with it: this gives the contact time $t_c$ without event location. The
 compression is largest at $t_c/2$. The conservation of energy (collision.hpp) gives both in closed form, the compression
 as $(5/8)^{2/5}\,\delta$, and the program stops unless they agree to $10^{-7}$.
 
-The printed contact time is our 2.439, truncated; the printed compression is not ours. The article quotes both from other
-works. With the reduced mass $\frac12m$ the compression is $(\frac12mV^2/K)^{2/5}$, $K = \frac45\gamma$. A possible cause
-of 0.76 is $\gamma$ in place of $K$, which gives $2^{-2/5}\,\delta$; but then the contact time would be shorter too.
+The printed contact time is our 2.439 if its digits are cut off; the printed compression is not ours. The article quotes
+both from other works. With the reduced mass $\frac12m$ the compression is $(\frac12mV^2/K)^{2/5}$, $K = \frac45\gamma$. A
+possible cause of 0.76 is $\gamma$ in place of $K$, which gives $2^{-2/5}\,\delta = 0.758\,\delta$.
 
 A cradle with strings of length $L$ has $\tau_c^2 = L/g$, and a collision of its balls was measured to take 0.077 ms. As
 $\lambda^{5/2} = (L/g\tau_h^2)^{5/2}$ contains the fifth power of $\tau_h$, rounding matters. The article prints no $g$;
@@ -195,7 +195,6 @@ $\lambda^{5/2} = (L/g\tau_h^2)^{5/2}$ contains the fifth power of $\tau_h$, roun
 |---|---|---|
 | contact time, in $\tau_h$ | 2.43 | [2.439](cell:collision/contact_time) |
 | largest compression, in $\delta$ | 0.76 | [0.829](cell:collision/compression) |
-| $2^{-2/5}$, and the contact time with a compression of 0.76 | | 0.758, [2.237](cell:collision/for_076) |
 | cradle: $\lambda^{5/2}$ with $g = 10$ m/s² and 2.43 | $1.75\cdot10^{19}$ | [1.74986e19](cell:cradle/digits=printed/g=10/impact) |
 | the same with 9.81 m/s² and all digits of the contact time | | [1.869e19](cell:cradle/digits=all/g=9.81/impact) | */
 Collision collide(double step) {
@@ -213,16 +212,15 @@ void report_collision(Report& report) {
   const Estimate time = runs.of([](const Collision&c) { return c.contact_time; }),
                  compression = runs.of([](const Collision&c) { return c.compression; });
   const Collision known = collision_by_energy();
+  const Estimate per = quotient(time, compression);
   if (!(std::abs(time.value - known.contact_time) < 1e-7) ||
       !(std::abs(compression.value - known.compression) < 1e-7))
     throw Failure("the integrated collision disagrees with the conservation of energy");
-  Estimate for_076 = quotient(time, compression);
-  for_076.value *= 0.76;
-  for_076.error *= 0.76;
   report.table("collision")
       .add({{"contact_time", "time for which the beads touch", time, "tau_h"},
             {"compression", "largest compression", compression, "delta"},
-            {"for_076", "contact time that belongs to a compression of 0.76", for_076, "tau_h"}});
+            {"for_076", "contact time that belongs to a compression of 0.76",
+             Estimate{0.76 * per.value, 0.76 * per.error}, "tau_h"}});
 
   Table& cradles = report.table("cradle");
   const auto add_cradle = [&](const char* digits, double g, const Estimate& contact) {
@@ -244,15 +242,16 @@ void report_collision(Report& report) {
 ## The array, and others that one can build
 
 In the array of section 3.6 the two times are of the same order, and $\lambda^{5/2}$ is small. Local oscillations are
-faster than collisions by the time scales, $\tau_c < \tau_h$; by the actual times, 0.158 ms for a period and 0.113 ms for
-a contact, they are not. The article means the former (`scale.faster`). It expects the beads to lose their energy in some
-10 ms, and compares this with instabilities: a disturbance that is multiplied by $1+g$ in each period has an effect over
-the time of a period over $g$, which exceeds 10 ms if $g$ is less than the period over 10 ms.
+faster than collisions if $\tau_c$ and $\tau_h$ are compared; compared by the period $2\pi\tau_c$ and the contact time
+$2.44\,\tau_h$ they are not. The article means the former (`scale.faster`). It expects the beads to lose their energy in
+some 10 ms: a disturbance then matters only if the fraction by which it grows in each period exceeds this period over
+10 ms.
 
-Its conclusion names sizes that are relevant for such breathers and for the DpS equation: beads of about 1 cm diameter,
-loads of about 1 N, beams of about 1 cm width. Beads and beams of section 3.6 have half of these sizes. We strike another
-array, with these sizes and otherwise the same beams and materials, at 0.23 m/s, so that the strongest push at bead 80 is
-about 1 N. There the DpS equation is more accurate than in section 3.6.
+Its conclusion says for which sizes such breathers should be observable: beads of about 1 cm diameter, loads of about 1 N,
+beams of about 1 cm width. Beads and beams of section 3.6 have half of these sizes. We strike another array, with these
+sizes and otherwise the same beams and materials, at 0.23 m/s, so that the strongest push at bead 80 is about 1 N. There
+the DpS equation is more accurate than in section 3.6. This is due to the weaker impact: $\lambda^{5/2}$ is proportional
+to $V$, and at 1 m/s it would be nearly that of section 3.6.
 
 | array | article | section 3.6, 1 m/s | 1 cm, 0.23 m/s |
 |---|---|---|---|
@@ -260,14 +259,13 @@ about 1 N. There the DpS equation is more accurate than in section 3.6.
 | $\tau_c$, ms | 0.025 | [0.0252](cell:array/tau_c) | |
 | $\lambda$ | 0.29 | [0.294](cell:array/lambda) | |
 | $\lambda^{5/2}$ | | [0.0468](cell:arrays/array=section_3.6/impact) | [0.00883](cell:arrays/array=centimetres/impact) |
-| growth $g$ for the period 0.15 ms, and for $2\pi\tau_c$ | 0.015 | [0.015](cell:losses/period=printed/epsilon), [0.0158](cell:losses/period=of_the_wells/epsilon) | |
+| growth in the period 0.15 ms | 0.015 | [0.015](cell:losses/period=printed/epsilon) | |
 | strongest push at bead 80, N | 2.8, about 1 | [2.864](cell:arrays/array=section_3.6/load) | [1.012](cell:arrays/array=centimetres/load) |
 | fraction of the energy in the packet there | | [0.437](cell:arrays/array=section_3.6/share) | [0.443](cell:arrays/array=centimetres/share) |
 | excess of the deflection by the DpS equation | | [0.150](cell:arrays/array=section_3.6/deflection) | [0.0721](cell:arrays/array=centimetres/deflection) |
 | excess of the speed | | [0.112](cell:arrays/array=section_3.6/speed) | [0.0529](cell:arrays/array=centimetres/speed) | */
 void report_arrays(Report& report, const TwoRuns<Packet>& dps) {
   const Scales s = cantilevers.scales();
-  report.output.add("scales", AllScales{array_impact}.table());
   report.table("array").add(
       {{"tau_h", "time scale of a contact", exact(s.tau_h(array_impact) * 1e3), "ms", "exact"},
        {"tau_c", "time scale of the wells", exact(s.tau_c() * 1e3), "ms", "exact"},
@@ -298,7 +296,8 @@ void report_arrays(Report& report, const TwoRuns<Packet>& dps) {
                {"share", "of the energy, around the packet at bead 80", c.share},
                {"deflection", "excess by the DpS equation", c.deflection},
                {"speed", "the same of the packet", c.speed},
-               {"velocity_excess", "the same of the largest velocity of bead 80", c.velocity}});
+               {"velocity_excess", "the same of the largest velocity of bead 80", c.velocity},
+               {"ratio", "largest velocity over largest deflection of bead 80", c.ratio}});
   };
   add("section_3.6", cantilevers, array_impact);
   add("centimetres", CantileverArray{.width = 1e-2, .radius = 5e-3}, 0.23);
@@ -310,8 +309,7 @@ void report_arrays(Report& report, const TwoRuns<Packet>& dps) {
 The article takes the constants of a beam from a textbook; sec35/constants.cpp integrates its equation,
 $EI\,u'''' = \rho A\,\omega^2u$ with $u = u' = 0$ at the clamped end and $u' = 0$ at the middle, in 200 and in 400 steps.
 Replacing the beam with its beads by a spring and one point mass costs 0.4 per cent of the frequency with our effective
-mass: the beads flatten the mode of the beam, whose effective mass falls. The printed 0.38, which is rounded, hides most
-of this.
+mass; the printed 0.38, which is rounded, hides most of this.
 
 | of a clamped beam | article | here |
 |---|---|---|
@@ -326,11 +324,12 @@ $$\gamma_n = \frac{E\sqrt{2R}}{3(1-\nu^2)}\,
 \Bigl[\frac{2\tilde R_n\tilde R_{n+1}}{\tilde R_n+\tilde R_{n+1}}\Bigr]^{1/2}.$$
 With the modulus of the beads, for which the article writes $\mathcal E$, it agrees with the integrated pressure of two
 spheres for all pairs of radii (table `hertz`). It prints $E$, the modulus of the beams, with which $\gamma$ would be
-[132](cell:hertz/first=1/second=1/with_beam) times as large and $\lambda$ 14.6; its own $\lambda$ has the modulus of the
-beads. What is left out are the higher modes and the torsion of the beams, and all of a contact beyond Hertz's static
-law. */
+[132](cell:hertz/first=1/second=1/with_beam) times as large and $\lambda$ would be 14.6 instead of 0.29; but its 0.29
+follows from the beads' modulus. What is left out are the higher modes and the torsion of the beams, and all of a contact
+beyond Hertz's static law. */
 void reproduce(Report& report) {
-  const TwoRuns<Packet> dps{packet_of_dps(1280, 1e-8), packet_of_dps(2560, 1e-10)};
+  const TwoRuns<Packet> dps{packet_of_dps(1280, 1e-8),
+                            packet_of_dps(2560, 1e-10)};  // samples, tolerance
   report_regime(report, dps);
   report_collision(report);
   report_arrays(report, dps);

@@ -58,14 +58,15 @@ KinkPassage passage(const KinkWatch& watch, double v0, double step) {
   return out;
 }
 
-double energy_ahead(const KinkWatch& watch, double v0, std::size_t bead, double step) {
+double kink_energy(const KinkWatch& watch, double v0, std::size_t bead, double step) {
   const Chain& chain = watch.chain;
   State<double> state = struck(chain.sites, v0);
+  const auto first = std::ptrdiff_t(bead < 4 ? 0 : bead - 4);
   std::vector<double> y, energy;
   evolve(EventCorrected{step}, chain, state, 400, step, [&](const State<double>& now) {
     const std::vector<double> e = energy_density(chain, now);
     y.push_back(now.y[bead - 1]);
-    energy.push_back(std::accumulate(e.begin() + std::ptrdiff_t(bead - 1), e.end(), 0.0));
+    energy.push_back(std::accumulate(e.begin() + first, e.end(), 0.0));
     return y.back() < watch.passed_at;
   });
   const std::size_t k = y.size() - 1;

@@ -2,8 +2,7 @@
 /**
 # A kink passes
 
-How fast and how long a kink, or a pulse without wells, is while it passes some beads of a long chain, and how much energy
-it still has when it passes one. */
+Speed, length and energy of a kink, or of a pulse without wells, while it passes some beads of a long chain. */
 
 #include <cstddef>
 
@@ -29,9 +28,8 @@ struct KinkPassage {
   double later = 0;    ///< on the far one
   double largest = 0;  ///< largest velocity of a bead, mean over the near stretch
   double spread = 0;   ///< its largest value less its smallest, over the mean
-  double length =
-      0;  ///< speed times the time above half of the largest velocity, mean over the near stretch
-  double way = 0;  ///< displacement of the last bead of the near stretch at the end
+  double length = 0;   ///< speed times the time above half of the largest velocity, mean there
+  double way = 0;      ///< displacement of the last bead of the near stretch at the end
 
   /// The speed over the fifth root of the largest velocity, constant for Nesterenko's soliton.
   double scaled() const;
@@ -40,7 +38,7 @@ struct KinkPassage {
 /// The passage after an impact of this velocity, with steps and samples of `step`. Throws Failure if nothing passes.
 KinkPassage passage(const KinkWatch& watch, double v0, double step);
 
-/// The energy at a bead and ahead of it, sum of e_m over m >= bead, Eq. (23), when it passes `passed_at`.
-double energy_ahead(const KinkWatch& watch, double v0, std::size_t bead, double step);
+/// The energy from three beads behind `bead` on, sum of e_m over m >= bead - 3, Eq. (23), when it passes `passed_at`.
+double kink_energy(const KinkWatch& watch, double v0, std::size_t bead, double step);
 
 }  // namespace lattice

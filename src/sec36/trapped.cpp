@@ -15,7 +15,7 @@ struct Remains {
   double before, next, near;
 };
 struct Trapped {
-  std::array<Remains, 3> at{};
+  std::array<Remains, 2> at{};
   double frequency = 0;  // of the defect, after the first of the times
 };
 

@@ -16,7 +16,7 @@ namespace lattice {
 
 /// When, and on how many sites: `2 near_sites + 1` of them around, before and again before the defect.
 struct TrappedAt {
-  std::array<double, 3> times;  ///< ms
+  std::array<double, 2> times;  ///< ms
   std::size_t near_sites;
 };
 

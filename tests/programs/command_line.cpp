@@ -240,7 +240,9 @@ TEST_CASE("a computation that fails says why, and leaves nothing", "[cli]") {
       {"sec33_mobility kick --c 0.5", "breaks up"},
       {"sec31_dps_limit impact --tau 1000 --sites 5 --end fixed --alpha 3", "too erratic"},
       {"sec34_kink run --velocity 54.85833751593519 --patience 400", "counts or places"},
-      {"sec36_cantilever_defect run --sites 120", "--sites 120 are too few"}};
+      {"sec36_cantilever_defect run --sites 120", "--sites 120 are too few"},
+      {"sec36_cantilever_defect run --velocity 0.35", "has not passed the defect"},
+      {"sec36_cantilever_defect run --until 20", "has not passed the defect"}};
   for (const auto& [command, said] : all) check_failure(command, said);
 }
 
