@@ -22,7 +22,7 @@ the barrier to be passed, $\tilde E_{PN}$, is that at equal *action*, which is s
 have the same order of magnitude comes from two small factors that nearly cancel.
 
 <!-- head -->
-`build/bin/sec33_mobility` computes this chapter in 32 s on two cores and writes 14 tables to
+`build/bin/sec33_mobility` computes this chapter in 32 s on two cores and writes 15 tables to
 `build/data/sec33_mobility`. Its figures: `make fig14`, `make fig15`, `make x15`, `make x48`. With your parameters:
 `kick`, speed of a breather after a kick along its discrete gradient; `threshold`, depinning threshold: the least kick
 that sets a pinned breather moving.
@@ -172,7 +172,7 @@ void report_strong(Report& report, const Plan& plan, const Breathers& at) {
 /**
 The speeds are [5.444898e-4 ± 3e-10](statement:moving.v_site) around a site and
 [5.362962e-4 ± 2e-10](statement:moving.v_bond) around a bond with its contact stretched
-([5.526778e-4](cell:strong_kicks/breather=bond_compressed/speed) if it is compressed). From site to site they change by
+([5.52678e-4](cell:strong_kicks/breather=bond_compressed/speed) if it is compressed). From site to site they change by
 at most [5e-5 ± 2e-5](cell:strong_kicks/breather=site/unsteadiness) of themselves (*almost steadily*), and no more than
 [3.5e-9](cell:strong_kicks/breather=bond_compressed/outside) of the energy is outside (*negligible dispersion*). At the
 end of the run the chain has [2.00e-8 ± 4e-10](statement:moving.kick_energy) more energy than at rest, of which less

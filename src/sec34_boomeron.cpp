@@ -25,8 +25,8 @@ dashed line from `predictable`.](fig:22)
 
 <!-- head -->
 `build/bin/sec34_boomeron` computes this chapter in 5 s on two cores and writes 14 tables to
-`build/data/sec34_boomeron`. Its figures: `make fig22`, `make fig23`, `make x51`, `make x58`. With your parameters:
-`run`, one impact: turning point, reflection at the struck end, decorrelation time.
+`build/data/sec34_boomeron`. Its figures: `make fig22`, `make fig23`, `make x51`, `make x58`, `make x65`. With your
+parameters: `run`, one impact: turning point, reflection at the struck end, decorrelation time.
 <!-- /head -->
 
 ## Model
@@ -237,8 +237,8 @@ by x51_spread.gp: `deviation` against `t` from the table `ensemble`, `apart` fro
 | interval of $v_0$, relative | $10^{-4}$ | $10^{-6}$ | $10^{-8}$ |
 |---|---|---|---|
 | half a site reached at $t$ | [9.7e2 ± 3e1](cell:predictable/noise=1e-4/t) | [1.29e3 ± 4e1](cell:noise=1e-6/t) | [1.43e3 ± 5e1](cell:noise=1e-8/t) |
-| rate of growth, $100 < t < 850$ | [0.0070 ± 4e-4](cell:predictable/noise=1e-4/before) | [0.0069 ± 9e-4](cell:noise=1e-6/before) | [0.0067 ± 4e-4](cell:noise=1e-8/before) |
-| from 950 until half a site | | [0.013 ± 6e-3](cell:predictable/noise=1e-6/after) | [0.0188 ± 9e-4](cell:noise=1e-8/after) |
+| rate of growth, $100 < t < 850$ | [0.0070 ± 0.0004](cell:predictable/noise=1e-4/before) | [0.0069 ± 0.0009](cell:noise=1e-6/before) | [0.0067 ± 0.0004](cell:noise=1e-8/before) |
+| from 950 until half a site | | [0.013 ± 0.006](cell:predictable/noise=1e-6/after) | [0.0188 ± 0.0009](cell:noise=1e-8/after) |
 | $\sigma_X$, mean for $2000 < t < 2600$ | [8 ± 4](cell:spread/noise=1e-4/part=late/deviation) | [9 ± 1](cell:noise=1e-6/part=late/deviation) | [8 ± 2](cell:noise=1e-8/part=late/deviation) |
 
 Long after the first reflection the motion is erratic, as the article says: $\sigma_X$ is larger than that of centres
@@ -318,8 +318,8 @@ x58_acceleration.gp: `acceleration` against `centre` from the table `acceleratio
 The acceleration depends on more than the position. At $v_0 = 1.9$ the deceleration weakens from the struck end to the
 turning point, where for a while the acceleration is even directed outwards. It is weaker on the way back, and so is the
 motion itself: at site 14.8 the packet has the velocity
-[0.066](cell:acceleration_path/velocity=1.9/t=125/speed) on the way out and
-[-0.0449](cell:acceleration_path/velocity=1.9/t=725/speed) on the way back. A particle in a field of force, constant or
+[0.0663 ± 0.0009](cell:acceleration_path/velocity=1.9/t=125/speed) on the way out and
+[-0.045](cell:acceleration_path/velocity=1.9/t=725/speed) on the way back. A particle in a field of force, constant or
 not, would have the same speed both times. */
 constexpr double fitted_over = 120, fitted_every = 10;  // of time
 
