@@ -13,7 +13,7 @@ pair next to $+1$ that makes a disturbance grow by 0.02 per cent in a period.
 ![A packet that travels (a) and one that turns round (b), each map divided by its largest energy; a site-centred
 breather, its middle bead and those on one side (c), and its Floquet multipliers (d).](fig:x36)
 
-The code needs the C++ standard library and Eigen. Of our own library it uses two things: tables, and `compare(coarse,
+The code needs the C++ standard library and Eigen. Of our own library it uses what writes tables, and `compare(coarse,
 fine)`, which returns the finer value with its difference from the coarser one as error.
 
 <!-- head -->
@@ -391,7 +391,7 @@ double energy(const Breather& b, const VectorXd& y) {
 Energy and speed converge like $h^2$, as they should. Next to $+1$ it is otherwise. The linearised motion is less smooth
 than the motion, and its error falls only like $h^{3/2}$ (`secA_integrators`); and an error of a matrix moves a double
 eigenvalue by about its square root. So the exact pair should approach $+1$ like $h^{3/4}$, by a factor 13 in the figure
-(dashed); it does by 18. The pinning pair settles only at steps below 0.003. It changes by 1 per cent from 400
+(dotted), and it does so roughly. The pinning pair settles only at steps below 0.003. It changes by 1 per cent from 400
 to 800 steps in a period and by 12 from 1600 to 3200: at long steps one halving understates the error.
 
 The turning point, site [20.055 ± 0.008](cell:turning/site), agrees with that of `sec34_boomeron`,

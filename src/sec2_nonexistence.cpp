@@ -223,9 +223,9 @@ an end of the chain or the energy drifts: such a loss could pass for dispersal.
 | impulse of the contact up to $t = 20$ | [0.774](cell:dispersal/chain=free/t=20/impulse) | [2.73](cell:chain=wells/impulse) |
 | up to $t = 200$ | [0.975](cell:dispersal/chain=free/t=200/impulse) | [28.8](cell:chain=wells/impulse) |
 
-In wells the impulse grows with time, and the mean stays. Without them the contact transmits 79 per cent of this impulse
-in the first 20 units of time. Then it closes only four more times, each time more weakly and after a longer pause; so
-the mean falls nearly like $1/t$. */
+In wells the impulse grows with time, and the mean stays. Without them the contact transmits 79 per cent of the whole
+impulse in the first 20 units of time. Then it closes only four more times, each time more weakly; so the mean falls
+nearly like $1/t$. */
 constexpr std::size_t dispersal_sites = 401;
 constexpr int steps_per_unit = 20;  // of time
 

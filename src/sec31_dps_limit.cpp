@@ -2,19 +2,19 @@
 # 3.1 The discrete p-Schrödinger (DpS) equation and its error
 
 How accurate is the envelope equation of the chain at small amplitude? Section 3.1 of James, Kevrekidis and Cuevas
-(Physica D 251, 2013) recalls the discrete p-Schrödinger (DpS) equation and quotes a theorem: at amplitude $\epsilon$
-it is $O(\epsilon^{3/2})$-close to the chain, at least up to times $O(\epsilon^{-1/2})$. We integrate both equations
-side by side over three decades of amplitude. The power 3/2 is found to 0.1 per cent, but only in the limit: at
-amplitudes above $10^{-3}$ the local exponent is still below 1.47, and the relative error up to $\tau = 10$,
-[3.32](cell:limits/start=0/tau=10/coefficient) to [9.44](cell:start=1/coefficient) times $\epsilon^{1/2}$, is not
-small. Wells of other shapes do not change the equation, and its plane waves of 2, 3 and 4 sites are
-$O(\epsilon^{3/2})$-close to exact travelling waves of the chain.
+(Physica D 251, 2013) recalls the discrete p-Schrödinger (DpS) equation and quotes a theorem: at amplitude $\epsilon$ it
+is $O(\epsilon^{3/2})$-close to the chain, at least up to times $O(\epsilon^{-1/2})$. We integrate both equations side
+by side over three decades of amplitude. The power 3/2 is found to 0.1 per cent, but only in the limit: at amplitudes
+above $10^{-3}$ the local exponent is still below 1.48, and the relative error up to $\tau = 10$, in the limit
+[3.32](cell:limits/start=0/tau=10/coefficient) times $\epsilon^{1/2}$ for an impact and [9.44](cell:start=1/coefficient)
+times for a pair, is not small. Wells of other shapes do not change the equation, and its plane waves of 2, 3 and 4
+sites are $O(\epsilon^{3/2})$-close to exact travelling waves of the chain.
 
 ![Relative error divided by the square root of the amplitude. Drawn by x02_dps_error.gp: `coefficient` of the table
 `dps_error` against `eps`.](fig:x02)
 
 <!-- head -->
-`build/bin/sec31_dps_limit` computes this chapter in 2 s on two cores and writes 5 tables to
+`build/bin/sec31_dps_limit` computes this chapter in 4 s on two cores and writes 5 tables to
 `build/data/sec31_dps_limit`. Its figures: `make x02`. With your parameters: `impact`, impact in the DpS equation: the
 packet, and the norm left at the struck end.
 <!-- /head --> */
@@ -156,7 +156,7 @@ std::vector<Deviation> deviations(const Start& start, const Well& well, double e
 /**
 Integration and interpolation have errors, too. So every run is made twice, with steps and samples of a third and a
 hundredth of the tolerance. Two maxima may agree by chance; therefore the largest relative difference on a curve is the
-error of all its points. Against runs with 480 samples a period it is at least ten times too large. */
+error of all its points.  */
 struct Curve {
   std::vector<Estimate> coefficient;  // deviation over 2 eps^(3/2), for each amplitude
   std::vector<double> tau;            // when it was found
@@ -213,7 +213,7 @@ const char* const from_both = "from the errors of both points";
 The motion has the size $2\epsilon$, so the deviation over $2\epsilon^{3/2}$, the *coefficient*, times $\epsilon^{1/2}$
 is the relative error: at $\epsilon = 10^{-4}$ and up to $\tau = 10$ it is 3 per cent after the impact and 9 per cent
 for the pair. Drawn against $\epsilon^{1/2}$, the ratio of the next terms to those that are left out, the coefficient
-tends to a limit along a straight line: a finite limit is the power 3/2, and the slope is the correction.
+tends to a limit, in the end along a straight line: a finite limit is the power 3/2, and the slope is the correction.
 
 The local order is the slope between neighbouring amplitudes on logarithmic axes. From one to the next the distance from
 its limit is halved, so twice the last value less the one before is the limit. Its change from the same one amplitude
@@ -330,7 +330,7 @@ The DpS equation has the plane waves $A_n = e^{i(qn-\Omega\tau)}$ with $-2\tau_0
 Eq. (13) they represent $y_n = 2\epsilon\cos(qn+\omega t)$ with $\omega = 1-\epsilon^{1/2}\Omega$. An exact wave is
 $y_n(t) = \epsilon u(qn+\omega t)$, where $u$ has the period $2\pi$ and
 $$\omega^2u'' + u = \epsilon^{1/2}\bigl[(u(\varphi-q)-u(\varphi))_+^{3/2} - (u(\varphi)-u(\varphi+q))_+^{3/2}\bigr].$$
-The right-hand side is small, so its Fourier series is found by iteration, with 24 harmonics and, for the error, 48
+The right-hand side is small, so its Fourier series is found by iteration, with 48 harmonics and, for the error, 24
 (src/sec3/travelling_wave.cpp).
 
 The article does not say what the two waves share. At *equal frequency* their distance is the same at all times. At
@@ -390,7 +390,8 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** The constants after the derivation are the parameters, another start is one more entry of `starts`,
-another well a struct like `Asymmetric` in the list `others`. With `alpha = 1.75` the limits of the order are 1.75.
+another well a struct like `Asymmetric` in the list `others`. With `alpha = 1.75` the limits of the order should be
+1.75.
 
 1. *Easy.* Does a packet of the chain move as the DpS equation says?
    `build/bin/sec34_impact run --velocity 0.01 --time 1000` gives `speed` = 0.02531. Hint: an impact of velocity $v_0$

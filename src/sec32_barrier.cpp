@@ -106,12 +106,12 @@ barrier, we repeat the computation with 64-bit mantissas.
 by x45_barrier_tolerance.gp from `tolerances`.](fig:x45)
 
 Above a tolerance of $10^{-11}$ both precisions agree within the scatter, and the tolerance is the limit. Below, double
-precision lags by up to two orders, which is why `measure_barriers` changes to 64 bits. Their error of $E_{PN}$ then
-stays between $3\cdot10^{-9}$ and $10^{-8}$ down to a tolerance of $2\cdot10^{-16}$. The reference is a run with
-$1.4\cdot10^{-17}$; from one with 113 bits (tests/lattice/orbits/breather.cpp) its $E_{PN}$ differs by $6\cdot10^{-10}$,
-less than its error. At equal area the relative errors are larger because the barrier is smaller. An independent program
-(`tests/second`), with another integrator, finds the two barriers at 1.1 to six and to nearly four digits, which is its
-own accuracy. */
+precision lags by up to two orders; where it does not suffice, near zeros of the barrier, `measure_barriers` changes to
+64 bits. Their error of $E_{PN}$ stays between $3\cdot10^{-9}$ and $10^{-8}$ down to a tolerance of $2\cdot10^{-16}$.
+The reference is a run with $1.4\cdot10^{-17}$; from one with 113 bits (tests/lattice/orbits/breather.cpp) its $E_{PN}$
+differs by $6\cdot10^{-10}$, less than its error. At equal area the relative errors are larger because the barrier is
+smaller. An independent program (`tests/second`), with another integrator, finds the two barriers at 1.1 to six and to
+nearly four digits, which is its own accuracy. */
 /// At two tolerances.
 template <class T>
 void measure(BreatherPair& pair) {
@@ -443,7 +443,8 @@ void reproduce(Report& report) {
 **To change it.** Other soft and hard wells are `soft` and `hard` (also in the script of figure 7, at the top of the
 statements, and in the addresses of the numbers here); `intervals` is the grid of frequencies. Longer chains, other
 wells and other contacts go into `conditions`, for instance `bare(PowerContact{1.6})` into `problem.chain.contact`: all
-breathers of the chapter come from there. The factor $-\delta/5$ and the printed numbers then no longer apply.
+breathers of the run come from there (the command has its own). The factor $-\delta/5$ and the printed numbers then no
+longer apply.
 
 1. *Easy.* Next to a zero: `build/bin/sec32_barrier barrier --omega 1.01462` gives `equal_area` = -1.86531e-17, some two
    hundred times the modulus of `equal_frequency`. Which of the two decides where the breather rests? Hint: a breather

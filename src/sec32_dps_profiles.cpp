@@ -159,11 +159,11 @@ const char* const longer = "difference from a chain with one strain less in each
 /**
 ## Both breathers and their approximation (figure x03 a to c)
 
-The article calls the agreement excellent and gives no number. Ours is the largest difference over the sites relative
-to the largest displacement: [0.0575](cell:breathers/centre=site/difference) for the breather around a site and
+The article calls the agreement excellent and gives no number. Ours is the largest difference over the sites relative to
+the largest displacement: [0.0575](cell:breathers/centre=site/difference) for the breather around a site and
 [0.0614](cell:breathers/centre=bond/difference) around a bond. It occurs at $n = 2$ in both, where the approximation is
 too wide. This measure is lenient: relative to $u_n$ itself the approximation is more than half too large at $n = 3$
-(site) and $n = 4$ (bond), and too small beyond, where its support ends:
+(site) and $n = 4$ (bond), and much too small at $n = 5$, where its support ends:
 
 | | $n = 1$ | 2 | 3 | 4 | 5 |
 |---|---|---|---|---|---|

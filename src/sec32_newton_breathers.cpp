@@ -64,11 +64,11 @@ using namespace lattice;
 
 We look for the breather around a site at $\omega_b = 1.1$ on 31 beads, as in the article; around a bond we take one
 more. The guess is the article's (`ansatz`): $y_n(0) = 2\epsilon\,u_n$ with $\epsilon = [2\tau_0(\omega_b-1)]^2$ and the
-quasi-continuum profile $u_n$ of Eq. (19). `evaluate` integrates over a quarter of the period and returns the conditions
-$R$ and their derivative $DR$, the same combinations taken of the linearised flow. Its steps have variable length and
-order and end at every *contact event*, the opening or closing of a contact; their error is relative to the largest
-displacement (event_driven.hpp). The numbers of the text are computed at two tolerances or in two precisions, and the
-difference is their error. */
+quasi-continuum profile $u_n$ of Eq. (19). `evaluate` integrates over a quarter of the period (around a bond over half
+of it) and returns the conditions $R$ and their derivative $DR$, the same combinations taken of the linearised flow. Its
+steps have variable length and order and end at every *contact event*, the opening or closing of a contact; their error
+is relative to the largest displacement (event_driven.hpp). The numbers of the text are computed at two tolerances or in
+two precisions, and the difference is their error. */
 constexpr std::size_t sites = 31;       // around a site, and one more around a bond
 constexpr double omega_b = 1.1;         // frequency of the breather of figures x44, 4 and 5
 constexpr double s = 0;                 // anharmonicity of the wells
@@ -153,9 +153,10 @@ breather, which shifts it along the chain (the cosine of their angle is
 Tsironis, Phys. Rev. Lett. 77, 1996). Its singular value becomes small only close to the solution, within three steps.
 The fourth step is then [6.30e-3](cell:convergence/equations=whole_period/steps=4/step) long, a shift along the chain
 whose square is of the order of the new residual. Even after ten steps the next one is
-[8e-9](cell:convergence/equations=whole_period/steps=10/next_step), machine precision divided by the singular
-value. If least squares leave out the singular values below $10^{-5}$, there is no rise and the steps soon vanish, but
-what is left of the residual along the pinning mode is never corrected. Symmetry excludes this mode from the beginning.
+[8e-9](cell:convergence/equations=whole_period/steps=10/next_step), of the order of the residual, at machine precision,
+over the singular value. If least squares leave out the singular values below $10^{-5}$, there is no rise and the steps
+soon vanish, but what is left of the residual along the pinning mode is never corrected. Symmetry excludes this mode
+from the beginning.
 
 | at $\omega_b = 1.1$, relative to the amplitude | residual | next step | condition of $DR$ |
 |---|---|---|---|
@@ -253,7 +254,7 @@ excellent (`newton.qc_small`), and twice as bad at 1.1, as the article says (`ne
 `site_profiles` against `n`.](fig:03)
 
 There are two errors, and the table has both. The quasi-continuum profile differs from the DpS breather even in the
-limit; the chain differs from the DpS equation by a fraction that grows like $\omega_b-1$. They partly cancel: at 1.01
+limit; the chain differs from the DpS equation by a fraction that grows with $\omega_b-1$. They partly cancel: at 1.01
 the approximation is closer to the chain than to the DpS breather for which it was made.
 
 | largest difference over the amplitude | around a site | around a bond |

@@ -58,10 +58,10 @@ using namespace lattice;
 ## The experiment
 
 We find a breather, add a perturbation and follow it in the frame that rotates with $\mu$, where the equation reads
-$i\dot v_n = \mu v_n + w_n - w_{n-1}$. There the breather is at rest, and the integrator, the adaptive method of Prince
-and Dormand of order eight (GSL), follows the perturbation alone. We record the displacement $X$, in sites, of the
-centre of $|v_n|^4$ (the fourth power suppresses small noise far away) and the participation number
-$(\sum|v_n|^2)^2/\sum|v_n|^4$. A run stops with an error if norm or energy drifts. */
+$i\dot v_n = \mu v_n + w_n - w_{n-1}$. There the breather is at rest, so the integrator, the adaptive method of Prince
+and Dormand of order eight (GSL), has long steps. We record the displacement $X$, in sites, of the centre of $|v_n|^4$
+(the fourth power suppresses small noise far away) and the participation number $(\sum|v_n|^2)^2/\sum|v_n|^4$. A run
+stops with an error if norm or energy drifts. */
 constexpr double alpha = 1.5;           // exponent of the contact force: spheres
 constexpr double mu_in_motion = 10;     // frequency of breathers that are followed (figure 10)
 constexpr double amplitude = 0.01;      // of the noise (figure 10)
@@ -184,9 +184,9 @@ void report_convergence(Report& report) {
 itself.](fig:x46)
 
 The error falls faster than exponentially, as the tail of the breather does, until machine precision limits it. On 8
-sites it is larger than the margin; on the article's 31 and 32 sites, even in double precision, it is ten orders of
-magnitude smaller. So the signs are certain for this equation, though a relative error of $10^{-4}$ in one strain would
-reverse either (tests/lattice/standing/spectrum.cpp).
+sites it is larger than the margin; from 13 sites on, even in double precision, it is ten orders of magnitude smaller.
+So the signs are certain for this equation, though a relative error of $10^{-4}$ in one strain would reverse either
+(tests/lattice/standing/spectrum.cpp).
 
 | at $\mu = 1$ | around a site | around a bond |
 |---|---|---|
@@ -254,8 +254,8 @@ double measured_rate(const PinnedBreather& site, double size, const Accuracy& ac
 }
 
 /**
-At $\mu = 10$ the motion has $\sigma =$ [0.01557708 ± 1e-8](cell:growth_in_time/rate), ten times the value of the
-table, by an independent route. */
+At $\mu = 10$ the motion has $\sigma =$ [0.01557708 ± 1e-8](cell:growth_in_time/rate), ten times the value of the table,
+without the matrix (`sec33_floquet` finds it again as a limit of the chain). */
 void report_rate(Report& report, const PinnedBreather& site) {
   const double size = 1e-6 * std::abs(site.u[site_index(0, site.u.size())]);
   const Accuracy looser{1e-11, 1}, tighter{1e-13, 2};

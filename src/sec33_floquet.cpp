@@ -17,9 +17,9 @@ to $+1$ that the breathers are almost free to move. It says that
 
 At $\omega_b = 1.1$ these hold but for the two values of $s_0$ (*very close* has no bound; we give the angle). Both
 breathers exchange their stability next to the same well, $s_0 =$ [0.1525](cell:exchange/site), and not far apart. At
-higher frequencies the structure is lost in hard wells, where the pinning pair leaves $+1$. The multipliers are hard to
-compute because two are exactly $+1$ and share one eigenvector: an error $\eta$ of $M$ can split such a pair by as much
-as $\sqrt\eta$. We compute a quantity that has no such pair.
+higher frequencies the structure is lost in hard wells, where the pinning pair leaves $+1$, and in very soft ones. The
+multipliers are hard to compute because two are exactly $+1$ and share one eigenvector: an error $\eta$ of $M$ can split
+such a pair by as much as $\sqrt\eta$. We compute a quantity that has no such pair.
 
 <!-- head -->
 `build/bin/sec33_floquet` computes this chapter in 4 s on two cores and writes 13 tables to `build/data/sec33_floquet`.
@@ -194,9 +194,9 @@ void report_over_s(Report& report, const Family& family) {
 }
 
 /**
-Strong anharmonicity reverses the stability found in the linear well if it is hard, but not if it is soft. So the
-stability depends on the strength and the sign of the anharmonicity, and all moduli are below 1.001, as the article's
-conclusion says. Away from the exchange the two values of $\kappa$ are opposite and equal to about $10^{-4}$.
+At $\omega_b = 1.1$ strong anharmonicity reverses the stability found in the linear well if it is hard, but not if it is
+soft. So the stability depends on the strength and the sign of the anharmonicity, and all moduli are below 1.001, as the
+article's conclusion says. Away from the exchange the two values of $\kappa$ are opposite and equal to about $10^{-4}$.
 
 | | $\kappa$ around a site | around a bond | largest modulus of the unstable one |
 |---|---|---|---|
@@ -286,9 +286,9 @@ linear well.
 
 ![Pinning mode and discrete gradient.](fig:13)
 
-Both shift the breather along the chain. But the mode is more concentrated: the gradient is larger on the flanks, and
-around a bond smaller at the centre. The angle between them is [9.1](cell:harmonic/centre=site/angle) degrees around a
-site and [11.6](cell:harmonic/centre=bond/angle) around a bond, where its cosine is
+Both shift the breather along the chain. But the mode is more concentrated: the gradient is larger on most of the
+flanks, and around a bond smaller at the centre. The angle between them is [9.1](cell:harmonic/centre=site/angle)
+degrees around a site and [11.6](cell:harmonic/centre=bond/angle) around a bond, where its cosine is
 [0.980](cell:harmonic/centre=bond/cosine). What this means for a kick is a matter of `sec33_mobility`. */
 void report_pinning_mode(Report& report, Table& harmonic, Centre centre) {
   const auto problem = problem_at(centre, {omega_b, 0});

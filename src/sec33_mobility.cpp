@@ -59,9 +59,9 @@ using namespace lattice;
 Newton's method finds the breather, around a bond with its central contact stretched or compressed. `after` gives its
 beads the velocities $c\,g_n$ and integrates the equation of motion; a `KickedPath` has the averages of $X$ (kick.hpp,
 kick_threshold.hpp). A breather that starts at a bond is *free*, or depinned, once it is 0.6 sites away, beyond the site
-at 0.5, and *pinned* if it comes back by 0.02 sites before that (`mobility_of`). Each run is made with two methods,
-whose difference is the error: steps of order six in which every contact that opens or closes has its exact impulse, for
-long runs with fourteen forces a step instead of five. */
+at 0.5, and *pinned* if it comes back by 0.02 sites before that (`mobility_of`). Each run is made twice, and the
+difference is the error, for weak kicks with two methods: steps of order six in which every contact that opens or closes
+has its exact impulse, for long runs with fourteen forces a step instead of five. */
 constexpr double omega_b = 1.1, s = 0;  // of the breathers: frequency, anharmonicity of the wells
 constexpr double strong = 2e-4, weak = 3e-6, printed = 6.19e-6;  // kicks, and the printed c_c
 constexpr double decision = 3e5;                                 // longest run near the threshold
@@ -223,10 +223,10 @@ TwoRuns<KickedPath> report_weak(Report& report, const Plan& plan, const Breather
 | farthest, sites | [3.124](cell:weak_kicks/breather=site/farthest) | [0.2356](cell:weak_kicks/breather=bond_stretched/farthest) | [0.2441](cell:breather=bond_compressed/farthest) |
 
 The site-centred breather passes the sites at distance 1, 2 and 3 at $t =$ [9.018e4](cell:passages/distance=1/time),
-[1.803e5](cell:passages/distance=2/time) and [2.705e5](cell:passages/distance=3/time), each at
-[0.590](cell:passages/distance=2/speed_ratio) of its speed at the bonds. So it is not pinned at the second, and
-`sec33_mobility kick --centre site --c 3e-6 --time 1e6` follows it over eleven sites. A figure that ends at
-$t = 1.8\cdot10^5$ would show two sites but no pinning. We do not know what the article saw.
+[1.803e5](cell:passages/distance=2/time) and [2.705e5](cell:passages/distance=3/time), each, averaged over a fifth of a
+site, at [0.590](cell:passages/distance=2/speed_ratio) of its speed at the bonds. So it is not pinned at the second, and
+`sec33_mobility kick --centre site --c 3e-6 --time 1e6` follows it over eleven sites. A figure that ends at $t =
+1.8\cdot10^5$ would show two sites but no pinning. We do not know what the article saw.
 
 ## Why most of a kick is wasted
 
@@ -360,9 +360,9 @@ How accurately must the energy be conserved? The kick at the threshold adds only
 energy. Yet with a step of 0.4 the energy drifts by thousands of times as much, and $V^2$ stays on its line, and $c_c$
 moves by one part in $10^4$ (figure x48). Our explanation is that a drift changes the action slowly but does not
 accelerate the centre. Then it acts only on $\varphi$ and $\tilde E_{PN}$, which vary smoothly with the action, and
-moves $c_c$ by no more than itself, as a fraction of the energy of the *breather*. At shorter steps $c_c$ converges
-faster than the energy, and the three kicks limit it: their lines disagree by 9 parts in $10^5$, nearly the whole of its
-error. So runs with large steps count although they would not pass `check_energy`.
+moves $c_c$ by a fraction of its own size, as a fraction of the energy of the *breather*. At shorter steps $c_c$
+converges faster than the energy, and the three kicks limit it: their lines disagree by 9 parts in $10^5$, nearly the
+whole of its error. So runs with large steps count although they would not pass `check_energy`.
 
 ![Square of the speed at the maximum against that of the kick, and the threshold against the step. Drawn by
 x48_threshold.gp from `speeds_at_maximum` and `threshold_steps`.](fig:x48) */

@@ -12,12 +12,13 @@ their direction, and says that
 - during a few reflections its centre moves like a particle in an almost constant force, which grows with $s$ and $v_0$;
 - it turns for $s\ge0.005$ and not for $s = 0$.
 
-The first holds. The others hold only in part. Where a packet turns changes little with the impact, but when it turns
-changes erratically, since for hundreds of units of time it hovers near its turning point; so at $v_0=1.87$ it is there at the times
-of figure 23, and turns much later. The acceleration is not almost constant, and not even a function of the position.
-Whether it grows with $v_0$ depends on the time over which it is averaged. At $s=0.005$ only impacts far above those of
-the figures turn a packet as long as we look. And beyond the first reflection a packet is predictable only if $v_0$ is
-known to more than four digits. A chapter of volume two (`sec34_boomeron_map`) asks which packets turn, and why.
+The first holds. The others hold only in part. How far a packet comes falls with the impact, though not evenly; *when*
+it turns changes erratically, since for hundreds of units of time it hovers near its turning point; so at $v_0=1.87$ it
+is there at the times of figure 23, and turns much later. The acceleration is not almost constant, and not even a
+function of the position. Whether it grows with $v_0$ depends on the time over which it is averaged. At $s=0.005$ only
+impacts far above those of the figures turn a packet as long as we look. And beyond the first reflection the packet of
+1.9 is predictable only if $v_0$ is known to more than four digits. A chapter of volume two (`sec34_boomeron_map`) asks
+which packets turn, and why.
 
 ![Energy density after impacts with 1.5 and 1.9, a zoom, and the spread of an ensemble. Drawn by
 fig22_turning_maps.py: `e` over `t` and `n` from the table `density_maps`, `mean`, `low` and `high` from `ensemble`, the
@@ -67,7 +68,8 @@ time (`path_sampling`). It throws if the last bead has moved, so that nothing ca
 of the packet oscillate with a period of about four, and $X$ oscillates with them. So `smooth` averages it over 15 units
 (`path_smoothing`) with the weight $1+\cos(2\pi t/15)$. `turn_of` (turning.hpp) finds three moments of the smoothed
 path: the first *stop*, where the velocity vanishes; the *turning point* (`apex`), the farthest one before the packet
-has come back by five sites; and the *reflection* (`rebound`), the nearest one before it has moved out again by three. */
+has come back by five sites; and the *reflection* (`rebound`), the nearest one before it has moved out again by three.
+*/
 constexpr double article_turning = 1.9, article_moderate = 1.5, article_profile = 1.87;  // v0
 constexpr double reflected_for = 60;  // time after a reflection at which the packet is looked for
 constexpr double most_drift = 1e-3;   // of the energy
@@ -108,7 +110,8 @@ double centre_at(const Path& path, double t) {
 
 A map of snapshots would show spurious stripes, since it would sample the packet's oscillation at nearly its own rate.
 So figure 22 shows averages over four or five units of time, and over one in the zoom. The dashed line is the time up to
-which a millionth in $v_0$ moves the packet by less than half a site (*How long the motion is predictable*). */
+which the centres of impacts that differ by a millionth at most have a standard deviation of less than half a site (*How
+long the motion is predictable*). */
 struct Panel {
   int number;
   double v0, time, interval;
@@ -147,10 +150,10 @@ void report_maps(Report& report) {
 At $v_0=1.9$ the packet reaches site [20.1](cell:turns/s=1/velocity=1.9/apex_site), comes back and is reflected at $t =$
 [898](cell:turns/s=1/velocity=1.9/return_time). But this impact is printed with two digits. Over what rounds to 1.9 the
 turning point falls from site [24.0](cell:turns/s=1/velocity=1.85/apex_site) to
-[16.9](cell:turns/s=1/velocity=1.95/apex_site), in steps of a site at most. Its *time* jumps to and fro by hundreds: the
-packet slows down on a plateau, where $X$ has several maxima that are almost equally far out, and a tenth of a site
-decides which of them is the farthest. Times and later motion belong to exactly 1.9; that the packet turns and is
-reflected is robust.
+[16.9](cell:turns/s=1/velocity=1.95/apex_site), by up to 1.3 sites from one impact to the next and not always downwards.
+Its *time* jumps to and fro by hundreds: the packet slows down on a plateau, where $X$ has several maxima that are
+almost equally far out, and a tenth of a site decides which of them is the farthest. Times and later motion belong to
+exactly 1.9; that the packet turns and is reflected is robust.
 
 ![Turning point and its time for impacts that round to 1.9. Drawn by x65_turning_scan.gp: `apex_site` and `apex_time`
 against `velocity`, from the table `printed_range`.](fig:x65)
@@ -224,12 +227,12 @@ std::vector<Spread> spreads(const std::vector<double>& v0, double step, double t
 /**
 Up to the first reflection, near $t = 900$, $\sigma_X$ is proportional to the width of the interval, but for spikes. It
 rises and falls as the packet moves, and on the average it grows exponentially, at a rate of 0.007 (lines fitted to
-$\ln\sigma_X$). After the reflection it grows nearly three times as fast, by a factor of ten in 120 units, until it
-is as large as the way of the packet. The spikes are not motion, we guess: for a moment the strongest site, about which
-the centre is taken, is another one in some packets than in the others. With an interval of a millionth, seven digits of
-$v_0$, the position is known to half a site until [1.29e3 ± 4e1](cell:predictable/noise=1e-6/t), with one of $10^{-4}$
-until shortly after the reflection. Figure 22 marks the first of these times; the later part of its map is one
-possibility among many. Our steps of 0.05 and 0.025 differ as much as two impacts that differ by $10^{-8}$.
+$\ln\sigma_X$). After the reflection it grows faster (with $10^{-8}$, where the line is long enough, nearly three times
+as fast), until it is as large as the way of the packet. The spikes are not motion, we guess: for a moment the strongest
+site, about which the centre is taken, is another one in some packets than in the others. With an interval of a
+millionth, seven digits of $v_0$, the position is known to half a site until [1.29e3 ± 4e1](cell:predictable/noise=1e-6/t), with one of $10^{-4}$ until shortly after the reflection. Figure 22 marks the first
+of these times; the later part of its map is one possibility among many. The runs with steps of 0.05 and 0.025 differ as
+those of two impacts that differ by some $10^{-9}$.
 
 ![Spread of the centres against time for three widths of the interval of impacts, and the difference of two steps. Drawn
 by x51_spread.gp: `deviation` against `t` from the table `ensemble`, `apart` from `steps`.](fig:x51)
@@ -241,8 +244,8 @@ by x51_spread.gp: `deviation` against `t` from the table `ensemble`, `apart` fro
 | from 950 until half a site | | [0.013 ± 0.006](cell:predictable/noise=1e-6/after) | [0.0188 ± 0.0009](cell:noise=1e-8/after) |
 | $\sigma_X$, mean for $2000 < t < 2600$ | [8 ± 4](cell:spread/noise=1e-4/part=late/deviation) | [9 ± 1](cell:noise=1e-6/part=late/deviation) | [8 ± 2](cell:noise=1e-8/part=late/deviation) |
 
-Long after the first reflection the motion is erratic, as the article says: $\sigma_X$ is larger than that of centres
-equally likely to be anywhere up to site 20 ($20/\sqrt{12} \approx 6$). */
+Long after the first reflection the motion is erratic, as the article says: $\sigma_X$ is as large as that of centres
+equally likely to be anywhere up to site 20 ($20/\sqrt{12} \approx 6$), or larger. */
 void report_ensemble(Report& report) {
   struct Interval {
     double noise;
@@ -287,7 +290,7 @@ void report_ensemble(Report& report) {
                      {"t", "time at which the standard deviation exceeds half a site", t, "",
                       "two steps, and the time between two comparisons; known to 5 per cent"},
                      {"before", "rate of growth of the deviation, t = 100 to 850", rate(100, 850),
-                      "", "two steps and the fit, known to 5 per cent"},
+                      "", "two steps and the fit, known to 13 per cent"},
                      {"after", "from 950 to this time", end > 1100 ? rate(950, end) : undefined, "",
                       "two steps and the fit, known to 50 per cent; nan if there is no time"}});
   }
@@ -393,6 +396,7 @@ void report_acceleration(Report& report) {
     list.push_back({{.s = s, .time = 300, .step = step}});
   for (double v0 : {article_turning, 1.93})
     list.push_back({{.v0 = v0, .time = 1100, .step = step}, parts.size()});
+  // All of them on all cores
   std::vector<std::vector<Cells>> rows(list.size());
   parallel_for(list.size(), [&](std::size_t i) {
     const auto& [of, measured] = list[i];
@@ -522,9 +526,9 @@ void report_printed_range(Report& report) {
 
 The article sees reversals for $s\ge0.005$ and none for $s=0$, and prints neither an impact nor a time. With the impacts
 of the figures $\chi$ is a hundredth at $s=0.005$, and the packet of 1.9 is almost where it is in linear wells. After
-132 a packet turns; in linear wells one that strong has never moved inward. All our packets with $\chi$ above 2.5 turn
-within 500 units of time. Of those below only that of 1.5 at $s=1$ was followed for thousands, and it turns; so no
-threshold can be read off, and weaker ones may turn farther out.
+132 a packet turns; in linear wells one that strong has never moved inward. All our packets with $\chi$ above 2.5 turn,
+within 700 units of time. Below, that of 1.5 at $s=1$ turns at $4.4\cdot10^3$, and those of the table do not as long as
+we follow them; so no threshold can be read off, and weaker ones may turn farther out.
 
 | | $\chi$ | followed until | turning point, site | centre at the end, site |
 |---|---|---|---|---|

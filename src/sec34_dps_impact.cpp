@@ -219,8 +219,8 @@ void report_dps(Report& report, const Case& impact, const TwoRuns<DpsRun>& runs)
 /**
 ## Side by side (figures 17 and 18)
 
-For figures 17 and 18 the approximation is turned into displacements and velocities by Eq. (13), and its energy density
-is computed from Eq. (23), as if these were those of beads (`dps_state`).
+For figures 17 and 18 the approximation is turned into displacements by Eq. (13), into velocities by its leading term,
+and its energy density is computed from Eq. (23), as if these were those of beads (`dps_state`).
 
 ![Chain and DpS approximation at the end of the run. Drawn by fig17_dps_against_chain.gp: `y_lattice` and `y_dps`
 against `n`, from the table `impact_profiles`.](fig:17)
@@ -271,8 +271,8 @@ void report_figures(Report& report, const Case& impact, const TwoRuns<DpsRun>& d
 Does the packet of the chain disperse? Then its largest density would fall relative to the energy of its eleven sites.
 From the first half of the way to the second this ratio changes by a fraction of
 [0.006](cell:chain_packet/narrowness_change), while between the means of the two halves its age doubles: the front of a
-linear wave, which spreads as the cube root of its age, would have lost about 20 per cent. The energy of the packet
-changes by [0.04](cell:chain_packet/energy_change). The DpS packet is faster, also beyond site 40.
+linear wave spreads as the cube root of its age. The energy of the packet changes by
+[0.04](cell:chain_packet/energy_change). The DpS packet is faster, also beyond site 40.
 
 | | article | chain | DpS equation |
 |---|---|---|---|
@@ -352,6 +352,7 @@ Discrepancy discrepancy(const Case& impact, const TwoRuns<DpsRun>& dps,
               chain.of([](const ChainRun& run) { return largest_displacement(run).value; }))};
 }
 
+// The chain from its own start, and from that of the approximation
 TwoRuns<ChainRun> chain_from(const Case& impact, const State<double>& start) {
   return {chain_run(impact, start, EventCorrected{0.2}, 0.2, impact.time()),
           chain_run(impact, start, EventCorrected{0.1}, 0.1, impact.time())};
@@ -395,9 +396,9 @@ void report_discrepancy(Report& report, const Case& impact, const TwoRuns<DpsRun
 The article prints neither a definition of its amplitudes nor the instant beyond $t \approx 8090$, the slow time 250. A
 plot of displacements shows the height from crest to trough, which changes within an oscillation, as figure x49b shows.
 At $\tau = 250$, which is $t = 8090.66$ with the printed digits of $\epsilon$, the height of the DpS packet is the
-printed one, that of the chain is not; between $t = 8090.9$ and 8091.2 both round to the printed ones. At $t = 8090$
-itself the approximation is the *lower* one. So the printed numbers are right for one instant that is not printed, and
-what they say of the approximation depends on it. */
+printed one, that of the chain is not; between $t = 8090.9$ and 8091.2 both round to the printed ones, as they do for
+some tenths of a unit about every three units of time. At $t = 8090$ itself the approximation is the *lower* one. So the
+printed numbers are right for instants that are not printed, and what they say of the approximation depends on it. */
 void report_readings(Report& report, const Case& impact, const Resolution& resolution,
                      const TwoRuns<DpsRun>& dps, const TwoRuns<ChainRun>& chain) {
   Table& readings = report.table("readings");
@@ -517,7 +518,7 @@ struct Compare {
 
 **To change it.** The size of the impact, the end of the run, the length of the chain and both initial conditions are in
 `Case`; `heights_from` and `heights_to` must lie about its time. Other wells or contacts are further members of
-`Case::chain`, another power also of every `Dps{sites}` (dps.hpp); the DpS equation then has another $\tau_0$.
+`Case::chain`, not so another power of the contacts, on which the scaling of amplitude and time depends as well.
 
 1. *Easy.* Is a stronger impact described worse?
    `build/bin/sec34_dps_impact compare --eps 0.01` gives `speed` = 0.0756 and `amplitude` = 0.1023. Compare with the

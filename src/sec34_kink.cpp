@@ -3,9 +3,9 @@
 
 What becomes of the travelling breather in the wells of a real cradle, $W = 1-\cos y$, where a bead that is struck too
 hard swings over the top and comes down in the next well? Section 3.4 of James, Kevrekidis and Cuevas (Physica D 251,
-2013) answers in one sentence, without a figure: at large impact velocity a *kink*, a step of one well that travels along
-the chain, replaces the breather, beads are ejected at the far end, and nothing blows up. The kink is reminiscent of
-Nesterenko's soliton, the pulse of a chain without wells. We find all of it. The kink appears at the impact velocity
+2013) answers in one sentence, without a figure: at large impact velocity a *kink*, a step of one well that travels
+along the chain, replaces the breather, beads are ejected at the far end, and nothing blows up. The kink is reminiscent
+of Nesterenko's soliton, the pulse of a chain without wells. We find all of it. The kink appears at the impact velocity
 4.7, far above the 2 that one bead needs, because a kink carries five times the energy of one bead on its maximum. There
 are a slow kink, which breathes, and fast ones, and the resemblance to the soliton grows with the impact.
 
@@ -53,9 +53,9 @@ using namespace lattice;
 ## The experiment
 
 We strike the first bead, wait, and count the beads in each well. `advanced` are those that have moved on by at least
-one well; a kink that crosses the whole chain advances all of them. `ejected_far` are the beads of the far half that have
-advanced by more wells than the bead in the middle: they have separated from it and leave at the far end. `ejected_near`
-have gone backwards over a maximum and leave at the near end.
+one well; a kink that crosses the whole chain advances all of them. `ejected_far` are the beads of the far half that
+have advanced by more wells than the bead in the middle: they have separated from it and leave at the far end.
+`ejected_near` have gone backwards over a maximum and leave at the near end.
 
 Just above the transition a kink is slow, so no fixed time suffices. We count at the times 100, 200, 400, ..., until two
 counts in a row are equal, at most until `patience`. The steps of `evolve` are event-corrected. */
@@ -125,9 +125,10 @@ Outcome decided(double v0, std::size_t sites) {
 ## The transition (figure x01)
 
 There are three regimes in a scan of the impact velocity. A weak impact leaves every bead in its well; below $v_0 = 2$
-nothing else is possible, since $v_0^2/2$ is less than the maximum. From 2.48 on the recoil throws beads back at the near
-end at almost all velocities, since no contact behind the first bead holds it. Between 4.64 and 4.72 a kink replaces the
-breather: below, no impact of the scan sends a kink through the chain; above, every one does, and throws none back.
+nothing else is possible, since $v_0^2/2$ is less than the maximum. From 2.48 to 4.64 the recoil throws beads back at
+the near end at almost all velocities, since no contact behind the first bead holds it. Between 4.64 and 4.72 a kink
+replaces the breather: below, no impact of the scan sends a kink through the chain; above, every one does, and throws
+none back.
 
 | impact velocity | beads that advanced | ejected at the far end | at the near end | decided |
 |---|---|---|---|---|
@@ -187,7 +188,7 @@ $\sum_{m\ge n-3}e_m$.
 
 A slow kink carries 10.3 to 10.7, five times the energy of one bead on its maximum, since its other beads are high up or
 moving. This is nearly all that an impact at the transition gives: so little is left behind that the kink's own energy
-decides. It is necessary but not sufficient: after 4.6 there are 10.58, and the fourth bead does not pass. A slow kink
+decides. It is necessary but not sufficient: 4.6 gives 10.58, and no kink. A slow kink
 breathes, so close to the least energy it also matters how this is spread, and the transition is not sharp. */
 constexpr std::size_t long_chain = 160;
 constexpr Beads near{21, 35}, far{121, 135};
@@ -217,9 +218,9 @@ void report_energy(Report& report) {
 
 Without wells an impact sends out a solitary pulse of the velocities, a few beads long. Its length does not depend on
 the impact, and its speed grows as the fifth root of its largest velocity. Is the kink like that? We strike the same
-chain with and without wells, and time the passage of $y = \pi$ by each bead. The speed is the slope over beads 21 to 35,
-and for the kink again over beads 121 to 135; the length is the speed times the time for which a bead has more than half
-of its largest velocity.
+chain with and without wells, and time the passage of $y = \pi$ by each bead. The speed is the slope over beads 21 to
+35, and for the kink again over beads 121 to 135; the length is the speed times the time for which a bead has more than
+half of its largest velocity.
 
 ![Speed of the kink on two stretches, and of the pulse without wells. Drawn by x52_kink_speed.gp: `speed`, `later` and
 `pulse_speed` over `velocity` from `kink_shape`.](fig:x52)
@@ -231,15 +232,15 @@ of its largest velocity.
 | the same a hundred beads on | [0.751](cell:kink_shape/velocity=5/later) | [0.772](cell:velocity=5.5/later) | [1.054](cell:velocity=6/later) | [1.140](cell:velocity=8/later) | [1.427](cell:velocity=16/later) | [1.629](cell:velocity=32/later) | [1.924](cell:velocity=64/later) |
 | length, sites | [2.35](cell:kink_shape/velocity=5/length) | [2.57](cell:velocity=5.5/length) | [2.22](cell:velocity=6/length) | [1.67](cell:velocity=8/length) | [1.52](cell:velocity=16/length) | [1.54](cell:velocity=32/length) | [1.56](cell:velocity=64/length) |
 
-Kinks of one well settle at a speed that hardly depends on the impact. Up to 5.5 it is near 0.76; such a slow kink
-breathes, and after 5 the largest velocities of the beads differ by [0.29](cell:kink_shape/velocity=5/spread) of their
-mean. From 7 to 12 it is near 1.14, though a stronger impact starts faster, and the kink sheds the rest of its energy.
-Stronger impacts move the beads on by several wells; after 32 the kink still slows down.
+Kinks of one well settle at two speeds. Up to 5.5 it is near 0.76; such a slow kink breathes, and after 5 the largest
+velocities of the beads differ by [0.29](cell:kink_shape/velocity=5/spread) of their mean. From 7 to 12 it is near 1.14,
+though a stronger impact starts faster, and the kink sheds the rest of its energy. Stronger impacts move the beads on by
+several wells; after 32 the kink still slows down. What selects these speeds we do not know.
 
 The pulse has the length [1.579](cell:kink_shape/velocity=5/pulse_length) after every impact. The kink counts as
 reminiscent of it where its length, and its speed over the fifth root of its largest velocity, are within half of the
-pulse's, a bound of ours. All kinks are but the longest, after 5.5. The height of a maximum is always 2, so a strong kink
-hardly feels the wells: at 64 the speeds agree to less than one per cent. */
+pulse's, a bound of ours. All kinks are but the longest, after 5.5. The height of a maximum is always 2, so a strong
+kink hardly feels the wells: at 64 the speeds agree to less than one per cent. */
 void report_shape(Report& report) {
   const std::vector<double> velocities{5, 5.25, 5.5, 6, 7, 8, 12, 16, 32, 64};
   const auto row = [](double v0) -> Row {
@@ -277,8 +278,9 @@ negative, so no bead is ever faster than $v_0$ or farther away than $v_0t$. The 
 that until $t = 2000$, for impacts of up to $v_0 = 6$, and conserve their energy.
 
 In the scan we trust only whole numbers that are equal for two steps, since its long runs become chaotic. Speed and
-length come from single passages, and converge (figure x67). GSL's adaptive method of order eight, which has no event
-detection, must agree with our positions to $10^{-8}$ at $t=60$ after $v_0=2$ (breather) and $v_0=5$ (kink).
+length come from single passages; figure x67 shows how they converge after an impact of 6. GSL's adaptive method of
+order eight, which has no event detection, must agree with our positions to $10^{-8}$ at $t=60$ after $v_0=2$ (breather)
+and $v_0=5$ (kink).
 
 ![Error of speed and length of the kink after an impact of 6 against the step. Drawn by x67_kink_convergence.gp, from
 `kink_convergence`.](fig:x67) */

@@ -2,10 +2,11 @@
 # 3.5 Physical scales of a cradle and of an array of cantilevers
 
 In which real system can the travelling breather of the DpS equation be seen, and how well does the equation describe it
-there? Section 3.5 of James, Kevrekidis and Cuevas (Physica D 251, 2013) reduces an impact to one number, $\lambda^{5/2}$,
-which is astronomical for Newton's cradle and less than one for the array of stiff cantilevers of section 3.6. We strike
-chains of all $\lambda$ and find that the packet of the DpS equation is too high and too fast by a fraction that grows
-like the square root of this number: 0.15 and 0.11 in the array. Then we derive every constant in SI units.
+there? Section 3.5 of James, Kevrekidis and Cuevas (Physica D 251, 2013) reduces an impact to one number,
+$\lambda^{5/2}$, which is astronomical for Newton's cradle and less than one for the array of stiff cantilevers of
+section 3.6. We strike chains of all $\lambda$ and find that the packet of the DpS equation is too high and too fast by
+a fraction that grows like the square root of this number: 0.15 and 0.11 in the array. Then we derive every constant in
+SI units.
 
 ![Newton's cradle and an array of clamped cantilevers decorated by beads. Drawn by fig01_two_chains.py: the sizes of the
 table `schematic`.](fig:01)
@@ -54,9 +55,10 @@ constexpr double cradle_impact = 1.75e19;                   // lambda^(5/2), as 
 /**
 ## The experiment
 
-We strike the first bead of a chain of harmonic wells with $\dot y_1(0) = \lambda^{5/2}$, Eq. (30), and record the largest
-deflection, velocity and contact force of bead 80, and the speed of the packet between sites 20 and 60. The run ends when
-the packet is at site 95 of 150. A stronger collision is shorter, as $\tau_h$, and we shorten the steps accordingly. */
+We strike the first bead of a chain of harmonic wells with $\dot y_1(0) = \lambda^{5/2}$, Eq. (30), and record the
+largest deflection, velocity and contact force of bead 80, and the speed of the packet between sites 20 and 60. The run
+ends when the packet is at site 95 of 150. A stronger collision is shorter, as $\tau_h$, and we shorten the steps
+accordingly. */
 constexpr std::size_t sites = 150, observed = 80, half_way = 40;
 constexpr double fit_until = 60, run_until = 95;  // sites; fit_from = 20 (path.hpp)
 
@@ -116,11 +118,11 @@ Packet packet_of_dps(std::size_t samples, double tolerance) {
 
 The excess of the DpS equation is (its value)/(the value in the chain) $-$ 1, both in the units of the chain. It falls
 nearly like $\lambda^{5/4} = (\lambda^{5/2})^{1/2}$, the order of the terms that the equation leaves out
-(`sec31_dps_limit`): between the two weakest decades the exponent of $\lambda^{5/2}$ is
-[0.485](cell:dps_order/deflection) for the deflection and [0.48](cell:dps_order/speed) for the speed. The article calls
-the approximation valid in the array and gives no accuracy. The largest velocity of the bead agrees far better than its
-deflection. In the DpS equation both are $|A_n|$; in the array's packet their ratio is
-[1.137](cell:arrays/array=section_3.6/ratio), so at most one of them can be right.
+(`sec31_dps_limit`): in the weakest decade the exponent of $\lambda^{5/2}$ is [0.485](cell:dps_order/deflection) for the
+deflection and [0.48](cell:dps_order/speed) for the speed. The article calls the approximation valid in the array and
+gives no accuracy. In the array the largest velocity of the bead agrees far better than its deflection. In the DpS
+equation both are $|A_n|$; in the array's packet their ratio is [1.137](cell:arrays/array=section_3.6/ratio), so at most
+one of them can be right.
 
 ![Excess of the DpS equation against the impact. Drawn by x53_dps_excess.gp: `deflection` and `speed` over `impact` from
 `dps_regime` and, filled, `arrays`.](fig:x53)
@@ -178,14 +180,14 @@ void report_regime(Report& report, const TwoRuns<Packet>& dps) {
 
 All scales follow from the collision of two free beads. Bead 1 runs into bead 2, which is at rest, with $V=1$ in units
 in which $m=\gamma=1$; then times are in units of $\tau_h$ and lengths in units of $\delta = (mV^2/\gamma)^{2/5}$. The
-masses are equal, so the beads exchange their velocities. After the contact bead 1 is at rest, and the centre of mass, at
-the speed $V/2$, has moved $V t_c/2$, and bead 1 with it: this gives the contact time $t_c$ without event location. The
-compression is largest at $t_c/2$. The conservation of energy (collision.hpp) gives both in closed form, the compression
-as $(5/8)^{2/5}\,\delta$, and the program stops unless they agree to $10^{-7}$.
+masses are equal, so the beads exchange their velocities. After the contact bead 1 is at rest, and the centre of mass,
+at the speed $V/2$, has moved $V t_c/2$, and bead 1 with it: this gives the contact time $t_c$ without event location.
+The compression is largest at $t_c/2$. The conservation of energy (collision.hpp) gives both in closed form, the
+compression as $(5/8)^{2/5}\,\delta$, and the program stops unless they agree to $10^{-7}$.
 
 The printed contact time is our 2.439 if its digits are cut off; the printed compression is not ours. The article quotes
-both from other works. With the reduced mass $\frac12m$ the compression is $(\frac12mV^2/K)^{2/5}$, $K = \frac45\gamma$. A
-possible cause of 0.76 is $\gamma$ in place of $K$, which gives $2^{-2/5}\,\delta = 0.758\,\delta$.
+both from other works. With the reduced mass $\frac12m$ the compression is $(\frac12mV^2/K)^{2/5}$, $K = \frac45\gamma$.
+A possible cause of 0.76 is $\gamma$ in place of $K$, which gives $2^{-2/5}\,\delta = 0.758\,\delta$.
 
 A cradle with strings of length $L$ has $\tau_c^2 = L/g$, and a collision of its balls was measured to take 0.077 ms. As
 $\lambda^{5/2} = (L/g\tau_h^2)^{5/2}$ contains the fifth power of $\tau_h$, rounding matters. The article prints no $g$;
@@ -247,11 +249,11 @@ $2.44\,\tau_h$ they are not. The article means the former (`scale.faster`). It e
 some 10 ms: a disturbance then matters only if the fraction by which it grows in each period exceeds this period over
 10 ms.
 
-Its conclusion says for which sizes such breathers should be observable: beads of about 1 cm diameter, loads of about 1 N,
-beams of about 1 cm width. Beads and beams of section 3.6 have half of these sizes. We strike another array, with these
-sizes and otherwise the same beams and materials, at 0.23 m/s, so that the strongest push at bead 80 is about 1 N. There
-the DpS equation is more accurate than in section 3.6. This is due to the weaker impact: $\lambda^{5/2}$ is proportional
-to $V$, and at 1 m/s it would be nearly that of section 3.6.
+Its conclusion says for which sizes such breathers should be observable: beads of about 1 cm diameter, loads of about 1
+N, beams of about 1 cm width. Beads and beams of section 3.6 have half of these sizes. We strike another array, with
+these sizes and otherwise the same beams and materials, at 0.23 m/s, so that the strongest push at bead 80 is about 1 N.
+There the DpS equation is more accurate than in section 3.6. This is due to the weaker impact: $\lambda^{5/2}$ is
+proportional to $V$, and at 1 m/s it would be nearly that of section 3.6.
 
 | array | article | section 3.6, 1 m/s | 1 cm, 0.23 m/s |
 |---|---|---|---|
@@ -306,10 +308,10 @@ void report_arrays(Report& report, const TwoRuns<Packet>& dps) {
 /**
 ## From materials to the constants
 
-The article takes the constants of a beam from a textbook; sec35/constants.cpp integrates its equation,
-$EI\,u'''' = \rho A\,\omega^2u$ with $u = u' = 0$ at the clamped end and $u' = 0$ at the middle, in 200 and in 400 steps.
-Replacing the beam with its beads by a spring and one point mass costs 0.4 per cent of the frequency with our effective
-mass; the printed 0.38, which is rounded, hides most of this.
+The article takes the constants of a beam from a textbook; sec35/constants.cpp integrates its equation, $EI\,u'''' =
+\rho A\,\omega^2u$ with $u = u' = 0$ at the clamped end and $u' = 0$ at the middle, in 200 and in 400 steps. Replacing
+the beam with its beads by a spring and one point mass costs 0.4 per cent of the frequency with our effective mass; the
+printed 0.38, which is rounded, hides most of this.
 
 | of a clamped beam | article | here |
 |---|---|---|
@@ -367,8 +369,8 @@ void reproduce(Report& report) {
 
 **To change it.** `cradle`, `cantilevers` and `array_impact` are at the top; materials and dimensions are the members of
 `CantileverArray` (cantilever.hpp), such as `.length = 30e-3`. Another law of contact is the third member of `Chain` in
-`packet_of` and `collide`; then `collision_by_energy` and the DpS equation have to change with it, and the program stops
-until they do.
+`packet_of` and `collide`; then `collision_by_energy` has to change with it, or the program stops, and so has the DpS
+equation, which nothing checks.
 
 1. *Easy.* Strike the array at a tenth of the speed: `build/bin/sec35_scales scales --velocity 0.1` gives
    `lambda` = 0.11702 and `contact_time` = 1.79796e-4. Hint: $\tau_h$ goes like $V^{-1/5}$.

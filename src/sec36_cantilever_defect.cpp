@@ -17,7 +17,7 @@ Only beads slightly smaller than the others trap a noticeable part of the energy
 from `contact_forces`.](fig:24)
 
 <!-- head -->
-`build/bin/sec36_cantilever_defect` computes this chapter in 13 s on two cores and writes 15 tables to
+`build/bin/sec36_cantilever_defect` computes this chapter in 6 s on two cores and writes 15 tables to
 `build/data/sec36_cantilever_defect`. Its figures: `make fig24`, `make x09`, `make x66`, `make x54`. With your
 parameters: `run`, one packet that meets a defect: reflected, remaining and transmitted energy.
 <!-- /head -->
@@ -183,14 +183,15 @@ linear stiffness. So the linearised array has no band of waves but two frequenci
 no linear theory of scattering: all transport is nonlinear. The contacts push a beam back, which raises its frequency
 with the amplitude, in the packet by 0.10. In the DpS equation (`sec31_dps_limit`) one term does this and carries energy
 from beam to beam; a defect adds its detuning $\mu^{-1/2}-1$ as a frequency of its own. Only the ratio of the two can
-then matter, detuning over frequency shift, and not the impact or the radius alone.
+then matter, detuning over frequency shift, as long as the equation holds.
 
 ![Transmitted energy against the detuning of the defect over the frequency shift of the packet. Drawn by
 x66_detuning_law.gp: `transmitted` over `scaled` from `impacts`.](fig:x66)
 
 It is so: after impacts of 0.5, 1 and 2 m/s the fractions fall nearly on one curve, for light defects as for heavy ones,
-on which half is transmitted where the detuning is 0.4 of the shift. The stiffness of the contacts matters less than the
-mass: with $\eta = 1$ a defect of 1.1 radii transmits [0.263](cell:equal_contacts/transmitted) and not 0.294. */
+on which half is transmitted where the detuning is 0.4 of the shift. The stiffness of its contacts, which differs by 2
+per cent, matters little: with $\eta = 1$ a defect of 1.1 radii transmits [0.263](cell:equal_contacts/transmitted) and
+not 0.294. */
 void report_law(Report& report, const TwoSteps& steps) {
   const std::vector<double> impacts{0.5, 1, 2};  // m/s
   std::vector<double> radii{0.8, 0.85, 0.9, 0.95, 1.05, 1.1, 1.15, 1.2};
@@ -232,8 +233,9 @@ void report_law(Report& report, const TwoSteps& steps) {
 ## Which defects reflect (figures 24 and x09)
 
 In the article's array the frequency shift is 0.10, so all but defects within some 15 per cent of the radius reflect. At
-0.8 radii the defect alone has the packet's own frequency and still reflects nearly all: what counts is the distance
-from the frequency of the neighbours.
+0.8 radii the defect alone has the packet's own frequency and still reflects nearly all: for what is transmitted the
+distance from the frequency of the neighbours counts. But it holds twice as much energy as its neighbours in the map, at
+0.75 and 0.85 radii.
 
 | radius | defect alone, $\mu^{-1/2}$ | reflected | near the defect | transmitted | article |
 |---|---|---|---|---|---|
@@ -247,8 +249,8 @@ from the frequency of the neighbours.
 
 A surprise: beads of 10 radii, almost a wall, reflect *less* than those of 5. What they do not reflect is on the defect
 itself, [0.0025](cell:large_defects/ratio=10/on_defect) of all energy. Figure 24 shows, as in the article, the contact
-forces $f_n = -\gamma_n(x_n-x_{n+1})_+^{3/2}$; since a contact opens in each internal period, we draw the strongest force
-within intervals of about two linear periods.
+forces $f_n = -\gamma_n(x_n-x_{n+1})_+^{3/2}$; since a contact opens in each internal period, we draw the strongest
+force within intervals of about two linear periods.
 
 <!-- defect.map -->
 After an impact of 1 m/s a defect of heavier beads reflects the packet: at 1.6 times the radius of the other beads,
@@ -360,25 +362,26 @@ packet would reach the end of the article's array, so ours has a hundred beams m
 | no defect, sites 92 to 100 | | [0.00148](cell:trapped/ratio=1/t=75/before) | [0.00150](cell:t=100/before) |
 | 0.925 radii, sites 96 to 104 | | [0.0470](cell:trapped/ratio=0.925/t=75/near) | [0.0469](cell:t=100/near) |
 
-At 1.6 radii the sites before the defect hold more than twice what the wave train leaves there, and lose it slowly:
-energy is indeed loosely trapped. The light defect keeps its energy, two thirds of it on the defect itself
-([0.0307](cell:defect_map/ratio=0.925/on_defect)). Alone it has the frequency [1.044](cell:light_defect/alone), and in the
-run, raised by its contacts, [1.106](cell:light_defect/in_run), close to the packet's. So it can take up energy from the
-packet, and when this has gone the neighbours, which without contact oscillate at 1, are out of tune. */
+At 1.6 radii the sites before the defect hold more than twice what the wave train leaves there, and lose it slowly, as
+the article says of energy that is loosely trapped. We cannot tell it from the end of the reflected packet: sites 83 to
+91 hold as much at that time (column `next`). The light defect keeps its energy, two thirds of it on the defect itself
+([0.0307](cell:defect_map/ratio=0.925/on_defect)). Alone it has the frequency [1.044](cell:light_defect/alone), and in
+the run, raised by its contacts, [1.106](cell:light_defect/in_run), close to the packet's. So it can take up energy from
+the packet, and when this has gone the neighbours, which without contact oscillate at 1, are out of tune. */
 constexpr std::array<double, 2> trapped_at{75, 100};  // ms
 
 /**
 ## How well it is known
 
 All numbers come from two runs, with steps of 0.1 and 0.05 in units of $\tau_c$ (0.2 and 0.1 in the scans), and the
-difference is the error. The fractions converge like the fourth power of the step or faster (figure x54), at no steady
-order, since contact events fall differently into the steps (`secA_integrators`). The force is read from a parabola
-through three samples, one in each step, and is the least accurate. None of this moves a printed digit; definitions do.
+difference is the error. The fractions converge, at no steady order (figure x54), since contact events fall differently
+into the steps (`secA_integrators`). The force is read from a parabola through three samples, one in each step, and is
+the least accurate. None of this moves a printed digit; definitions do.
 
 ![Error of the results against the step. Drawn by x54_defect_convergence.gp, from `convergence`.](fig:x54)
 
-GSL's adaptive method of order eight must arrive at the same state to $10^{-8}$ for an array with a heavy defect near the
-impact, or the program stops. What is left is the model: a beam with its beads as one point mass (`sec35_scales`),
+GSL's adaptive method of order eight must arrive at the same state to $10^{-8}$ for an array with a heavy defect near
+the impact, or the program stops. What is left is the model: a beam with its beads as one point mass (`sec35_scales`),
 without torsion, higher modes and dissipation. */
 void report_convergence(Report& report) {
   std::vector<double> steps{1. / 2, 1. / 3, 1. / 4, 1. / 5, 1. / 8};
@@ -402,6 +405,7 @@ void report_convergence(Report& report) {
   report.table("convergence").fill(steps, row, "steps");
 }
 
+// An independent route
 void check_by_gsl() {
   const StruckArray shorter{.array = {.sites = 30, .defect = 8}};
   const Impact impact = shorter.impact({.ratio = 1.6, .until = 4, .sample = 100});
@@ -461,7 +465,7 @@ stops unless the packet has passed the defect and not yet reached the end. For t
 array, change `mass`, `inverse_mass` and `eta` of an `Impact::chain` before `scatter`, as `report_law` changes `eta`.
 
 1. *Easy.* How much does a slightly heavier defect transmit? `build/bin/sec36_cantilever_defect run --ratio 1.1` gives
-   `net_transmitted` = 0.29443.
+   `net_transmitted` = 0.29443. Hint: the table of radii has this row.
 2. *Harder.* Does a weaker packet pass it? `build/bin/sec36_cantilever_defect run --ratio 1.1 --velocity 0.5 --until 100`
    gives `net_transmitted` = 0.13607. Hint: the packet's frequency exceeds 1 by less, the detuning of the defect stays.
 

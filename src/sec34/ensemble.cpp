@@ -31,6 +31,7 @@ double time_to_spread(const std::vector<Spread>& all, double sites) {
   throw std::runtime_error("the packets stay together");
 }
 
+// The slope of the logarithm of the spread
 Estimate growth(const std::vector<Spread>& all, double from, double to) {
   std::vector<double> t, logarithm;
   for (const Spread& at : all)

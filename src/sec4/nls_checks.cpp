@@ -27,6 +27,7 @@ static Splitting splitting(double step) {
   return {blanes_moan_6_14(), step};
 }
 
+// Growth rates of the exact wave and of the NLS equation
 static double growth(const Carrier& wave, double modulation, std::size_t harmonics = 12) {
   const Chain chain = ring_of(wave, 0);
   return growth_rate(plane_wave(chain.well, chain.contact, wave.q, wave.amplitude, harmonics),
@@ -89,6 +90,7 @@ static Estimate phi_from_growth(double q, double d, double s) {
   });
 }
 
+// Where the growth can be measured
 static bool grows_slowly(double q, double d, double s) {
   return coefficients(q, d, s).phi > 0 && std::abs(q - pi / 2) >= 1e-9 &&
          std::abs(q - inflection(contact_series(d).v1)) > 0.05;
@@ -137,6 +139,7 @@ static void report_coefficient(Report& report, double chosen, std::span<const do
         "", "from two pairs of amplitudes"}});
 }
 
+// The moving breather of the NLS equation, Eq. (38)
 static State<double> soliton(const Carrier& wave, double eps, std::size_t sites, double t) {
   const auto nls = nls_of(wave);
   const double height = 2 * eps * std::sqrt(-nls.curvature / nls.h()), speed = nls.group_velocity;
@@ -159,6 +162,7 @@ static State<double> soliton(const Carrier& wave, double eps, std::size_t sites,
 struct AnsatzError {
   double l2 = 0, largest = 0, l2_y = 0;  // of y and v together, of any of them, of y alone
 };
+// Its distance from the motion of the ring
 static AnsatzError ansatz_error(const Carrier& wave, double eps, double step, int samples) {
   const double time = 1 / (eps * eps);
   // A whole number of wavelengths (of 8 sites, or three in 10); on the far side sech z < 2e-6
