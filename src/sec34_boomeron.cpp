@@ -351,7 +351,7 @@ void report_path(Report& report) {
             "against the largest: from the time step and the smoothing"},
            {"speed", "velocity over ten units of time around it",
             mean_speed(runs.coarse.path, runs.fine.path, t - 5, t + 5), "site per unit of time",
-            "against the largest: from the time step and the smoothing"}});
+            "against the largest, known to 3 per cent: from the time step and the smoothing"}});
     }
   }
 }

@@ -49,6 +49,7 @@ static double slow_growth(const Carrier& wave, std::size_t harmonics) {
   return largest;
 }
 
+// At the edges of the band, beside the thresholds of s
 static void report_edges(Report& report, double d) {
   Table& waves = report.table("edge_waves");
   const double threshold = -16 * contact_series(d).v3;
@@ -96,6 +97,7 @@ static bool grows_slowly(double q, double d, double s) {
          std::abs(q - inflection(contact_series(d).v1)) > 0.05;
 }
 
+// Formula and measurement beside each other
 static void report_coefficient(Report& report, double chosen, std::span<const double> wells) {
   struct Point {
     double d, s, q;
@@ -110,6 +112,7 @@ static void report_coefficient(Report& report, double chosen, std::span<const do
     return in_two_precisions([of](auto x, auto y, auto z) { return of(coefficients(x, y, z)); },
                              at.q, at.d, at.s);
   };
+  // One row for each wavenumber
   const char* how = "difference of two precisions, against the largest";
   report.table("measured_coefficient").fill(points, [&](const Point& at) {
     const bool slow = at.d == chosen && grows_slowly(at.q, at.d, at.s);
