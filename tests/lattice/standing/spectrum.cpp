@@ -188,7 +188,8 @@ TEST_CASE("a breather of the DpS equation and its pendulum", "[unit][dps]") {
         (place_of(centre, pushed(b, 1e-5)) - place_of(centre, pushed(b, -1e-5))) / 2e-5;
     CHECK(g > 0);
     check_close(b.centre_per_shift, g, 0, 1e-7);
-    check_close(b.pendulum_push(), b.pair.rate / M_PI / b.centre_per_shift / (2.5 - b.pair.m), 0, 1e-13);
+    check_close(b.pendulum_push(), b.pair.rate / M_PI / b.centre_per_shift / (2.5 - b.pair.m), 0,
+                1e-13);
   }
   // Shift, push and growing part of any perturbation
   const PinnedBreather site(stationary<double>(Centre::site, 2.5, 9));
