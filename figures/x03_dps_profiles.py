@@ -31,13 +31,13 @@ for table, color, marker, name in [(site, BLUE, "o", "site"), (bond, VERMILION, 
                     mfc="none", mew=0.9, label=f"{name}-centred")
 moduli.plot([], [], "o", color="black", ms=1.6, label="quasi-continuum")
 moduli.set(xlabel="site $n$", ylabel="modulus $|u_n|$", xlim=(-9, 9), ylim=(1e-33, 1e2),
-           xticks=range(-8, 9, 4), yticks=[10.0**k for k in range(-30, 1, 10)])
+           xticks=range(-8, 9, 4), yticks=[10.0**k for k in range(-20, 1, 5)])
 moduli.legend(loc="lower center", handlelength=1.6)
 draw.letter(moduli, "c")
 errors.axhline(gap, color=GREY, lw=0.8)
-errors.text(7.2, 3 * gap, "difference of the norms", color=GREY, ha="right", va="bottom")
-errors.set(xlabel="strains in each half", ylabel="relative error of the norm", xlim=(1.5, 7.3),
-           ylim=(1e-33, 1e5), yticks=[10.0**k for k in range(-30, 1, 10)])
+errors.text(1.6, gap / 3, "difference of the norms", color=GREY, ha="left", va="top")
+errors.set(xlabel="strains in each half", ylabel="relative error of the norm", xlim=(1.5, 6.3),
+           ylim=(1e-23, 1e3), yticks=[10.0**k for k in range(-20, 1, 5)])
 errors.legend(loc="lower left", handlelength=1.6)
 draw.letter(errors, "d")
 draw.save(figure, out)

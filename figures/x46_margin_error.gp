@@ -2,8 +2,9 @@
 width = 85; height = 60
 load 'figures/style.gp'
 set logscale y
+set yrange [1e-25:1e2]
 set format y '10^{%T}'
-set key bottom left
+set key top right samplen 1.6
 set xlabel 'sites of the chain'
 set ylabel 'error of the margin' offset 1
 table = data.'/sec33_dps_stability/convergence.ecsv'

@@ -51,7 +51,7 @@ fi
 block book/data.md sh 1 > a.sh
 velocity=$(sed 's/.*--velocity \([^ ]*\).*/\1/' a.sh)
 sh a.sh | awk -F, '$1 == "speed" { print $2 }' > printed
-awk -F, -v v="$velocity" '!/^#/ && $1 == 0 && $2 > v - 1e-9 && $2 < v + 1e-9 { print $3 }' "build/$table" | cmp -s - printed ||
+awk -F, -v v="$velocity" '!/^#/ && $1 == 0 && $2 > v - 1e-9 && $2 < v + 1e-9 { print $4 }' "build/$table" | cmp -s - printed ||
   fail "at the velocity $velocity the command of book/data.md prints $(cat printed)"
 
 # A scan of one's own: three points, of which one fails; called again, it goes on where it was cut off.
