@@ -16,6 +16,7 @@
 #include <optional>
 #include <sstream>
 
+#include "report/columns.hpp"
 #include "report/command_line.hpp"
 #include "report/heartbeat.hpp"
 #include "report/sums.hpp"
@@ -116,7 +117,9 @@ void Output::finish() {
   Sums sums;
   for (const auto& [name, table] : tables_) {
     if (table.columns.empty()) throw std::logic_error(name + ": a table without a row");
-    const std::string text = to_text(provenance_.sign(table));
+    Table whole = provenance_.sign(table);
+    describe(name, whole);
+    const std::string text = to_text(whole);
     write_whole(folder_ / (name + ".ecsv"), text);
     sums[name + ".ecsv"] = sha256(text);
   }

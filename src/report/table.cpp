@@ -47,6 +47,9 @@ Cells::Cells(std::initializer_list<Entry> entries) {
 // Rows come one by one or many at once, and columns are found by their names
 void Table::add(Cells row) {
   bool fits = row.size() == columns.size();
+  if (fits && rows.empty())
+    for (std::size_t i = 0; i < row.size(); ++i)
+      if (columns[i].description.empty()) columns[i].kind = Kind(row[i].index());
   for (std::size_t i = 0; fits && i < row.size(); ++i)
     fits = row[i].index() == std::size_t(columns[i].kind);
   if (!fits) throw std::invalid_argument("a row does not fit the columns of its table");
@@ -56,12 +59,13 @@ void Table::add(Cells row) {
 void Table::add(const Row& row) {
   std::vector<Column> headings;
   Cells cells;
-  for (const auto& [name, description, cell, unit, from] : row.cells) {
-    headings.push_back({name, unit, description, Kind(cell.first.index())});
-    cells.push_back(cell.first);
-    if (!cell.second) continue;
-    headings.push_back(number(std::string(name) + "_error", from, unit));
-    cells.push_back(*cell.second);
+  for (const Headed& heading : row.cells) {
+    const auto& [first, second] = heading.cell;
+    headings.push_back({heading.name, heading.unit, heading.description, Kind(first.index())});
+    cells.push_back(first);
+    if (!second) continue;
+    headings.push_back(number(std::string(heading.name) + "_error", heading.from, heading.unit));
+    cells.push_back(*second);
   }
   if (columns.empty()) columns = headings;
   const auto same = [](const Column& a, const Column& b) { return a.name == b.name; };

@@ -48,10 +48,12 @@ Column count(std::string name, std::string description, std::string unit = "");
 /// A column of texts.
 Column label(std::string name, std::string description);
 
-/// Columns one after the other; a list of them may hold single columns and other lists.
+/// Columns one after the other; a list of them may hold single columns and other lists. One that is only named is of the
+/// kind that its first cell has.
 struct Columns {
   std::vector<Column> all;
 
+  Columns(const char* name) : all{Column{name, "", ""}} {}
   Columns(Column column) : all{std::move(column)} {}
   Columns(std::vector<Column> columns) : all(std::move(columns)) {}
   Columns(std::initializer_list<Columns> lists);
@@ -59,7 +61,7 @@ struct Columns {
 
 /// A number with the column of its error, `x_error` to the right of `x`, which says in words `from` what the error was
 /// obtained. A test asks every error for one per cent of its number; where it is to be judged on another scale these words
-/// say so, such as *against the largest* (CONTRIBUTING.md).
+/// say so, such as *against the largest* (MAINTAINING.md).
 Columns estimate(const std::string& name, std::string description, std::string unit = "",
                  std::string from = "difference of two resolutions");
 
@@ -88,14 +90,18 @@ class Cells : public std::vector<Cell> {
 };
 
 /**
-Heading and cell are best said together, `{{"s", "anharmonicity of the well", s}, {"n", "site", n, "site"}}`: the
-first row of a table that has no columns yet makes them, of the kind that its cells have, and all others must be
-alike. */
+A row is best written with its headings, `{{"s", s}, {"speed", runs.of(speed)}}`: the first row of a table that has no
+columns yet makes them, of the kind that its cells have, and all others must be alike. What the columns of a chapter mean
+stands beside it, in src/columns (columns.hpp). A command says it at once, `{"s", "anharmonicity of the well", s}`. */
 struct Headed {
-  const char *name, *description;  ///< literals
+  Headed(const char* column, Cells::Entry entry) : name(column), cell(std::move(entry)) {}
+  Headed(const char* column, const char* means, Cells::Entry entry, const char* in = "",
+         const char* error_from = "difference of two resolutions")
+      : name(column), description(means), cell(std::move(entry)), unit(in), from(error_from) {}
+
+  const char *name, *description = "";  ///< literals
   Cells::Entry cell;
-  const char* unit = "";
-  const char* from = "difference of two resolutions";  ///< what an error was obtained from
+  const char *unit = "", *from = "";  ///< what an error was obtained from
 };
 struct Row {
   std::vector<Headed> cells{};

@@ -10,7 +10,7 @@ from math import isfinite, nan
 from lineage import ecsv
 from lineage.claims import programs_of
 
-from common import LOCK, ROOT, Scratch, table
+from common import LOCK, ROOT, VOLUME, Scratch, table
 
 COLUMNS = [ecsv.Column("a", "string", "l'un"), ecsv.Column("b", "float64", "x", "m"), ecsv.Column("c", "int64", "n")]
 
@@ -135,3 +135,15 @@ class Here(unittest.TestCase):
                 self.assertLessEqual({"program", "section", "command", "parameters"}, meta.keys())
                 self.assertFalse({"revision", "build", "libraries"} & meta.keys())
                 self.assertEqual(list(doubts(columns, list(csv.reader(ecsv.rows_of(text)))[1:])), [])
+
+    def test_every_column_says_what_it_is_and_no_list_names_another(self):
+        for program in programs_of(VOLUME):
+            written = []
+            for path in ecsv.tables_in(ROOT / "build/data" / program):
+                columns = ecsv.header_of(ecsv.text_of(path))[0]
+                self.assertFalse([f"{path}: src/columns does not say what {column.name} is" for column in columns if not column.description])
+                written += [(path.stem, column.name) for column in columns]
+            listed = VOLUME / f"src/columns/{program}.ecsv"
+            for row in ecsv.read(listed, ("table", "column")).rows if listed.exists() else ():
+                self.assertTrue(any(column == row["column"] and row["table"] in ("", table) for table, column in written),
+                                f"{listed}: no {row['table'] or 'table'} has a column {row['column']} (src/columns)")

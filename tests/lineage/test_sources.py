@@ -132,7 +132,7 @@ class Here(unittest.TestCase):
             self.none(f"{path}: {id}" for id in re.findall(r"\]\(fig:(\w+)\)", text) if id not in figures)
             self.none(f"{path}: {id}" for id in claim.findall(text) if id not in claims)
             self.none(f"{path}: a program names {id}" for id in re.findall(r'"(\w+\.\w+)"', text) if id in claims and "STATEMENT(" not in text)
-        for page in (path for name in ("README", "CONTRIBUTING") for path in VOLUME.glob(f"{name}.md")):
+        for page in (path for name in ("README", "CONTRIBUTING", "MAINTAINING") for path in VOLUME.glob(f"{name}.md")):
             for link in re.findall(r'(?:\]\(|src=")([^)"]+)[)"]', re.sub(r"(?ms)^```.*?^```", "", ecsv.text_of(page))):
                 left_out = link.startswith("beyond/") and not WHOLE
                 self.assertTrue(":" in link or link.startswith("#") or left_out or (VOLUME / link.partition("#")[0]).exists(), f"{page}: {link}")

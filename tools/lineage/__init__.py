@@ -6,7 +6,7 @@
     chapters  which chapters answer and explain a claim, their commands and costs
     lock      paper/converged.ecsv: which values are kept, and how far a fresh one may be
     hashes    paper/full.sha256 and quick.sha256: the bytes of every table
-    refresh   values and tables in prose: src/, README.md, CONTRIBUTING.md, paper/costs.ecsv
+    refresh   values and tables in prose: src/, README.md, MAINTAINING.md, paper/costs.ecsv
     tex       the same values for the paper
     show      one number, statement or finding
     inventory every command, module and package used

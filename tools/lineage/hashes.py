@@ -74,7 +74,7 @@ def is_here(root, data, run="full"):
         return True
     print(f"             here     {made_here(data, min(found_in(root, data, run)))}")
     print(f"             recorded {made}")
-    print("             a different kind of processor may give different bytes (CONTRIBUTING.md)")
+    print("             a different kind of processor may give different bytes (MAINTAINING.md)")
     return False
 
 

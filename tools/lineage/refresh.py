@@ -18,7 +18,7 @@ from .inventory import modules
 from .lock import read_lock, sources
 from .volumes import article, below, joined
 
-PAGES = "README.md", "CONTRIBUTING.md"
+PAGES = "README.md", "CONTRIBUTING.md", "MAINTAINING.md"
 
 
 def with_numbers(text, numbers, home=""):
