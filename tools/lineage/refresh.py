@@ -92,16 +92,23 @@ def tally(claims, verdicts):
             f"- {open_} cannot be decided: words without a number, or numbers whose method is not printed. Ours stand beside them."]
 
 
+def question_of(text):
+    """The first question that a chapter asks, in its first paragraphs."""
+    sentences = re.split(r"(?<=[.?!])\s+(?=[A-Z])", re.split(r"\*/|\n## |<!--", text, maxsplit=1)[0])
+    return next((" ".join(sentence.split("\n\n")[-1].split()) for sentence in sentences if sentence.endswith("?")), "")
+
+
 def index_rows(root, figures):
-    """Every chapter, in the order in which the book is read, with its figures."""
+    """Every chapter, in the order in which the book is read, with its question and the figures of the article that it has."""
     contents = Path(root) / "book/contents.txt"
     rows, order = [], ecsv.text_of(contents).split("\n") if contents.exists() else []
     for program in programs_of(root):
-        section, title = re.match(r"/\*\*\n# (\w[\w.]*):? (.*)", ecsv.text_of(Path(root) / f"src/{program}.cpp")).groups()
-        shown = [id for id, row in figures.items() if row["program"] == program]
+        text = ecsv.text_of(Path(root) / f"src/{program}.cpp")
+        section, title = re.match(r"/\*\*\n# (\w[\w.]*):? (.*)", text).groups()
+        shown = [id for id, row in figures.items() if row["program"] == program and id.isdigit()]
         rows.append((order.index(program) if program in order else len(order), f"| {section} | [{title[0].upper() + title[1:]}](src/{program}.cpp) | "
-                     f"{', '.join(id.lstrip('0') for id in shown)} |"))
-    return ["| section | chapter | figures |", "|---|---|---|", *(row for _, row in sorted(rows))]
+                     f"{question_of(text)} | {', '.join(id.lstrip('0') for id in shown)} |"))
+    return ["| section | chapter | question | figures |", "|---|---|---|---|", *(row for _, row in sorted(rows))]
 
 
 def module_rows(root):
