@@ -317,12 +317,12 @@ amplitude we take the largest displacement while the packet moves over the last 
 $2\epsilon$ times the largest $|A_n|$ there in the DpS equation: neither depends on the phase of the oscillation. The
 fractions by which the DpS packet is too fast and too high fall about as $\epsilon^{1/2}$, the relative size of what the
 equation leaves out: an impact four times smaller is described almost twice as well. Is it the equation or the start? In
-the approximation the first bead starts faster and the second one backwards, so that the first contact closes faster by the
-fraction $\epsilon^{1/2}/\tau_0$, here 2 per cent. If only this closing velocity counts, the packet is by the scaling 2
-per cent higher and 1 per cent faster. To test this we let the chain, too, start as the approximation does. The same
-start removes what is expected, within 6 per cent of it except at the largest $\epsilon$; nothing is fitted. At the
-article's $\epsilon$ it removes 60 per cent of the error in amplitude and 39 per cent of that in speed. What remains is
-the error of the equation itself.
+the approximation the first bead starts faster and the second one backwards, so that the first contact closes faster by
+the fraction $\epsilon^{1/2}/\tau_0$, here 2 per cent. If only this closing velocity counts, the packet is by the
+scaling 2 per cent higher and 1 per cent faster. To test this we let the chain, too, start as the approximation does.
+The same start removes what is expected, within 6 per cent of it except at the largest $\epsilon$; nothing is fitted. At
+the article's $\epsilon$ it removes 60 per cent of the error in amplitude and 39 per cent of that in speed. What remains
+is the error of the equation itself.
 
 ![DpS equation against chain. Drawn by x49_dps_discrepancy.gp: (a) `speed`, `amplitude` and the same with the same start
 against `root`, from `discrepancy`; (b) `chain` and `dps` of `heights` against `t`.](fig:x49) */

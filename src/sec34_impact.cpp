@@ -37,8 +37,8 @@ is struck, Eq. (26). All quantities are dimensionless, and both ends are free:
 $$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2}, \qquad
   y_n(0) = 0,\quad \dot y_n(0) = v_0\,\delta_{n,1}.$$
 At the amplitude of the impact, $v_0$, the anharmonic force $|s|\,v_0^3$ and the contact force $v_0^{3/2}$ have the
-ratio $\chi = |s|\,v_0^{3/2}$. The energy density of Eq. (23) and its centre, Eq. (24), locate the packet. The sums run over the $m = 5$
-sites on either side of the packet's largest density $e_{n'}$:
+ratio $\chi = |s|\,v_0^{3/2}$. The energy density of Eq. (23) and its centre, Eq. (24), locate the packet. The sums run
+over the $m = 5$ sites on either side of the packet's largest density $e_{n'}$:
 $$e_n = \tfrac12\dot y_n^2 + W(y_n) + \tfrac25 (y_n-y_{n+1})_+^{5/2}, \qquad
   X = \frac{\sum_{n=n'-m}^{n'+m} n\,e_n}{\sum_{n=n'-m}^{n'+m} e_n}.$$
 The article does not say where it fits speeds, for which $s$ it draws figure 19, or how it integrates. We fit between
@@ -81,10 +81,11 @@ constexpr double figure_20 = 0.94, until_figure_20 = 300;   // impact and end of
 constexpr double figure_21 = 1.87;                          // impact of figure 21
 constexpr double mildly_soft = -1.0 / 6, very_soft = -0.7;  // s of the article's soft wells
 
+// Weak packets have the speed 0.361 (v0 / 2)^(1/2) (chapter before)
 Impact impact_with(double s, double v0) {
   return {.velocity = v0,
           .chain = {std::size_t(fit_to) + 20, Quartic{s}},
-          .time = 3 * fit_to / (0.36 * std::sqrt(v0 / 2)),  // thrice what the slowest packets need
+          .time = 3 * fit_to / (0.36 * std::sqrt(v0 / 2)),  // thrice what a weak packet needs
           .until = fit_to};
 }
 
@@ -92,14 +93,12 @@ Impact impact_with(double s, double v0) {
 ## Speed and energy against impact velocity (figure 19)
 
 For each velocity of the sweep we compute the speed, the slope of the least-squares line through $X(t)$; the largest
-maximum in time of $e_{n'}$ while $20 < X < 60$; and the fractions of all
-energy in the packet when it passes site 60, and on the first sites then. How long a run may last follows from the chapter before: after weak impacts the
-speed tends to [0.361](cell:sec34_dps_impact/speeds/model=dps/per_slow_time) times $(v_0/2)^{1/2}$.
+maximum in time of $e_{n'}$ while $20 < X < 60$; and the fractions of all energy in the packet when it passes site 60,
+and on the first sites then.
 
-A bead that passes the maximum of a soft well, at $|y| = |s|^{-1/2}$, escapes to infinity. So each soft well has a
-largest velocity of the sweep, and a range that is scanned for escapes. A curve ends below the first velocity at which a
-bead escapes (*The blow-up*); its last 0.05 are marked in the figure (`ending`), since the first bead almost escapes
-there before it returns, and the outcome is erratic. */
+A bead that passes the maximum of a soft well, at $|y| = |s|^{-1/2}$, escapes to infinity. A curve ends below the first
+velocity at which a bead escapes (*The blow-up*); its last 0.05 are marked in the figure (`ending`), since the first
+bead almost escapes there before it returns, and the outcome is erratic. */
 struct SweptWell {
   double s, fastest;
   double scan_from = 0, scan_to = 0;
@@ -115,8 +114,8 @@ As $v_0 \to 0$ the dynamics becomes that of the DpS equation (section 2), in whi
 curves must *meet* there, with a *deficit* of the packet's energy in soft wells that is of first order in $\chi$. They
 do. Divided by $\chi$ the deficit is [0.612](cell:velocity_sweep/s=-1/6/velocity=0.02/per_chi) and
 [0.613](cell:velocity_sweep/s=-0.7/velocity=0.02/per_chi) in the two wells after an impact of 0.02, still falling slowly
-with the impact: the limit is not reached. After strong impacts it is up to three times as large, and at equal $\chi$ the wells differ by up to 22
-per cent, apart from the erratic ends of the curves.
+with the impact: the limit is not reached. After strong impacts it is up to three times as large, and at equal $\chi$
+the wells differ by up to 22 per cent, apart from the erratic ends of the curves.
 
 ![Energy that a soft well takes from the packet, against the scaled anharmonicity. Drawn by x57_energy_deficit.gp:
 `deficit` against `chi`, from the table `velocity_sweep`.](fig:x57)
@@ -259,13 +258,12 @@ void report_forces(Report& report) {
 }
 
 /**
-We call energy *trapped* if the first five sites hold more than the packet long after the impact, when the packet passes
-site 60. At $v_0 = 0.94$ the very soft well adds more to the first five sites than it takes from the packet. But
-trapping is not robust so close to the escape. At 0.95 the energy has left the first five sites, but not far: most of it
-is a *second packet*, compact and slow, whose peak is at site 10 at $t = 480$ and at site 31 at 2000, while the packet
-that we follow is at 64 and 228 (exercise 3). This impact and two at $s = -\frac16$, 2.08 and 2.09, are the three
-exceptions of the beginning; for those, too, `run` finds such a strong breather behind a fast weak one. The last row is
-the impact of figure 21.
+At $v_0 = 0.94$ the very soft well adds more to the first five sites than it takes from the packet. But trapping is not
+robust so close to the escape. At 0.95 the energy has left the first five sites, but not far: most of it is a *second
+packet*, compact and slow, whose peak is at site 10 at $t = 480$ and at site 31 at 2000, while the packet that we follow
+is at 64 and 228 (exercise 3). This impact and two at $s = -\frac16$, 2.08 and 2.09, are the three exceptions of the
+beginning; for those, too, `run` finds such a strong breather behind a fast weak one. The last row is the impact of
+figure 21.
 
 | $v_0$, $s$ | first five sites | first ten | packet | its speed |
 |---|---|---|---|---|
@@ -283,10 +281,11 @@ The fourth oscillates by itself.
 
 Is this a mode, or only a transient? A breather is a localised periodic orbit (Flach and Gorbach 2008 for a review), and
 so is a surface mode that lasts. We look for one by Newton's method (shooting.hpp): starting from rest at $y(0)$, all
-beads are at rest again after half a period, $\dot y_n(T_b/2) = 0$, as many equations as sites. The frequency is that of
-bead 1 in the run, the first guess the mean displacements of three beads where the first one turns back towards the end.
-The method converges, to a state near that mean, whose energy of [0.341](cell:surface_orbit/energy) is nearly that of
-the first five sites in the run, [0.355](cell:surface_orbit/trapped).
+beads are at rest again after half a period, $\dot y_n(T_b/2) = 0$, as many equations as sites. The run gives the
+frequency, that of bead 1, and the first guess: the mean displacements of the three beads that move together, at the
+moments when bead 1 turns back towards the end. The method converges to a state near this mean. Its energy of
+[0.341](cell:surface_orbit/energy) is nearly that of the first five sites in the run,
+[0.355](cell:surface_orbit/trapped).
 
 | $s=-0.7$, $v_0=0.94$, $150 < t < 300$ | bead 1 | 2 | 3 | 4 | 5 |
 |---|---|---|---|---|---|
@@ -299,10 +298,9 @@ So the surface mode is, apart from waves that pass through it, near a breather a
 this breather is unstable: [1](cell:surface_orbit/unstable) Floquet multiplier lies outside the unit circle, at
 [-1.12](cell:surface_orbit/multiplier). A disturbance changes its sign and grows by 12 per cent each period, tenfold in
 twenty periods. Yet the mode survives: the first five sites hold 0.80 of the energy at $t = 300$, and 0.79 still at
-2000, after 270 periods (exercise 2). It does not leave the
-orbit by turns to either side, as this multiplier suggests: where bead 1 turns, its displacement swings slowly between
-[0.714](cell:turnings/turn=20/y) and [0.765](cell:turnings/turn=11/y), once in about five turnings. What holds the mode
-together we do not know. */
+2000, after 270 periods (exercise 2). It does not leave the orbit by turns to either side, as this multiplier suggests:
+where bead 1 turns, its displacement swings slowly between [0.7144](cell:turnings/turn=20/y) and
+[0.7652](cell:turnings/turn=11/y), once in about five turnings. What holds the mode together we do not know. */
 constexpr double settled = 150;                 // time after which beads are watched
 constexpr std::size_t watched = 5, locked = 3;  // beads; those of them that follow the first one
 
