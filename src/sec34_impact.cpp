@@ -140,6 +140,7 @@ Row sweep_row(double s, SweepPoint& p, bool ending) {
     const Estimate kept = quotient(p.packet, *p.linear);
     lost = Estimate(1 - kept.value, kept.error);
   }
+  // The columns
   const auto late = [](const ImpactRun& f) {
     return f.path.line(fit_late, fit_to).value().estimate();
   };
