@@ -24,7 +24,8 @@ ApproximateStart approximate_start(std::size_t sites, double eps);
 /// 1.01, Eq. (20), and the time of the slow time `tau` there.
 void report_start(Report& report, std::size_t sites, double tau);
 
-/// The residue at the boundary during a stretch of time: the largest norm of the first ten sites, and how many sites share the residue at its end, up to ten sites behind the packet's peak (participation number).
+/// The residue at the boundary during a stretch of time: the largest norm of the first ten sites, and how many sites
+/// share the residue at its end, up to ten sites behind the packet's peak (participation number).
 struct ResidueStretch {
   double tau, first_ten = 0, sharing = 0;
 };
