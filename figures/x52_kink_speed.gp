@@ -1,4 +1,4 @@
-# Figure x52: speed of the kink near the struck end and a hundred beads on, and of the pulse without wells.
+# Figure x52: speed of the kink near the struck end and a hundred beads on, and of the pulse that moves beads as far.
 width = 85; height = 60
 load 'figures/style.gp'
 set logscale x
@@ -9,6 +9,6 @@ set key bottom right samplen 1.6
 set xlabel 'impact velocity  {/:Italic v}_0'
 set ylabel 'speed (sites per unit of time)'
 table = data.'/sec34_kink/kink_shape.ecsv'
-plot table using 'velocity':'pulse_speed' with linespoints ls 4 title 'pulse, no wells', \
-     '' using 'velocity':'speed' with linespoints ls 1 title 'kink, beads 21 to 35', \
-     '' using 'velocity':'later' with linespoints ls 2 title 'kink, beads 121 to 135'
+plot table using 'velocity':'pulse_speed' with linespoints ls 4 title 'pulse', \
+     '' using 'velocity':'speed' with linespoints ls 1 title 'kink, near', \
+     '' using 'velocity':'later' with linespoints ls 2 title 'kink, far'

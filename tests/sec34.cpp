@@ -9,7 +9,6 @@
 #include "sec34/acceleration.hpp"
 #include "sec34/dps_comparison.hpp"
 #include "sec34/ensemble.hpp"
-#include "sec34/escapes.hpp"
 #include "sec34/packet.hpp"
 #include "support/check.hpp"
 
@@ -172,18 +171,6 @@ TEST_CASE("a free bead in a soft well is the slower the farther it moves", "[uni
          [&](const State<double>& now) { seen.add(now.t, now.y[0], now.v[0]); });
   check_close(seen.frequency(), free_frequency(-0.7, 0.9), 0, 1e-4);
   check_close(seen.amplitude(), 0.9, 0, 1e-6);
-}
-
-TEST_CASE("the band of escapes leaves disputed impacts out", "[unit]") {
-  const double never = HUGE_VAL;
-  const std::vector<Trial> trials{{1, never, never}, {2, 8, never}, {3, 9, 9.5},
-                                  {4, never, never}, {5, 7, 7},     {6, never, 3}};
-  const EscapeBand band = band_of(trials);
-  CHECK(band.first_escape == 3);
-  CHECK(band.last_survivor == 4);
-  CHECK(band.latest == 9.5);
-  CHECK(band.disputed == 2);
-  CHECK_THROWS_AS(band_of({{1, never, never}}), std::runtime_error);
 }
 
 TEST_CASE("the spread of paths is that of their centres", "[unit][boomeron]") {

@@ -44,7 +44,6 @@ void report_start(Report& report, std::size_t sites, double tau) {
   }
 }
 
-// What stays behind, in stretches of time
 std::vector<ResidueStretch> residue_stretches(const std::vector<double>& tau,
                                               const std::vector<Field>& A, double from,
                                               double every) {
@@ -54,7 +53,6 @@ std::vector<ResidueStretch> residue_stretches(const std::vector<double>& tau,
     for (std::size_t k = 0; k < tau.size(); ++k) {
       if (tau[k] < end - every - 1e-9 || tau[k] >= end + 1e-9) continue;
       const std::vector<double> d = density(A[k]);
-      s.first_site = std::max(s.first_site, d[0]);
       s.first_ten = std::max(s.first_ten, std::accumulate(d.begin(), d.begin() + 10, 0.0));
       if (tau[k] > end - 1e-9)
         s.sharing = participation({d.begin(), d.begin() + std::ptrdiff_t(*front_packet(d)) - 10});
@@ -62,19 +60,6 @@ std::vector<ResidueStretch> residue_stretches(const std::vector<double>& tau,
     out.push_back(s);
   }
   return out;
-}
-
-void report_residue(Report& report, const std::vector<ResidueStretch>& coarse,
-                    const std::vector<ResidueStretch>& fine) {
-  Table& table = report.table("residue_in_time");
-  for (std::size_t i = 0; i < fine.size(); ++i)
-    table.add({{"tau", "slow time at the end of a stretch of 25", fine[i].tau},
-               {"first_site", "largest |A_1|^2 in the stretch",
-                compare(coarse[i].first_site, fine[i].first_site)},
-               {"first_ten", "largest norm of the first ten sites in the stretch",
-                compare(coarse[i].first_ten, fine[i].first_ten)},
-               {"sharing", "sites that share the residue at its end: its participation number",
-                compare(coarse[i].sharing, fine[i].sharing), "site"}});
 }
 
 // Up to ten sites behind both packets

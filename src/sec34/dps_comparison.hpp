@@ -24,19 +24,15 @@ ApproximateStart approximate_start(std::size_t sites, double eps);
 /// 1.01, Eq. (20), and the time of the slow time `tau` there.
 void report_start(Report& report, std::size_t sites, double tau);
 
-/// The residue at the boundary during a stretch of time: the largest |A_1|^2, the largest norm of the first ten sites,
-/// and how many sites share the residue at its end, up to ten sites behind the packet's peak (participation number).
+/// The residue at the boundary during a stretch of time: the largest norm of the first ten sites, and how many sites
+/// share the residue at its end, up to ten sites behind the packet's peak (participation number).
 struct ResidueStretch {
-  double tau, first_site = 0, first_ten = 0, sharing = 0;
+  double tau, first_ten = 0, sharing = 0;
 };
 /// Stretches of the length `every` that end at `from`, `from` + `every` and so on; `tau` and `A` are the samples.
 std::vector<ResidueStretch> residue_stretches(const std::vector<double>& tau,
                                               const std::vector<Field>& A, double from,
                                               double every);
-/// Table `residue_in_time`, from two resolutions.
-void report_residue(Report& report, const std::vector<ResidueStretch>& coarse,
-                    const std::vector<ResidueStretch>& fine);
-
 /// Two densities, of the chain and of the approximation, up to ten sites behind both packets: the relative difference
 /// of the roots of all energy, and the largest difference of the roots at a site over the largest root in the chain.
 double trains_apart(const std::vector<double>& chain, const std::vector<double>& dps);

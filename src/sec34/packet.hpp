@@ -35,8 +35,7 @@ class Front {
   /// Takes the density `e` of a packet whose largest site is `peak`.
   void add(const std::vector<double>& e, std::size_t peak) {
     const double X = energy_centre(e, peak);
-    for (std::size_t m = 0; m <= packet_half_width; ++m)
-      least_[m] = std::min(least_[m], window_sum(e, peak, m) / window_sum(e, peak));
+    seven_ = std::min(seven_, window_sum(e, peak, 3) / window_sum(e, peak));
     for (std::size_t n = peak; n < e.size(); ++n) {
       const double distance = double(n + 1) - X;
       const long k = std::lround(distance);
@@ -56,8 +55,8 @@ class Front {
   double from_centre(std::size_t distance) const {
     return std::sqrt(from_centre_.at(distance) / largest_[0]);
   }
-  /// Share of the energy of eleven sites that is on 2m + 1 of them, at least.
-  double share(std::size_t m) const { return least_.at(m); }
+  /// Fraction of the energy of eleven sites that is on seven of them, at least.
+  double seven() const { return seven_; }
   /// Sites of the packet, if it is as wide behind its peak as ahead of it: those above a hundredth.
   std::size_t width() const {
     std::size_t k = 0;
@@ -69,9 +68,8 @@ class Front {
 
  private:
   std::vector<double> largest_ = std::vector<double>(2 * packet_half_width, 0.0),
-                      from_centre_ = std::vector<double>(8, 0.0),
-                      least_ = std::vector<double>(packet_half_width + 1, 1.0);
-  double behind_ = 0;
+                      from_centre_ = std::vector<double>(8, 0.0);
+  double behind_ = 0, seven_ = 1;
 };
 
 /// The oscillation of one bead, sample by sample: the times at which it passes zero upwards, and its largest

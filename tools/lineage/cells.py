@@ -1,7 +1,7 @@
-"""A number in a table by its address, `sec34_impact/shares/velocity=0.94/s=-0.7/packet`: program, table, as many keys as
+"""A number in a table by its address, `sec34_impact/velocity_sweep/velocity=0.94/s=-0.7/packet`: program, table, as many keys as
 make the row unique, and the column, whose error stands in `packet_error`. Within a chapter the program is left out, and of the
 next cell on a line all that is as before: `cell:s=0/packet`, `cell:speed`. Prose cites results so,
-`[0.0650](cell:shares/velocity=0.94/s=-0.7/packet)`, and answers by the statement, `[0.0984](statement:impact.tail)`."""
+`[0.0650](cell:velocity_sweep/velocity=0.94/s=-0.7/packet)`, and answers by the statement, `[0.0984](statement:impact.tail)`."""
 
 import re
 from functools import lru_cache

@@ -108,7 +108,7 @@ def show(root, data, name):
     if name not in names:
         near = difflib.get_close_matches(name, names, 3) or sorted(n for n in names if re.split("[./]", n)[-1] == name)
         raise ecsv.Unknown(f"ID: there is no number '{name}'" + (f" (near it: {', '.join(near)})" if near else
-                          " (allowed: a claim such as pn.omega11, a cell such as sec34_impact/shares/velocity=0.94/s=-0.7/packet)"))
+                          " (allowed: a claim such as pn.omega11, a cell such as sec34_impact/velocity_sweep/velocity=0.94/s=-0.7/packet)"))
     finding, verdict = numbers.get(name), joined(read_verdicts, all).get(name)
     print(name)
     told = of_finding(findings[name], numbers, verdict, root) if name in findings else of_number(name, finding, claims, numbers, verdict, root)

@@ -1,5 +1,5 @@
 """Numbers for the two documents in TeX, paper and theorem. They say `\\num{pn.omega11}` for a reference value,
-`\\both{pn.omega11}` for the value with its error, as in 1.62(3)e-11, `\\cell{0.065}{sec34_impact/shares/s=-0.7/packet}` for a
+`\\both{pn.omega11}` for the value with its error, as in 1.62(3)e-11, `\\cell{0.065}{sec34_impact/velocity_sweep/s=-0.7/packet}` for a
 cell with the digits that are typed (cells.py), `\\pub{pn.omega11}` for the printed value,
 `\\claimed{pn.omega11}` for the claim, `\\verdict{pn.omega11}` for its verdict, `\\cause{pn.omega15}` for the likely cause of
 a discrepancy, `\\finding{pull}` for the sentence of a finding, `\\tally{claims}` for a count, and `\\meta{version}` and
