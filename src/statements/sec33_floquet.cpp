@@ -13,7 +13,7 @@ STATEMENT("floquet.spectrum") {
   const auto structure = [&](const Data& breathers) {
     for (const auto& breather : breathers) {
       less(breather["fourth"], bound(0.01));
-      less(bound(4), breather["at_edge"]);  // more than there are near +1
+      less(bound(3), breather["at_edge"]);
     }
   };
   structure(table("spectra").where("omega", 1.01, 2));
