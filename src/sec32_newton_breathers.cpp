@@ -14,11 +14,10 @@ other. Breathers are usually continued from decoupled sites of which one oscilla
 1994; Marín and Aubry, Nonlinearity 9, 1996). In linear wells all decoupled beads have the frequency 1, so the article
 starts from the limit of small amplitude instead, the DpS breathers of the previous chapter.
 
-![Bond-centred breathers, of the DpS equation and of the chain, and their quasi-continuum approximation. Drawn by
-fig02_bond_centred.gp: the columns of `bond_profiles` against `n`.](fig:02)
+![Bond-centred breathers, of the DpS equation and of the chain, and their quasi-continuum approximation.](fig:02)
 
 <!-- head -->
-`build/bin/sec32_newton_breathers` computes this chapter in 17 s on two cores and writes 12 tables to
+`build/bin/sec32_newton_breathers` computes this chapter in 3 s on two cores and writes 12 tables to
 `build/data/sec32_newton_breathers`. Its figures: `make fig02`, `make fig03`, `make fig04`, `make fig05`, `make fig06`,
 `make x44`. With your parameters: `breather`, one breather: amplitude, energy, area (2 pi times the action) and
 residual.
@@ -130,7 +129,7 @@ as unknowns, in the sense of least squares. What is the cost of leaving out the 
 
 ![Residual of Newton's method, relative to the amplitude, for three sets of equations, each in its own conditions;
 dotted: the least singular value of the whole period, relative to the largest; grey: the article's residual after five
-steps. Drawn by x44_newton_steps.gp from `iterations`.](fig:x44)
+steps.](fig:x44)
 
 With the symmetric equations the number of correct digits doubles in each step, and after
 [4](cell:hundred_periods/steps) steps only the tolerance of the flow is left. The article's equations begin alike, but
@@ -227,16 +226,12 @@ void report_symmetry(Report& report) {
 /**
 ## Profiles (figures 2 and 3)
 
-How good is the quasi-continuum approximation? It is accurate to 5 per cent of the amplitude where the article calls it
-excellent (`newton.qc_small`), and twice as bad at 1.1, as the article says (`newton.qc_worse`).
+How good is the quasi-continuum approximation? At 1.01, where the article calls it excellent (`newton.qc_small`), it is
+off by [0.0511](cell:approximation/centre=site/omega=1.01/difference) of the amplitude around a site and
+[0.0475](cell:approximation/centre=bond/omega=1.01/difference) around a bond, at 1.1 by twice as much, as the article
+says (`newton.qc_worse`).
 
-![Site-centred breathers and their quasi-continuum approximation. Drawn by fig03_site_centred.gp: the columns of
-`site_profiles` against `n`.](fig:03)
-
-| largest difference over the amplitude | around a site | around a bond |
-|---|---|---|
-| $\omega_b = 1.01$ | [0.0511](cell:approximation/centre=site/omega=1.01/difference) | [0.0475](cell:centre=bond/difference) |
-| $\omega_b = 1.1$ | [0.118](cell:approximation/centre=site/omega=1.1/difference) | [0.0978](cell:centre=bond/difference) | */
+![Site-centred breathers and their quasi-continuum approximation.](fig:03) */
 void report_profiles(Report& report) {
   Table& differences = report.table("approximation");
   for (Centre centre : both_centres) {
@@ -286,8 +281,7 @@ tolerances. Yet this breather is unstable (section 3.3). But the one real multip
 is [1.000214](cell:sec33_floquet/site_against_s/s=0/largest_modulus): in a hundred periods a disturbance along this mode
 grows by 2 per cent only.
 
-![The breather at the start and after a hundred periods. Drawn by fig04_hundred_periods.gp: `y_start` and `y_end` of
-`persistence` against `n`.](fig:04) */
+![The breather at the start and after a hundred periods.](fig:04) */
 void report_persistence(Report& report) {
   const auto problem = conditions(Centre::site, omega_b);
   const Orbit<double> found = find_breather(problem);
@@ -319,8 +313,7 @@ A bead far out feels only its inner neighbour, with a force that is the power $3
 that $\ln|y_{n+1}|/\ln|y_n| \to 3/2$: the decay is double-exponential. At the last site where it can be computed we find
 [1.500](cell:tail/n=20/exponent), with the change from the site before as its error.
 
-![The tail of the site-centred breather. Drawn by fig05_tail.gp: `size`, `double_log` and `law` of `tail` against
-`n`.](fig:05)
+![The tail of the site-centred breather.](fig:05)
 
 Newton's method follows the tail to $10^{-308}$ in double precision and much farther in extended precision, if every
 site must converge relative to its own size (`scaled_rule`); where both exist their difference is the error. Outwards
@@ -358,8 +351,7 @@ Both families are continued by arclength from $\omega_b = 1.001$ to $2$ (continu
 monotonically on the grid of the figure, and so does the asymmetry around a site, where the breather is its own mirror
 image only in the limit of small amplitude.
 
-![Amplitude and energy of both families. Drawn by fig06_branches.gp: amplitudes and energies of `branches` against
-`omega`.](fig:06)
+![Amplitude and energy of both families.](fig:06)
 
 The surprise is how nearly the energies agree while the amplitudes differ by a tenth. The relative difference is largest
 at the lowest frequency. Towards $\omega_b = 1$ it tends to that of the two DpS norms, from bond to site
@@ -378,9 +370,8 @@ void report_branches(Report& report) {
       breather_pairs_at(s, {conditions(Centre::site, omega_b), conditions(Centre::bond, omega_b)},
                         omegas, measure_in<double>);
   const auto row = [](const BreatherPair& pair) {
-    const Orbit<double>& site = pair.orbit[0];  // the other one is around a bond
     const auto coarse = newton(conditions(Centre::site, pair.omega),
-                               Vector<double>(site.x * 1.000001), rule<double>(1));
+                               Vector<double>(pair.orbit[0].x * 1.000001), rule<double>(1));
     const Estimate ratio = quotient(pair.amplitude[0], pair.amplitude[1]);
     return Row{{"omega", "frequency", pair.omega},
                {"amplitude_bond", "largest |y_n(0)|", pair.amplitude[1]},
@@ -388,7 +379,7 @@ void report_branches(Report& report) {
                {"energy_bond", "energy of the bond-centred breather", pair.energy[1]},
                {"energy_site", "energy of the site-centred breather", pair.energy[0]},
                {"asymmetry", "largest |y_n(0) - y_-n(0)| around a site, over the amplitude",
-                compare(asymmetry(coarse), asymmetry(site))},
+                compare(asymmetry(coarse), asymmetry(pair.orbit[0]))},
                {"amplitude_gap", "amplitude_site over amplitude_bond, minus one",
                 Estimate{ratio.value - 1, ratio.error}},
                {"energy_gap", "E_site - E_bond, over E_bond",
@@ -403,19 +394,17 @@ void report_branches(Report& report) {
 
 Section 1 of the article says that the chain's breathers, like those of the DpS equation, nearly keep their width when
 the amplitude goes to zero. As width we take the participation number of the displacements, $(\sum y_n^2)^2/\sum y_n^4$
-at $t = 0$. Up to 1.01, which the article calls small amplitude, the amplitude grows a hundredfold and the width by less
-than 1 per cent; a width like $(\omega_b-1)^{-1/2}$, as in the discrete nonlinear Schrödinger equation, would shrink to a
-third. So the statement holds up to 1.01 if *nearly* means 1 per cent, and not up to 1.05 (`chain.width_constant`).
-
-| width in sites, $\omega_b$ | 1.001 | 1.01 | 1.05 |
-|---|---|---|---|
-| around a site | [2.965](cell:widths/centre=site/omega=1.001/width) | [2.982](cell:omega=1.01/width) | [3.060](cell:omega=1.05/width) |
-| around a bond | [2.973](cell:widths/centre=bond/omega=1.001/width) | [3.000](cell:omega=1.01/width) | [3.122](cell:omega=1.05/width) |
+at $t = 0$. Around a site it is [2.965](cell:widths/centre=site/omega=1.001/width) sites at $\omega_b = 1.001$,
+[2.982](cell:widths/centre=site/omega=1.01/width) at 1.01, which the article calls small amplitude, and
+[3.060](cell:widths/centre=site/omega=1.05/width) at 1.05. While the amplitude grows a hundredfold, the width grows by
+less than 1 per cent; a width like $(\omega_b-1)^{-1/2}$, as in the discrete nonlinear Schrödinger equation, would
+shrink to a third. So the statement holds up to 1.01 if *nearly* means 1 per cent, and not up to 1.05
+(`chain.width_constant`).
 
 For $s \in [-1, 1]$ the article finds that both families bifurcate from rest. There the force $s\,y^3$ is negligible:
 between 1.0005 and 1.001, where the amplitude is below $10^{-6}$, it grows like $(\omega_b-1)^2$, as in Eq. (20), with
-one exponent to nine digits at $s = -1$, 0 and 1. Around a site the exponent is
-[2.001 ± 0.004](cell:other_wells/s=1/centre=site/exponent), its error the change to the next pair of frequencies. */
+one exponent to nine digits at $s = -1$, 0 and 1. Around a site the exponent is [2.001 ±
+0.004](cell:other_wells/s=1/centre=site/exponent), its error the change to the next pair of frequencies. */
 void report_small_amplitude(Report& report) {
   Table &widths = report.table("widths"), &others = report.table("other_wells");
   for (Centre centre : both_centres) {

@@ -4,27 +4,23 @@
 Which of the two breathers of the chain is stable, and in which wells? We compute their *Floquet multipliers* $\lambda$,
 the eigenvalues of the matrix $M$ by which one period multiplies a small disturbance: a multiplier outside the unit
 circle makes it grow. Section 3.3 of James, Kevrekidis and Cuevas (Physica D 251, 2013) finds four multipliers so close
-to $+1$ that the breathers are almost free to move. It says that
-
-- in the linear well, at $\omega_b = 1.1$, the site-centred breather is weakly unstable and the bond-centred one stable;
-- in wells of anharmonicity $s$ the bond-centred one loses its stability at $s_0^b \approx 0.26$ and the site-centred
-  one gains it at $s_0^s \approx 0.05$, where a pair of multipliers collides at $+1$ (figures 11 and 12);
-- there are four multipliers near $+1$, and others accumulate on the unit circle near $e^{\pm2\pi i/\omega_b}$;
-- the *pinning mode* is very close to the discrete gradient of the breather (figure 13);
-- near $\omega_b = 1$ the instability is weaker than that of the DpS equation by a factor of $O(\epsilon^{1/2})$.
+to $+1$ that the breathers are almost free to move. At $\omega_b = 1.1$, in the linear well, the site-centred breather
+is weakly unstable and the bond-centred one stable; in wells of anharmonicity $s$ the latter loses its stability at
+$s_0^b \approx 0.26$ and the former gains it at $s_0^s \approx 0.05$, where a pair of multipliers collides at $+1$
+(figures 11 and 12).
 
 ![Arguments and moduli of the four multipliers near one, bond-centred.](fig:11)
 
-At $\omega_b = 1.1$ these hold but for the two values of $s_0$ (*very close* has no bound; we give the angle): both
-breathers change their stability at almost the same anharmonicity, $s_0 =$ [0.1525](cell:exchange/site). At higher
-frequencies the instability is no longer weak: in hard wells the pinning pair leaves $+1$, and the bond-centred breather
-becomes strongly unstable; in very soft wells other multipliers leave the circle.
+We find the same but for the two values of $s_0$: both breathers change their stability at almost the same
+anharmonicity, $s_0 =$ [0.1525](cell:exchange/site). At higher frequencies the instability is no longer weak: in hard
+wells the pinning pair leaves $+1$, and the bond-centred breather becomes strongly unstable; in very soft wells other
+multipliers leave the circle.
 
 The multipliers are hard to compute because two are exactly $+1$ and share one eigenvector: an error $\eta$ of $M$ can
 split such a pair by as much as $\sqrt\eta$. We compute a quantity that has no such pair.
 
 <!-- head -->
-`build/bin/sec33_floquet` computes this chapter in 18 s on two cores and writes 10 tables to `build/data/sec33_floquet`.
+`build/bin/sec33_floquet` computes this chapter in 4 s on two cores and writes 10 tables to `build/data/sec33_floquet`.
 Its figures: `make fig11`, `make fig12`, `make fig13`, `make x47`, `make x64`. With your parameters: `multipliers`, all
 Floquet multipliers of one breather; `exchange`, exchange of stability: the anharmonicity s at which the pinning
 (translational) pair of multipliers passes +1.
@@ -320,12 +316,12 @@ void report_pinning_mode(Report& report, Table& harmonic, Centre centre) {
 
 Is the instability of the DpS equation that of the chain? There the site-centred breather of frequency $\mu$ is unstable
 at the rate $\sigma = 0.00156\,\mu$ per unit of $\tau/(2\tau_0)$ (`sec33_dps_stability`), with the slow time $\tau$ of
-section 3.1. By Eq. (20), where $\mu = 1$, a breather of the chain of size $\epsilon$ has
-$\delta = \omega_b-1 = \epsilon^{1/2}/(2\tau_0)$. So if the same holds for the chain, its rate $\ln\lambda/T_b$ tends to
-$0.00156\,\delta$: weaker by $O(\epsilon^{1/2})$, as the article says. We compute breathers near $\omega_b = 1$ in extended
-precision. The rate over $\delta$, and the exponent of the rate in $\epsilon$ between neighbours, are extrapolated
-linearly in $\delta$. The error is the difference from the extrapolation one breather earlier, plus what the errors of
-the rates contribute.
+section 3.1. By Eq. (20), where $\mu = 1$, a breather of the chain of size $\epsilon$ has $\delta = \omega_b-1 =
+\epsilon^{1/2}/(2\tau_0)$. So if the same holds for the chain, its rate $\ln\lambda/T_b$ tends to $0.00156\,\delta$:
+weaker by $O(\epsilon^{1/2})$, as the article says. We compute breathers near $\omega_b = 1$ in extended precision. The
+rate over $\delta$, and the exponent of the rate in $\epsilon$ between neighbours, are extrapolated linearly in
+$\delta$. The error is the difference from the extrapolation one breather earlier, plus what the errors of the rates
+contribute.
 
 | quantity | article | here |
 |---|---|---|
@@ -387,15 +383,15 @@ every further site adds two multipliers there; on these chains at least 4 are wi
 ![Distance of the fourth multiplier from $+1$, bond-centred; dots: the pinning pair is real and the breather unstable by
 more than $10^{-3}$; triangles: others have left the circle.](fig:x64)
 
-In the linear well, and at $\omega_b = 1.1$ for all $s$, four multipliers stay near $+1$. In hard wells of
-$s \ge \frac14$ the pinning pair leaves it as the frequency grows: around a site along the circle, so that the breather
-stays stable, around a bond along the real axis. There the instability is no longer weak. It passes the article's
-$10^{-3}$ already at $\omega_b = 1.2$, and at $\omega_b = 2$ and $s = 1$ the multiplier exceeds one by
+In the linear well, and at $\omega_b = 1.1$ for all $s$, four multipliers stay near $+1$. In hard wells of $s \ge
+\frac14$ the pinning pair leaves it as the frequency grows: around a site along the circle, so that the breather stays
+stable, around a bond along the real axis. There the instability is no longer weak. It passes the article's $10^{-3}$
+already at $\omega_b = 1.2$, and at $\omega_b = 2$ and $s = 1$ the multiplier exceeds one by
 [1.061](cell:spectra/centre=bond/omega=2/s=1/largest): a disturbance doubles in each period. Soft wells exceed $10^{-3}$
 hardly, as by [0.00167](cell:spectra/centre=bond/omega=1.3/s=-1/largest) at $\omega_b = 1.3$ and $s = -1$. But near the
 end of the soft families other multipliers collide elsewhere on the circle and leave it, by
-[0.286](cell:spectra/centre=bond/omega=1.9/s=-1/6/others) at $\omega_b = 1.9$ and $s = -\frac16$, which the article's word
-*includes* does not exclude. */
+[0.286](cell:spectra/centre=bond/omega=1.9/s=-1/6/others) at $\omega_b = 1.9$ and $s = -\frac16$, which the article's
+word *includes* does not exclude. */
 const std::vector<double> wells{1, 0.75, 0.5, 0.25, 0, -1.0 / 6, -0.25, -0.5, -0.75, -1};
 
 const std::vector<double> frequencies{1.01, 1.2, 1.3, 1.4, 1.5,
