@@ -172,6 +172,8 @@ Family family_of(Centre centre, int steps) {
   if (low == all.end()) throw NoBranch("kappa has one sign in all these wells");
   family.exchange =
       exchange<Wide>(centre, {true, omega_b}, low->spot.s, std::next(low)->spot.s, low->orbit);
+
+  // More breathers beside it, and the slope from the two outer pairs of them
   const double s_0 = family.exchange.place.value;
   const auto kappa_at = [&](double s) {
     const auto problem = problem_at(centre, {omega_b, s});
@@ -419,6 +421,8 @@ void report_plane(Report& report, Table& table, const Family& near) {
   parallel_for("wells", families.size(),
                [&](std::size_t k) { families[k] = over_omega(near.centre, wells[k], omegas); });
   families.push_back(near.breathers);
+
+  // What the statements compare
   const char* how = "difference of two resolutions, relative to one";
   for (const auto& family : families)
     for (const auto& [spot, orbit, all] : family)
