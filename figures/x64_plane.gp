@@ -13,4 +13,6 @@ unset key
 table = data.'/sec33_floquet/spectra.ecsv'
 bond(name) = strcol('centre') eq 'bond' ? column(name) : NaN
 plot table using (bond("omega")):"s":"fourth" with points pt 5 ps 0.95 lc palette, \
+     table using (column("largest") > 1e-3 && column("others") < 1e-3 ? bond("omega") : NaN):"s" \
+       with points pt 7 ps 0.35 lc rgb vermilion, \
      table using (column("others") > 1e-3 ? bond("omega") : NaN):"s" with points pt 8 ps 1.1 lc rgb vermilion

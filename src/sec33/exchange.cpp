@@ -39,36 +39,18 @@ Spectrum spectrum(const Shooting<T>& in_t, const Orbit<double>& orbit, double ra
 }
 
 // A bead at rest turns with frequency one, which is its multiplier
-int at_edge(const std::vector<Pair>& pairs, double omega_b, double close) {
+int at_edge(const std::vector<Pair>& pairs, double omega_b) {
   const double edge = -std::pow(std::sin(pi<double>() / omega_b), 2);
   return 2 * int(std::count_if(pairs.begin() + 1, pairs.end(), [&](const Pair& pair) {
-           return std::abs(pair.kappa - edge) < close;
+           return std::abs(pair.kappa - edge) < 1e-4;
          }));
 }
 
-Orbit<double> lengthened(const Shooting<double>& longer, const Orbit<double>& orbit,
-                         const NewtonRule<double>& how) {
+Orbit<double> lengthened(const Shooting<double>& longer, const Orbit<double>& orbit) {
   const std::size_t more = longer.chain.sites - orbit.start.y.size();
   State<double> start(longer.chain.sites);
   std::copy(orbit.start.y.begin(), orbit.start.y.end(), start.y.begin() + long(more / 2));
-  return newton(longer, longer.reduce(start), how);
-}
-
-int added_at_edge(Centre centre, Spot spot, const Orbit<double>& orbit,
-                  const std::vector<Pair>& pairs, const NewtonRule<double>& how) {
-  spot.more += 10;
-  const auto longer = problem_at(centre, spot);
-  const Orbit<double> there = lengthened(longer, orbit, how);
-  const auto found = floquet_pairs(longer.chain, there.start, there.period(), how.events);
-  std::vector<Pair> more;
-  for (const auto& kappa : found.kappa) more.push_back({kappa, found.defect});
-  const double close = 1e-4;
-  return at_edge(more, spot.omega_b, close) - at_edge(pairs, spot.omega_b, close);
-}
-
-int off_circle(const std::vector<Pair>& pairs) {
-  return int(std::count_if(pairs.begin() + 1, pairs.end(),
-                           [](const Pair& pair) { return pair.is_unstable(); }));
+  return newton(longer, longer.reduce(start));
 }
 
 Estimate from_one(const Pair& pair) {
@@ -134,26 +116,11 @@ Exchange exchange(Centre centre, const Cut& cut, double low, double high, Orbit<
   return refined_zero<T>(centre, cut, exchange_between(centre, cut, below, above, orbit, 1e-5));
 }
 
-// Between two wells with opposite signs of kappa
-template <class T>
-Exchange exchange_on(Centre centre, const std::vector<BreatherAt>& line) {
-  std::size_t found = 0;  // the interval that ends at this well
-  for (std::size_t k = 1; k < line.size(); ++k) {
-    const double before = line[k - 1].spectrum.kappa().value, here = line[k].spectrum.kappa().value;
-    const bool nearer = found == 0 || std::abs(line[k].spot.s) < std::abs(line[found].spot.s);
-    if (before * here < 0 && nearer) found = k;
-  }
-  if (found == 0) throw NoBranch("kappa of the pinning pair has one sign in all these wells");
-  const BreatherAt &low = line[found - 1], &high = line[found];
-  return exchange<T>(centre, Cut{true, low.spot.omega_b}, low.spot.s, high.spot.s, low.orbit);
-}
-
-#define LATTICE_INSTANCES(T)                                                        \
-  template Spectrum spectrum<T>(const Shooting<double>&, const Orbit<double>&);     \
-  template Spectrum spectrum<T>(const Shooting<T>&, const Orbit<double>&, double);  \
-  template Exchange refined_zero<T>(Centre, const Cut&, Exchange);                  \
-  template Exchange exchange<T>(Centre, const Cut&, double, double, Orbit<double>); \
-  template Exchange exchange_on<T>(Centre, const std::vector<BreatherAt>&);
+#define LATTICE_INSTANCES(T)                                                       \
+  template Spectrum spectrum<T>(const Shooting<double>&, const Orbit<double>&);    \
+  template Spectrum spectrum<T>(const Shooting<T>&, const Orbit<double>&, double); \
+  template Exchange refined_zero<T>(Centre, const Cut&, Exchange);                 \
+  template Exchange exchange<T>(Centre, const Cut&, double, double, Orbit<double>);
 #include "lattice/model/instances.hpp"
 
 }  // namespace lattice

@@ -60,27 +60,12 @@ inline std::string name_of(Centre centre) {
   return centre == Centre::bond ? "bond" : "site";
 }
 
-/// A breather at a place of the plane, with its pairs.
-struct BreatherAt {
-  Spot spot;
-  Orbit<double> orbit{};
-  Spectrum spectrum{};
-};
-
-/// How many pairs but the first leave the unit circle by more than their error.
-int off_circle(const std::vector<Pair>& pairs);
-
-/// How many multipliers lie within `close` in kappa of their point of accumulation, exp(+-2 pi i / omega_b); the first
-/// pair does not count.
-int at_edge(const std::vector<Pair>& pairs, double omega_b, double close = 1e-9);
+/// How many multipliers lie within 1e-4 in kappa of their point of accumulation, exp(+-2 pi i / omega_b); the first pair
+/// does not count.
+int at_edge(const std::vector<Pair>& pairs, double omega_b);
 
 /// The breather of a longer chain near that of a shorter one, with beads at rest beyond the old ends. Throws NewtonFailed.
-Orbit<double> lengthened(const Shooting<double>& longer, const Orbit<double>& orbit,
-                         const NewtonRule<double>& how = {});
-
-/// How many multipliers ten more sites, with beads at rest, add there, within 1e-4 in kappa; `pairs` are those of `orbit`.
-int added_at_edge(Centre centre, Spot spot, const Orbit<double>& orbit,
-                  const std::vector<Pair>& pairs, const NewtonRule<double>& how = {});
+Orbit<double> lengthened(const Shooting<double>& longer, const Orbit<double>& orbit);
 
 /// How far the multipliers of a pair are from +1.
 Estimate from_one(const Pair& pair);
@@ -124,10 +109,5 @@ Exchange refined_zero(Centre centre, const Cut& cut, Exchange found);
 /// kappa has the same sign at both ends, NewtonFailed if an orbit is not found.
 template <class T>
 Exchange exchange(Centre centre, const Cut& cut, double low, double high, Orbit<double> orbit);
-
-/// The exchange nearest to s = 0 on a line of wells of one frequency, between two neighbours. Throws NoBranch if kappa has
-/// one sign in all of them.
-template <class T>
-Exchange exchange_on(Centre centre, const std::vector<BreatherAt>& line);
 
 }  // namespace lattice
