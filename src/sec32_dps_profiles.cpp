@@ -270,7 +270,7 @@ void reproduce(Report& report) {
 |---|---|---|---|
 | `dps.scaling`: breather amplitude is proportional to mu^2 at unchanged width | 2 | 2.000 | reproduced |
 | `dps.qc_support`: half-width of the compact quasi-continuum profile g(x) = (3/10)^3 cos^6(x/3) | 3 pi/2 | 4.712 | reproduced |
-| `dps.qc_solution`: g with the amplitude (3/10)^3 solves Eq. (17) |  | support.distance: 1.8e-12 < 1e-06 | holds |
+| `dps.qc_solution`: g with the amplitude (3/10)^3 solves Eq. (17) |  | support.residual: 1.296e-10 < 1e-06 | holds |
 | `dps.qc_site`: site-centred stationary DpS breather agrees with its quasi-continuum profile | excellent | 0.05745 share of the amplitude | quantified |
 | `dps.qc_bond`: bond-centred stationary DpS breather agrees with its quasi-continuum profile | excellent | 0.06143 share of the amplitude | quantified |
 <!-- /statements -->
