@@ -189,9 +189,9 @@ times in the linear well and once in the hard one, $s = 1$, for $\omega_b$ betwe
 well, $s = -\frac16$, for $\omega_b$ up to 1.9. (computed)
 <!-- /barrier.signs -->
 
-$E_{PN}$ is as predicted (circles): in the soft and the linear well to 3 parts in $10^5$ at every frequency, next to the
-zeros too. In the hard well, where the barriers are no longer small, the second-order terms grow, from 0.1 per cent at
-1.5, [-8.651e-5](cell:barriers/s=1/omega=1.5/predicted) against
+$E_{PN}$ is as predicted (circles): in the soft and the linear well the two values differ by 3 parts in $10^5$ at most,
+next to the zeros too. In the hard well, where the barriers are no longer small, the second-order terms grow, from 0.1
+per cent at 1.5, [-8.651e-5](cell:barriers/s=1/omega=1.5/predicted) against
 [-8.643e-5](cell:barriers/s=1/omega=1.5/equal_frequency), to 43 per cent at 2. Hence the zeros of the two barriers
 alternate: at equal area there are [13](cell:zeros/s=-1/6/equal_area) in the soft well and
 [6](cell:zeros/s=0/equal_area) in the linear one. `frequency_of_zero` finds those of $E_{PN}$ by Newton's method; two
