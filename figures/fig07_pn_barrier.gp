@@ -1,5 +1,6 @@
 # Figure 07: energy of the bond-centred breather, barrier at equal frequency and at equal area, and
-# the relative barrier, for three wells. Triangles mark the sign changes at equal frequency.
+# the relative barrier, for three wells. Circles: the barrier at equal frequency as predicted from that at
+# equal area. Triangles mark the sign changes at equal frequency.
 width = 170; height = 75
 load 'figures/style.gp'
 table = data.'/sec32_barrier/barriers.ecsv'
@@ -20,11 +21,13 @@ do for [k=1:3] {
   s = k == 1 ? -1./6 : k == 2 ? 0 : 1
   set label 1 (k == 1 ? '(a) s = −1/6' : k == 2 ? '(b) s = 0' : '(c) s = 1') at graph 0.04,0.94
   if (k > 1) { set format y ''; unset ylabel }
-  if (k > 2) { set key bottom right at graph 1.0,0.06 samplen 1.6 width -4 }
+  if (k > 2) { set key bottom right at graph 1.0,0.05 samplen 1.4 width -4 spacing 0.9 }
   plot table using "omega":(only(s, column("energy_bond"))) with lines lw 1.6 lc rgb vermilion \
          title 'E_{bc}', \
        table using "omega":(only(s, abs(column("equal_frequency")))) with lines ls 1 dt (8,4) \
          title '|E_{PN}|', \
+       table using "omega":(only(s, abs(column("predicted")))) every 3 with points pt 6 ps 0.5 \
+         lc rgb black title 'predicted', \
        table using "omega":(only(s, column("relative"))) \
          with lines ls 4 title '|E_{PN}|/E_{bc}', \
        table using "omega":(only(s, abs(column("equal_area")))) with lines ls 3 \

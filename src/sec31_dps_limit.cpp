@@ -353,8 +353,6 @@ void report_waves(Report& report) {
         {{"wavelength", "wavelength", wavelength, "site"},
          {"order", "order in eps of the largest distance, equal frequency",
           order(large.largest, small.largest), "", from_both},
-         {"order_rms", "the same of the root mean square",
-          order(large.root_mean_square, small.root_mean_square), "", from_both},
          {"order_amplitude", "the same at equal amplitude, of the largest up to t = eps^(-1/2)",
           order(large.at_equal_amplitude, small.at_equal_amplitude), "", from_both}});
   }

@@ -7,9 +7,9 @@ barrier*, is what a breather has to overcome on its way along the chain. Section
 find $1.62\cdot10^{-11}$, and a sign: the barrier vanishes at several frequencies, 7 times in the linear well alone. The
 barrier that a moving breather meets, at equal action, is at 1.1 seventy times smaller and of opposite sign.
 
-![Energy barrier between both families, for three wells. Drawn by fig07_pn_barrier.gp: `energy_bond`, moduli of
-`equal_frequency` and `equal_area`, and `relative` of the table `barriers` against `omega`, and the zeros in
-`sign_changes`.](fig:07)
+![Energy barrier between both families, for three wells, with the prediction of $E_{PN}$ from $\tilde E_{PN}$. Drawn by
+fig07_pn_barrier.gp: `energy_bond`, moduli of `equal_frequency`, `predicted` and `equal_area`, and `relative` of the
+table `barriers` against `omega`, and the zeros in `sign_changes`.](fig:07)
 
 The notion comes from dislocations and was carried over to discrete solitons (Kivshar and Campbell, Phys. Rev. E 48,
 1993): as a function of the position of its centre the energy of a soliton is the *Peierls-Nabarro potential*, and its
@@ -18,9 +18,9 @@ and one has to say what is held fixed. The depinning kick, from which the articl
 subject of `sec33_mobility`.
 
 <!-- head -->
-`build/bin/sec32_barrier` computes this chapter in 8 s on two cores and writes 6 tables to `build/data/sec32_barrier`.
-Its figures: `make fig07`, `make x45`. With your parameters: `barrier`, Peierls-Nabarro barrier: the energy difference
-E_site - E_bond of the two breathers.
+`build/bin/sec32_barrier` computes this chapter in 7 s on two cores and writes 5 tables to `build/data/sec32_barrier`.
+Its figures: `make fig07`. With your parameters: `barrier`, Peierls-Nabarro barrier: the energy difference E_site -
+E_bond of the two breathers.
 <!-- /head -->
 
 ## Model
@@ -35,18 +35,16 @@ difficulty, and uses $E_{PN}$ at equal frequency. We compute both, with their si
 $$E_{PN} = H_{\rm site}(\omega_b)-H_{\rm bond}(\omega_b),\qquad
   \tilde E_{PN} = H_{\rm site}(\omega_{\rm site})-H_{\rm bond}(\omega_b),\quad
   \mathcal A_{\rm site}(\omega_{\rm site}) = \mathcal A_{\rm bond}(\omega_b).$$ */
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "commands/one_barrier.hpp"
+#include "lattice/events/event_driven.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
 #include "report/program.hpp"
-#include "sec3/printed_accuracy.hpp"
 
 using namespace lattice;
 
@@ -54,73 +52,25 @@ using namespace lattice;
 ## The experiment
 
 Newton's method finds both breathers of one frequency, with steps of variable length and order that end at every contact
-event (sec32_newton_breathers.cpp). Then `barrier` (breather.hpp) changes the frequency of the one around a site until
+event (`sec32_newton_breathers`). Then `barrier` (breather.hpp) changes the frequency of the one around a site until
 its area is that of the other: $\omega_{\rm site}\leftarrow\omega_{\rm site}+\Delta\mathcal A/\mathcal A'$, where
 $\mathcal A' = T_b H'$ and $H'$, the derivative along the family, comes from the same linear equations as Newton's
 steps. The small remainder of $\Delta\mathcal A$ is corrected for by $dH = d\mathcal A/T_b$; the second-order term,
-$\Delta\mathcal A^2/(4\pi\mathcal A')$, is below rounding. */
+$\Delta\mathcal A^2/(4\pi\mathcal A')$, is below the machine epsilon. */
 constexpr double soft = -1.0 / 6, linear = 0, hard = 1;  // the wells, by s
 constexpr std::array wells{soft, linear, hard};
 constexpr std::size_t sites = 31;  // around a site, and one more around a bond
 constexpr int intervals = 60;      // of the frequency from 1 to 2 in figure 7
 constexpr double printed_omega = 1.1, printed_barrier = 1.77e-11;  // in the linear well
 constexpr double printed_residual = 1.5e-9, printed_variation = 1.7e-11;
-constexpr double near_zero = 1.3,
-                 beside = 1.0 / 60;        // next to a zero, and how far its neighbours are
-constexpr double coarser = 16;             // times the usual tolerance, in the run that is compared
-constexpr double start_beside = 1.000001;  // it starts off the orbit by this factor
+constexpr double near_zero = 1.3, beside = 1.0 / 60;  // a zero of the linear barrier is near
+
 /// The conditions on a breather, with its chain.
 Shooting<double> conditions(Centre centre, double omega, double s) {
   const std::size_t beads = centre == Centre::site ? sites : sites + 1;
   Shooting<double> problem = breather_problem(centre, omega, Quartic{s}, beads);
-  // Another chain: problem.chain.contact = ...
+  // Other contacts: problem.chain.contact = ...
   return problem;
-}
-
-/// Both breathers of a pair and both barriers, in the type T, at some `times` the usual tolerance of the flow, 128
-/// machine epsilons of the type.
-template <class T>
-Measured<T> compare_breathers(const BreatherPair& pair, double times = 1) {
-  NewtonRule<T> how = rule<T>(0);
-  how.events.tolerance *= T(times);
-  Measured<T> out;
-  for (int k : {0, 1}) {
-    Orbit<double> guess = pair.orbit[k];
-    if (times > 1) guess.x *= start_beside;  // it has to find the orbit again
-    out.orbit[k] = newton(in_precision<T>(pair.problem(k)), guess, how);
-  }
-  out.gap = barrier(in_precision<T>(pair.problem(0)), out.orbit[0], out.orbit[1], how);
-  return out;
-}
-
-/**
-## How well is the barrier known?
-
-In the soft and the linear well the two energies differ by 2.1 parts in a million at most and typically by $10^{-7}$ to
-$10^{-8}$, so that three digits of the barrier need nine to eleven digits of each energy. The error of every value is
-the difference of two tolerances plus 2048 machine epsilons of the energy, at equal area 512 (`agree`,
-breather_pairs.hpp), since the difference alone may be small by chance. Where it exceeds 3 parts in a thousand of a
-barrier, we repeat the computation with 64-bit mantissas.
-
-![Error of both barriers at 1.1 in the linear well, relative to their values, against the tolerance of the flow. Drawn
-by x45_barrier_tolerance.gp from `tolerances`.](fig:x45)
-
-Above a tolerance of $10^{-11}$ both precisions agree within the scatter, and the tolerance is the limit. Below, double
-precision lags by up to two orders; where it does not suffice, near zeros of the barrier, `measure_barriers` changes to
-64 bits. Their error of $E_{PN}$ stays between $3\cdot10^{-9}$ and $10^{-8}$ down to a tolerance of $2\cdot10^{-16}$.
-The reference is a run with $1.4\cdot10^{-17}$; from one with 113 bits (tests/lattice/orbits/breather.cpp) its $E_{PN}$
-differs by $6\cdot10^{-10}$, less than its error. At equal area the relative errors are larger because the barrier is
-smaller. An independent program (`tests/second`), with another integrator, finds the two barriers at 1.1 to six and to
-nearly four digits, which is its own accuracy. */
-/// At two tolerances.
-template <class T>
-void measure(BreatherPair& pair) {
-  assess<T>(pair, compare_breathers<T>(pair, coarser), compare_breathers<T>(pair));
-}
-
-void measure_barriers(BreatherPair& pair) {
-  measure<double>(pair);
-  if (!settled(pair.equal_frequency) || !settled(pair.equal_area)) measure<Wide>(pair);
 }
 
 /// The pair of one frequency, not yet measured.
@@ -131,39 +81,30 @@ BreatherPair find_pair(double s, double omega) {
   return pair;
 }
 
-/// The errors of the printed barrier in the type T, from some `times` the usual tolerance on.
-template <class T>
-void add_tolerances(Table& table, const BreatherPair& pair, const Barrier<Wide>& finest,
-                    double times) {
-  constexpr double loosest = 1e-9, epsilon = double(std::numeric_limits<T>::epsilon());
-  const auto error = [](const Wide& value, const Wide& known) {
-    return double(std::abs(value / known - 1));
-  };
-  for (; 128 * times * epsilon < loosest; times *= 8) {
-    const Barrier<T> gap = compare_breathers<T>(pair, times).gap;
-    table.add({{"bits", "of the mantissa", std::numeric_limits<T>::digits},
-               {"tolerance", "of the flow, over the largest displacement", 128 * times * epsilon},
-               {"equal_frequency", "relative error, against the finest run",
-                error(gap.equal_frequency, finest.equal_frequency)},
-               {"equal_area", "the same of equal_area", error(gap.equal_area, finest.equal_area)}});
-  }
-}
-
-void report_tolerances(Report& report) {
-  const BreatherPair pair = find_pair(linear, printed_omega);
-  const Barrier<Wide> finest = compare_breathers<Wide>(pair).gap;
-  Table& table = report.table("tolerances");
-  add_tolerances<double>(table, pair, finest, 1);
-  add_tolerances<Wide>(table, pair, finest, coarser);
+/// Both barriers, with 64 bits where double precision does not give one of them to 3 parts in a thousand.
+void measure(BreatherPair& pair) {
+  measure_in<double>(pair);
+  if (!settled(pair.equal_frequency) || !settled(pair.equal_area)) measure_in<Wide>(pair);
 }
 
 /**
+In the soft and the linear well the two energies differ by 2.1 parts in a million at most and typically by $10^{-7}$ to
+$10^{-8}$, so that three digits of the barrier need nine to eleven digits of each energy. `measure_in`
+(breather_pairs.hpp) finds each breather twice, with tolerances of the flow of 128 and 2048 machine epsilons; the error
+is the difference, which may be small by chance, plus 2048 machine epsilons of the energy (512 at equal area). At 1.1 in
+the linear well double precision gives [1.6242e-11](cell:barriers/s=0/omega=1.1/equal_frequency), and 64 bits
+[1.62422e-11](cell:key_pairs/s=0/omega=1.1/equal_frequency). A run with 113 bits lies within both errors
+(tests/lattice/orbits/breather.cpp); an independent program with another integrator (`tests/second`) finds both barriers
+to its own accuracy, six and nearly four digits.
+
 ## Two predictions
 
-Why does a barrier vanish at all? Along a family, $\mathcal L = H-\omega_b\mathcal A/2\pi$ has the derivative
-$-\mathcal A/2\pi$, so that $H = \mathcal L-\omega_b\,d\mathcal L/d\omega_b$. Between the two breathers of one
-frequency $\mathcal L$ differs by $\tilde E_{PN}$, up to terms of second order in the difference of the areas. Hence
-$$E_{PN} \simeq -\omega_b^2\,\frac{d}{d\omega_b}\,\frac{\tilde E_{PN}}{\omega_b} .$$
+Why does a barrier vanish at all? Along the families of equal area $dH = \omega\,d\mathcal A/2\pi$ makes
+$d\tilde E_{PN}/d\omega_b = (\omega_{\rm site}/\omega_b-1)H'_{\rm bond}$, and the two barriers differ by $E_{PN} -
+\tilde E_{PN} = H_{\rm site}(\omega_b)-H_{\rm site}(\omega_{\rm site}) \simeq -(\omega_{\rm site}-\omega_b)H'_{\rm
+site}$. The two $H'$ are nearly equal; hence, up to terms of second order in the differences of the two breathers,
+$$E_{PN} \simeq \tilde E_{PN}-\omega_b\frac{d\tilde E_{PN}}{d\omega_b}
+  = -\omega_b^2\,\frac{d}{d\omega_b}\,\frac{\tilde E_{PN}}{\omega_b} .$$
 So $E_{PN}$ vanishes, to this order, where $\tilde E_{PN}/\omega_b$ has an extremum: at least once between any two zeros
 of $\tilde E_{PN}$, and once before the first, because $\tilde E_{PN}\to0$ for $\omega_b\to1$. We do not know why
 $\tilde E_{PN}$ itself changes sign.
@@ -176,16 +117,16 @@ the larger $a$ has a $\delta$ that is smaller by a quarter of the relative diffe
 times $E_{PN}$, and the computed ratio divided by this tends to one as $\omega_b\to1$; at 1.01 the first zero of
 $E_{PN}$, at [1.0146](cell:sign_changes/s=0/zero=1/omega), is already felt:
 
-| $\omega_b$, linear well | 1.0005 | 1.001 | 1.002 | 1.005 | 1.01 |
-|---|---|---|---|---|---|
-| ratio over $-\delta/5$ | [1.01](cell:key_pairs/s=0/omega=1.0005/over_law) | [1.02](cell:omega=1.001/over_law) | [1.04](cell:omega=1.002/over_law) | [1.12](cell:omega=1.005/over_law) | [1.48](cell:omega=1.01/over_law) |
+| $\omega_b$, linear well | 1.0005 | 1.001 | 1.002 | 1.01 |
+|---|---|---|---|---|
+| ratio over $-\delta/5$ | [1.01](cell:key_pairs/s=0/omega=1.0005/over_law) | [1.02](cell:omega=1.001/over_law) | [1.04](cell:omega=1.002/over_law) | [1.48](cell:omega=1.01/over_law) |
 
 <!-- barrier.equal_area -->
 As $\omega_b \to 1$ the barrier between the site- and bond-centred breathers at equal area ($2\pi$ times the action) is
 $-(\omega_b-1)/5$ times that at equal frequency: much smaller and of opposite sign. At $\omega_b = 1.1$ in the linear
 well it is -2.352e-13, against 1.624e-11 at equal frequency. (computed)
 <!-- /barrier.equal_area --> */
-constexpr std::array small_amplitude{1.0005, 1.001, 1.002, 1.005};  // of the law, linear well only
+constexpr std::array small_amplitude{1.0005, 1.001, 1.002};  // of the law, linear well only
 constexpr std::array key_frequencies{1.01, 1.1, near_zero - beside, near_zero, near_zero + beside,
                                      1.5};
 
@@ -202,9 +143,9 @@ BreatherPairs key_pairs(double s, bool quick) {
   parallel_for(pairs.size(), [&](std::size_t i) {
     pairs[i] = find_pair(s, omegas[i]);
     if (quick)
-      measure<double>(pairs[i]);
+      measure_in<double>(pairs[i]);
     else
-      measure<Wide>(pairs[i]);
+      measure_in<Wide>(pairs[i]);
   });
   return pairs;
 }
@@ -240,7 +181,7 @@ void report_key(Report& report) {
 Both families are continued by arclength from $\omega_b = 1.005$ to 2 in steps of a sixtieth, in the soft well to 1.9,
 in steps a fifth as long from 1.8 on. Both soft branches turn back soon after, near 1.912
 (`build/bin/sec32_newton_breathers breather --omega 1.95 --s -0.1666667` says where). Each dip of the figure is a change
-of sign, which the table keeps.
+of sign.
 
 <!-- barrier.signs -->
 The energy barrier between the site- and bond-centred breathers has no fixed sign. At equal frequency it vanishes 7
@@ -248,11 +189,13 @@ times in the linear well and once in the hard one, $s = 1$, for $\omega_b$ betwe
 well, $s = -\frac16$, for $\omega_b$ up to 1.9. (computed)
 <!-- /barrier.signs -->
 
-The zeros of the two barriers alternate in all three wells, as predicted: at equal area there are
-[13](cell:zeros/s=-1/6/equal_area) in the soft well and [6](cell:zeros/s=0/equal_area) in the linear one, each in
-another step of the frequency than those of $E_{PN}$. Newton's method in the frequency finds the zeros of $E_{PN}$;
-the error of the barrier over its slope is the error of the zero (`frequency_of_zero`). Two zeros within one step
-would be missed. */
+$E_{PN}$ is as predicted (circles): in the soft and the linear well the two values differ by 3 parts in $10^5$ at most,
+next to the zeros too. In the hard well, where the barriers are no longer small, the second-order terms grow, from 0.1
+per cent at 1.5, [-8.651e-5](cell:barriers/s=1/omega=1.5/predicted) against
+[-8.643e-5](cell:barriers/s=1/omega=1.5/equal_frequency), to 43 per cent at 2. Hence the zeros of the two barriers
+alternate: at equal area there are [13](cell:zeros/s=-1/6/equal_area) in the soft well and
+[6](cell:zeros/s=0/equal_area) in the linear one. `frequency_of_zero` finds those of $E_{PN}$ by Newton's method; two
+within one step would be missed. */
 using Families = std::vector<BreatherPairs>;  // the pairs of breathers in each well
 
 Families report_barriers(Report& report) {
@@ -260,9 +203,10 @@ Families report_barriers(Report& report) {
   Families families;
   Table& table = report.table("barriers");
   for (double s : wells) {
-    families.push_back(breather_pairs_at(
-        s, {conditions(Centre::site, 1, s), conditions(Centre::bond, 1, s)},
-        pair_frequencies(s, report.quick ? intervals / 6 : intervals), measure_barriers));
+    // Their frequency 1 is replaced by each of the list
+    families.push_back(
+        breather_pairs_at(s, {conditions(Centre::site, 1, s), conditions(Centre::bond, 1, s)},
+                          pair_frequencies(s, report.quick ? intervals / 6 : intervals), measure));
     for (const BreatherPair& pair : families.back()) {
       const auto& [energy_site, energy_bond] = pair.energy;
       const auto& [amplitude_site, amplitude_bond] = pair.amplitude;
@@ -273,51 +217,50 @@ Families report_barriers(Report& report) {
            {"amplitude_bond", "its largest displacement at t = 0", amplitude_bond},
            {"equal_frequency", "E_site - E_bond at equal frequency", pair.equal_frequency},
            {"equal_area", "E_site - E_bond at equal area (2 pi times the action)", pair.equal_area},
+           {"predicted", "of equal_frequency, from equal_area and its derivative",
+            Estimate{pair.equal_area.value - pair.omega * pair.slope_area.value,
+                     pair.equal_area.error + pair.omega * pair.slope_area.error},
+            "", "known to 3 per cent, next to zeros"},
            {"relative", "modulus of equal_frequency divided by energy_bond",
-            modulus(quotient(pair.equal_frequency, energy_bond))},
-           {"wide", "1 where a 64-bit mantissa (extended precision) was needed", pair.wide}});
+            modulus(quotient(pair.equal_frequency, energy_bond))}});
     }
   }
   return families;
 }
 
-struct Zero {
-  const BreatherPair *left, *right;
-  Estimate omega{};
-};
-
 void report_zeros(Report& report, const Families& families) {
   // Changes of sign from one frequency to the next
-  std::vector<Zero> zeros;
   Table& counted = report.table("zeros");
+  BreatherPairs before, after;
   for (const BreatherPairs& pairs : families) {
-    int frequency = 0, area = 0;
+    const std::size_t already = before.size();
+    int area = 0;
     for (std::size_t k = 1; k < pairs.size(); ++k) {
       const BreatherPair &left = pairs[k - 1], &right = pairs[k];
       area += left.equal_area.value * right.equal_area.value < 0;
       if (left.equal_frequency.value * right.equal_frequency.value > 0) continue;
-      frequency += 1;
-      zeros.push_back({.left = &left, .right = &right});
+      before.push_back(left);
+      after.push_back(right);
     }
-    counted.add(
-        {{"s", "anharmonicity of the well", pairs[0].s},
-         {"equal_frequency", "how often the barrier at equal frequency vanishes", frequency},
-         {"equal_area", "how often the barrier at equal area vanishes", area}});
+    counted.add({{"s", "anharmonicity of the well", pairs[0].s},
+                 {"equal_frequency", "how often the barrier at equal frequency vanishes",
+                  before.size() - already},
+                 {"equal_area", "how often the barrier at equal area vanishes", area}});
   }
 
   // Where the barrier at equal frequency vanishes
+  std::vector<Estimate> zeros(before.size());
   parallel_for("zeros", zeros.size(), [&](std::size_t i) {
-    zeros[i].omega = frequency_of_zero(*zeros[i].left, *zeros[i].right, Equal::frequency);
+    zeros[i] = frequency_of_zero(before[i], after[i], Equal::frequency);
   });
   Table& changes = report.table("sign_changes");
   int number = 0;
   for (std::size_t i = 0; i < zeros.size(); ++i) {
-    const double s = zeros[i].left->s;
-    number = i > 0 && zeros[i - 1].left->s == s ? number + 1 : 1;
-    changes.add({{"s", "anharmonicity of the well", s},
+    number = i > 0 && before[i - 1].s == before[i].s ? number + 1 : 1;
+    changes.add({{"s", "anharmonicity of the well", before[i].s},
                  {"zero", "1 for the first in the well, 2 for the second, ...", number},
                  {"omega", "frequency at which the barrier at equal frequency changes sign",
-                  zeros[i].omega, "", "error of omega"}});
+                  zeros[i], "", "error of omega"}});
   }
 }
 
@@ -326,19 +269,18 @@ void report_zeros(Report& report, const Families& families) {
 
 The article says that $E_{PN}$ increases with the amplitude. As a trend it does: in the soft and in the linear well each
 maximum of $|E_{PN}|$ between two zeros exceeds the one before, and in the hard well the barrier increases from its only
-zero on, at [1.0145](cell:sign_changes/s=1/zero=1/omega). From each frequency to the next it does not, since the
-modulus falls from each maximum to the next zero (`pn.grows`).
+zero on, at [1.0145](cell:sign_changes/s=1/zero=1/omega). But it is not monotone, since it falls to zero after each
+maximum (`pn.grows`).
 
 The article also says that $E_{PN}$ remains very small. So it does relative to the energy in the soft and in the linear
 well, but in the hard one it passes 1 per cent beyond 1.667 and is 18 per cent at 2 (`pn.remains_small`); the article
-does not say how far its curve goes. Is the linear well's the smallest relative to the energy? It is at 50 of the 55
+does not say how far its curve goes. The linear well's is the smallest relative to the energy at 50 of the 55
 frequencies that all three wells have in common (`pn.ratio_smallest`). The exceptions are small amplitude, where the
 wells nearly agree, and two frequencies next to zeros of the soft barrier.
 
 | $\lvert E_{PN}\rvert$ over energy, $\omega_b$ | soft well | linear well | hard well |
 |---|---|---|---|
 | 1.005 | [6.98e-7](cell:barriers/s=-1/6/omega=1.005/relative) | [6.98e-7](cell:s=0/relative) | [6.98e-7](cell:s=1/relative) |
-| 1.05 | [9.28e-8](cell:barriers/s=-1/6/omega=1.05/relative) | [1.23e-7](cell:s=0/relative) | [3.08e-7](cell:s=1/relative) |
 | 1.1 | [2.34e-7](cell:barriers/s=-1/6/omega=1.1/relative) | [1.06e-7](cell:s=0/relative) | [6.89e-7](cell:s=1/relative) |
 | 1.5 | [1.55e-7](cell:barriers/s=-1/6/omega=1.5/relative) | [1.48e-8](cell:s=0/relative) | [2.45e-4](cell:s=1/relative) |
 | 1.9 | [2.05e-6](cell:barriers/s=-1/6/omega=1.9/relative) | [8.10e-8](cell:s=0/relative) | [0.121](cell:s=1/relative) |
@@ -351,9 +293,8 @@ barrier of the soft well is three orders below the printed value, and at equal a
 the printed value, which therefore probably belongs to that well.
 
 The signs at 1.1 hold a surprise: in the soft and the linear well the stable breather is the one around the bond, in the
-hard well the one around the site (section 3.3), and each time it has the *higher* energy at equal area. A breather
-rests where the energy at equal action is largest if a moving one has *less* energy than one at rest, that is, if its
-effective mass is negative; that it is negative is computed in `sec33_mobility`.
+hard well the one around the site (section 3.3), and each time it has the *higher* energy at equal area. The reason is
+that the effective mass of a moving breather is negative (`sec33_mobility`): it rests where the energy is largest.
 
 | $\omega_b$, $s$ | $\lvert E_{PN}\rvert$, article | $E_{PN}$ | $\tilde E_{PN}$ |
 |---|---|---|---|
@@ -369,8 +310,7 @@ effective mass is negative; that it is negative is computed in `sec33_mobility`.
 
 At 1.3 the article finds the linear barrier smaller than the others by three to four orders. We find 2.9 and 4.4 orders,
 which agrees within half an order (`pn.harmonic_ratio`), but only next to this frequency: the linear barrier has its
-fifth zero at [1.2997](cell:sign_changes/s=0/zero=5/omega), where the ratio diverges, and a sixtieth away it is
-one to three orders. Nor is the linear barrier *much smaller* everywhere: from 1.1 on the hard one exceeds it tenfold at
+fifth zero at [1.2997](cell:sign_changes/s=0/zero=5/omega), and a sixtieth away it is one to three orders. Nor is the linear barrier *much smaller* everywhere: from 1.1 on the hard one exceeds it tenfold at
 all frequencies but the first, the soft one at 31 of 49 (`pn.harmonic_smaller`).
 
 | barrier over that of the linear well | article | soft well | hard well |
@@ -380,39 +320,51 @@ all frequencies but the first, the soft one at 31 of 49 (`pn.harmonic_smaller`).
 | a sixtieth above | | [21.3](cell:key_pairs/s=-1/6/omega=79/60/over_linear) | [616](cell:s=1/over_linear) |
 
 How accurate is the printed $1.77\cdot10^{-11}$ at 1.1? It exceeds ours by [1.46e-12](cell:accuracy/excess). The
-article prints two accuracies of its breather. The residual, $1.5\cdot10^{-9}$, is that of a breather whose energy is
-[1.60e-12](cell:accuracy/energy) off, if all of it is a detuning along the family (`energy_of_residual`). An iterate
-of the article's equations can be as far off: ours, after five steps, has a residual of
-[3.61e-10](cell:sec32_newton_breathers/convergence/equations=whole_period/steps=5/residual) and an energy too high by
-[3.66e-13](cell:sec32_newton_breathers/convergence/equations=whole_period/steps=5/energy_excess); in proportion, the
-printed residual gives $1.52\cdot10^{-12}$. So the residual, which says how well an orbit solves the equations,
-allows the difference, and no better can be said (`pn.omega11`). That it was the cause we do not know: the last
-change of the positions, $1.7\cdot10^{-11}$, allows [7.6e-15](cell:accuracy/energy_of_variation) only, and in ours
-this change is larger by six orders. It is as small where the pinning mode is left out, but there the residual costs
-only [-8.4e-14](cell:sec32_newton_breathers/convergence/equations=without_pinning_mode/energy_excess). */
+article's breather has a residual of $1.5\cdot10^{-9}$. If all of it is a detuning along the family, the energy is
+[1.60e-12](cell:accuracy/energy) off, so that the residual allows the difference (`pn.omega11`). Our iterate of the
+article's equations after five steps, whose residual is
+[3.61e-10](cell:sec32_newton_breathers/convergence/equations=whole_period/steps=5/residual), has an energy
+[3.66e-13](cell:sec32_newton_breathers/convergence/equations=whole_period/steps=5/energy_excess) too high, in proportion
+nearly the same. That it was the cause we do not know: the other printed accuracy, $1.7\cdot10^{-11}$ for the last
+change of the positions, allows [7.6e-15](cell:accuracy/energy_of_variation) only. */
+/// How far the energy is off if the printed residual comes from another frequency, by an exact breather of one.
+double energy_of_residual(double detuning) {
+  Shooting<double> problem = conditions(Centre::site, printed_omega, linear);
+  const Orbit<double> orbit = find_breather(problem);
+  problem.omega += detuning;
+  const Orbit<double> other = newton(problem, orbit.x);
+  State<double> end = other.start;
+  flow(problem.chain, end, orbit.period());
+  const double residual = largest_difference(end, other.start) / largest(other.start);
+  return std::abs(other.energy - orbit.energy) * printed_residual / residual;
+}
+
+/// How far it is off, to first order, if every bead is off by the printed variation times the amplitude.
+double energy_of_variation(int coarser) {
+  const Shooting<double> problem = conditions(Centre::site, printed_omega, linear);
+  const Orbit<double> orbit = find_breather(problem, Phase::compressed, rule<double>(coarser));
+  double slope = 0;
+  for (std::size_t n = 0; n < sites; ++n)
+    slope += std::abs(acceleration(problem.chain, orbit.start.y.data(), n));
+  return slope * printed_variation * orbit.amplitude;
+}
+
 void report_accuracy(Report& report) {
-  const auto problem = conditions(Centre::site, printed_omega, linear);
   BreatherPair pair = find_pair(linear, printed_omega);
-  measure<Wide>(pair);
-  const auto of_residual = [&](double detuning) {
-    return energy_of_residual(problem, printed_residual, detuning);
-  };
-  const auto of_variation = [&](int coarse) {
-    return energy_of_variation(problem, printed_variation, rule<double>(coarse));
-  };
+  measure_in<Wide>(pair);
   report.table("accuracy")
       .add({{"energy", "change of the energy of a breather that leaves the printed residual",
-             compare(of_residual(2e-6), of_residual(1e-6)), "", "two changes of the frequency"},
+             compare(energy_of_residual(2e-6), energy_of_residual(1e-6)), "",
+             "two changes of the frequency"},
             {"energy_of_variation",
              "change of its energy if every bead moves by the printed variation",
-             compare(of_variation(1), of_variation(0))},
+             compare(energy_of_variation(1), energy_of_variation(0))},
             {"excess", "the printed barrier minus ours",
              Estimate{printed_barrier - pair.equal_frequency.value, pair.equal_frequency.error}}});
 }
 
 void reproduce(Report& report) {
   report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
-  report_tolerances(report);
   report_key(report);
   const Families families = report_barriers(report);
   if (report.quick) return;

@@ -52,7 +52,6 @@ $$\dot y_n(T_b/2) = 0 \quad\text{(bond)},\qquad
 #include "lattice/orbits/shooting.hpp"
 #include "lattice/standing/stationary.hpp"
 #include "report/program.hpp"
-#include "sec3/branches.hpp"
 #include "sec3/static_breathers.hpp"
 
 using namespace lattice;

@@ -1,6 +1,6 @@
 // Branches of breathers: where they begin.
 
-#include "sec3/branches.hpp"
+#include "sec3/static_breathers.hpp"
 
 #include "support/estimates.hpp"
 

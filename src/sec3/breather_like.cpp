@@ -37,14 +37,16 @@ double PhononBands::decay(double omega) const {
   return std::abs(both) > pair ? std::acosh(std::abs(both) / pair) / 2 : 0;
 }
 
+static std::string six_digits(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", x);
+  return text;
+}
+
 std::string PhononBands::to_text() const {
   const auto band = [](double from, double to) {
-    char text[64];
-    if (to - from <= 1e-9 * to)
-      std::snprintf(text, sizeof text, "%.6g", to);
-    else
-      std::snprintf(text, sizeof text, "[%.6g, %.6g]", from, to);
-    return std::string(text);
+    const bool point = to - from <= 1e-9 * to;
+    return point ? six_digits(to) : "[" + six_digits(from) + ", " + six_digits(to) + "]";
   };
   const double low = edge(false, false), below = edge(false, true), above = edge(true, true);
   if (above - below <= 1e-9 * above) return band(low, top());
@@ -60,18 +62,16 @@ Chain lengthened(const Chain& chain, std::size_t sites) {
     throw std::invalid_argument("masses of " + std::to_string(chain.sites) +
                                 " beads do not fit a breather of " + std::to_string(sites) +
                                 " sites: one is centred on a site, the other on a bond");
-  // Outside of [least, most] the index of the other bead or contact of the last pair
-  const long shift = (long(sites) - long(chain.sites)) / 2;
-  const auto at = [&](const std::vector<double>& all, long i, long least, long most) {
-    i -= shift;
-    if (i < least) i += (least - i + 1) / 2 * 2;
-    if (i > most) i -= (i - most + 1) / 2 * 2;
+  // Beyond its ends the last two beads, and the contacts between them, in turn
+  const long shift = (long(sites) - long(chain.sites)) / 2, last = long(chain.sites) - 1;
+  const auto at = [&](const std::vector<double>& all, long i, long least) {
+    while (i < least) i += 2;
+    while (i > last) i -= 2;
     return all[std::size_t(i)];
   };
   std::vector<double> mass, eta;
-  for (long i = 0; i < long(sites); ++i)
-    mass.push_back(at(chain.mass, i, 0, long(chain.sites) - 1));
-  for (long i = 0; i <= long(sites); ++i) eta.push_back(at(chain.eta, i, 1, long(chain.sites) - 1));
+  for (long i = -shift; i < long(sites) - shift; ++i) mass.push_back(at(chain.mass, i, 0));
+  for (long i = -shift; i <= long(sites) - shift; ++i) eta.push_back(at(chain.eta, i, 1));
   vary(out, mass, eta);
   return out;
 }
@@ -93,17 +93,16 @@ static void require_room(const Chain& chain) {
         "from uncompressed contacts");
 }
 
-/// Throws InBand unless `omega` is so far above the linear waves of a chain that the tail falls to `share` of the
-/// amplitude within `most` sites. Returns how many sites it needs for that, on both sides together.
-static double tail_length(const Chain& chain, double omega, double share, double most) {
+/// How many sites, on both sides together, the tail needs to fall to a `part` of the amplitude. Throws InBand unless
+/// `omega` is so far above the linear waves of a chain that these are few enough.
+static double tail_length(const Chain& chain, double omega, double part) {
+  constexpr double longest_tail = 400;
   const PhononBands bands(chain);
-  const double length = -2 * std::log(share) / bands.decay(omega);
+  const double length = -2 * std::log(part) / bands.decay(omega);
   const bool above = omega > bands.top();
-  if (above && length <= most) return length;
-  char text[64];
-  std::snprintf(text, sizeof text, "%.6g is %s the linear waves of the chain, ", omega,
-                above ? "too close to" : "not above");
-  throw InBand(text + bands.to_text() + " (allowed: above them)");
+  if (above && length <= longest_tail) return length;
+  throw InBand(six_digits(omega) + (above ? " is too close to" : " is not above") +
+               " the linear waves of the chain, " + bands.to_text() + " (allowed: above them)");
 }
 
 /// The problem of a breather in the wells of a chain, on a chain like that.
@@ -137,10 +136,9 @@ Fitted fit_chain(Centre centre, double omega, const Chain& like, std::size_t sit
     return fit_chain(centre, omega, like.well, sites, usual, precision, phase);
   Shooting<double> problem = problem_like(centre, omega, like, usual);
   require_room(problem.chain);
-  const double most = 400, tail = tail_length(problem.chain, omega, std::sqrt(precision), most);
+  const double tail = tail_length(problem.chain, omega, std::sqrt(precision));
   const auto longer = [&](double by) { return usual + 2 * std::size_t(std::ceil(by / 2)); };
-  problem =
-      problem_like(centre, omega, like, longer(tail_length(problem.chain, omega, 1e-3, most)));
+  problem = problem_like(centre, omega, like, longer(tail_length(problem.chain, omega, 1e-3)));
   Orbit<double> orbit = find_like(problem, phase);
   const auto change_length = [&](std::size_t n) {
     problem = problem_like(centre, omega, like, n);

@@ -38,34 +38,43 @@ struct ChosenBreather {
   Chain like{};  ///< its contacts and, if the beads differ, its masses and stiffnesses
   double mass_ratio = 1, defect_mass = 1;
 
-  /// The options that ask for a breather, one function each, since not every command has them all: `--centre`,
+  /// The options that ask for a breather, one function each, since not every command has them all.
   void add_centre(Parameters& p) {
     p.add("centre", centre, "where the breather is centred",
           {{"site", Centre::site}, {"bond", Centre::bond}});
   }
-  /// `--omega`,
   void add_omega(Parameters& p) {
     p.add("omega", omega_b, "frequency omega_b of the breather; a single bead has 1",
           breather_range(1.0001, 3));
   }
-  /// both of them,
   void parameters(Parameters& p) {
     add_centre(p);
     add_omega(p);
   }
-  /// `--phase`,
   void add_phase(Parameters& p) {
     p.add("phase", phase,
           "state of the central contact of a bond-centred breather at t = 0; for a site-centred "
           "breather the two are mirror images",
           {{"compressed", Phase::compressed}, {"stretched", Phase::stretched}});
   }
-  /// `--well` with the parameters of the wells,
   void add_well(Parameters& p) { add_holding_well(p, well, "there is no breather"); }
-  /// `--contact` with those of the contacts,
   void add_contacts(Parameters& p) { add_contact(p, like.contact, {{"alpha", {1.2, 3}}}); }
-  /// and `--mass-ratio` and `--defect-mass`, for chains of two masses and with a defect at the centre.
-  void add_masses(Parameters& p);
+  /// Chains of two masses and with a defect at the centre; neither is symmetric about a bond.
+  void add_masses(Parameters& p) {
+    const Allowed range{0.1, 10};
+    p.add("mass-ratio", mass_ratio, "mass of every second bead, starting next to the centre",
+          range);
+    p.add("defect-mass", defect_mass, "mass of the central bead", range);
+    p.when_read([this] {
+      if (mass_ratio == 1 && defect_mass == 1) return;
+      if (centre == Centre::bond)
+        throw UsageError(
+            std::string(mass_ratio != 1 ? "--mass-ratio" : "--defect-mass") +
+            ": such a chain is not symmetric about a bond (allowed: with --centre site)");
+      like.sites = 5;
+      vary(like, {1, mass_ratio, defect_mass, mass_ratio, 1}, {});
+    });
+  }
 };
 
 /// `make()`; throws UsageError for a length of the wrong parity or too short for the tail, and for a frequency in the
@@ -95,22 +104,6 @@ inline Fitted find_chosen(const ChosenBreather& chosen, double precision) {
   return on_chosen_chain(chosen, [&] {
     return fit_chain(chosen.centre, chosen.omega_b, like, chosen.sites, sites_of(chosen.centre),
                      precision, chosen.phase);
-  });
-}
-
-// Neither a chain of two masses nor one with a single other bead is symmetric about a bond
-inline void ChosenBreather::add_masses(Parameters& p) {
-  const Allowed range{0.1, 10};
-  p.add("mass-ratio", mass_ratio, "mass of every second bead, starting next to the centre", range);
-  p.add("defect-mass", defect_mass, "mass of the central bead", range);
-  p.when_read([this] {
-    if (mass_ratio == 1 && defect_mass == 1) return;
-    if (centre == Centre::bond)
-      throw UsageError(
-          std::string(mass_ratio != 1 ? "--mass-ratio" : "--defect-mass") +
-          ": such a chain is not symmetric about a bond (allowed: with --centre site)");
-    like.sites = 5;
-    vary(like, {1, mass_ratio, defect_mass, mass_ratio, 1}, {});
   });
 }
 

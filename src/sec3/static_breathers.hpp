@@ -2,7 +2,7 @@
 /**
 # What is read from a static breather
 
-Its symmetry, found without imposing it; its asymmetry, its width and its tail. */
+The growth of its family; its symmetry, found without imposing it; its asymmetry, its width and its tail. */
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +17,13 @@ Its symmetry, found without imposing it; its asymmetry, its width and its tail. 
 #include "lattice/orbits/breather_pairs.hpp"
 
 namespace lattice {
+
+/// The exponent of the amplitude in omega_b - 1 between two breathers: two near a bifurcation from rest, by Eq. (20),
+/// zero where a family begins at a finite amplitude.
+inline double growth_exponent(const Orbit<double>& lower, const Orbit<double>& upper) {
+  return std::log(upper.amplitude / lower.amplitude) /
+         std::log((upper.omega - 1) / (lower.omega - 1));
+}
 
 /// How far the breather of `problem` is from its symmetry (symmetry.hpp), over the amplitude, if Newton's method in
 /// extended precision knows only that it is even in time, and starts with all positions changed by a random part of

@@ -14,12 +14,10 @@ it fixes $\omega$, and the exact wave runs ahead of the plane wave. */
 
 namespace lattice {
 
-/// Distances of the exact wave from the plane wave of the DpS equation, from 24 and 48 harmonics.
+/// Largest distances of the exact wave from the plane wave of the DpS equation, from 24 and 48 harmonics: at equal
+/// frequency the same at all times, at equal amplitude the larger one of t = 0 and t = eps^(1-alpha).
 struct WaveDistances {
-  Estimate largest;           ///< over the phases, at equal frequency, hence at all times
-  Estimate root_mean_square;  ///< over the phases, at equal frequency
-  Estimate
-      at_equal_amplitude;  ///< the largest at t = 0 and t = eps^(1-alpha), the later one prevails
+  Estimate largest, at_equal_amplitude;
 };
 
 /// For a wavelength of 2, 3 or 4 `sites` and contacts of the exponent `alpha`. Throws std::runtime_error without

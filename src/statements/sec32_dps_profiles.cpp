@@ -20,7 +20,7 @@ STATEMENT("dps.qc_support") {
 }
 
 STATEMENT("dps.qc_solution") {
-  less(table("support")["distance"], bound(1e-6));
+  less(table("support")["residual"], bound(1e-6));
   control([&] { less(1e-3, table("support")["control"]); });
 }
 

@@ -9,6 +9,13 @@
 
 namespace lattice {
 
+/// What one resolution measures on a pair.
+template <class T>
+struct Measured {
+  std::array<Orbit<T>, 2> orbit;
+  Barrier<T> gap;
+};
+
 /// Both breathers of a pair and the barrier between them, at one tolerance. The coarser one starts off the orbit, by
 /// one part in a million, so that it has to find its own way back.
 template <class T>
@@ -24,9 +31,9 @@ static Measured<T> measured(const BreatherPair& pair, int coarser) {
   return out;
 }
 
-// Two resolutions side by side: the finer one gives the value, their difference the error
+/// Two resolutions side by side: the finer one gives the value, their difference the error.
 template <class T>
-void assess(BreatherPair& pair, const Measured<T>& coarse, const Measured<T>& fine) {
+static void assess(BreatherPair& pair, const Measured<T>& coarse, const Measured<T>& fine) {
   // Near omega_b = 1 the energy changes so fast with the frequency that the rounding of the phase shows in it
   const auto size_of = [&](const Orbit<T>& b) {
     return std::max(b.energy, T(pair.omega) * magnitude(b.energy_omega) / T(64));
@@ -45,7 +52,7 @@ void assess(BreatherPair& pair, const Measured<T>& coarse, const Measured<T>& fi
     return m.orbit[0].energy_omega - m.orbit[1].energy_omega;
   };
   pair.slope = agree(slope(coarse), slope(fine), fine.orbit[1].energy_omega);
-  // Along a family dH = omega dA / 2 pi, which gives the slope at equal area for nothing
+  // At equal area it is (omega_site/omega - 1) H'_bond, as dH = omega dA / 2 pi along both families
   const auto slope_area = [&](const Measured<T>& m) {
     return m.orbit[1].energy_omega * (m.gap.omega_site / T(pair.omega) - T(1));
   };
@@ -58,8 +65,9 @@ void measure_in(BreatherPair& pair) {
   assess<T>(pair, measured<T>(pair, 1), measured<T>(pair, 0));
 }
 
+/// At one tolerance, for a step of a search; the errors are those of rounding alone.
 template <class T>
-void measure_once(BreatherPair& pair, int coarser) {
+static void measure_once(BreatherPair& pair, int coarser) {
   const auto only = measured<T>(pair, coarser);
   assess<T>(pair, only, only);
 }
@@ -118,8 +126,10 @@ BreatherPairs breather_pairs_at(double s, const std::array<Shooting<double>, 2>&
   return pairs;
 }
 
-// With the growth like (omega - 1)^2 taken out, a branch is almost straight in log(omega - 1)
-BreatherPair pair_between(const BreatherPair& left, const BreatherPair& right, double omega) {
+/// The pair of frequency `omega`, not yet measured. With the growth like (omega - 1)^2 taken out, a branch is almost
+/// straight in log(omega - 1).
+static BreatherPair pair_between(const BreatherPair& left, const BreatherPair& right,
+                                 double omega) {
   BreatherPair pair{.s = left.s, .omega = omega};
   pair.others = at_frequency({left.problem(0), left.problem(1)}, omega);
   const auto scaled = [&](double from) { return std::pow((omega - 1) / (from - 1), 2); };
@@ -135,12 +145,13 @@ BreatherPair pair_between(const BreatherPair& left, const BreatherPair& right, d
 
 /// The last two steps to a zero near `omega`: one at each tolerance. The second, which is what the two tolerances and
 /// the curvature make of the zero, is its error, with that of the barrier there over its slope.
+template <class T>
 static Estimate last_steps(const BreatherPair& low, const BreatherPair& high, double omega,
-                           Equal equal, const MeasureOnce& measure) {
+                           Equal equal) {
   double step = 0, error = 0;
   for (int coarser : {1, 0}) {
     BreatherPair at = pair_between(low, high, omega);
-    measure(at, coarser);
+    measure_once<T>(at, coarser);
     const Sloped gap = at.gap(equal);
     step = gap.barrier.value / gap.slope.value;
     error = std::abs(gap.barrier.error / gap.slope.value);
@@ -150,8 +161,7 @@ static Estimate last_steps(const BreatherPair& low, const BreatherPair& high, do
 }
 
 // Newton's method for a vanishing barrier, with bisection if it would leave the bracket
-Estimate frequency_of_zero(const BreatherPair& left, const BreatherPair& right, Equal equal,
-                           const MeasureOnce& in_double, const MeasureOnce& in_extended) {
+Estimate frequency_of_zero(const BreatherPair& left, const BreatherPair& right, Equal equal) {
   const double below = left.gap(equal).barrier.value, above = right.gap(equal).barrier.value,
                width = right.omega - left.omega;
   BreatherPair low = left, high = right;
@@ -159,7 +169,7 @@ Estimate frequency_of_zero(const BreatherPair& left, const BreatherPair& right, 
   // Double precision goes as far as the barrier stands out from its error
   for (int k = 0; k < 40; ++k) {
     BreatherPair at = pair_between(low, high, omega);
-    in_double(at, 0);
+    measure_once<double>(at, 0);
     const auto [now, slope] = at.gap(equal);
     const double step = now.value / slope.value, next = omega - step;
     ((now.value > 0) == (above > 0) ? high : low) = std::move(at);
@@ -168,17 +178,14 @@ Estimate frequency_of_zero(const BreatherPair& left, const BreatherPair& right, 
   }
 
   // If that does not give eight digits, extended precision does
-  Estimate zero = last_steps(low, high, omega, equal, in_double);
-  if (!(zero.error < 1e-8)) zero = last_steps(low, high, omega, equal, in_extended);
+  Estimate zero = last_steps<double>(low, high, omega, equal);
+  if (!(zero.error < 1e-8)) zero = last_steps<Wide>(low, high, omega, equal);
   if (!(zero.error < 1e-3 * width))
     throw std::runtime_error("no zero of the barrier is found near " + std::to_string(omega));
   return zero;
 }
 
-#define LATTICE_INSTANCES(T)                                                      \
-  template void assess<T>(BreatherPair&, const Measured<T>&, const Measured<T>&); \
-  template void measure_in<T>(BreatherPair&);                                     \
-  template void measure_once<T>(BreatherPair&, int);
+#define LATTICE_INSTANCES(T) template void measure_in<T>(BreatherPair&);
 #include "lattice/model/instances.hpp"
 
 }  // namespace lattice

@@ -72,12 +72,6 @@ struct BreatherPair {
   }
 };
 
-/// What one resolution measures on a pair.
-template <class T>
-struct Measured {
-  std::array<Orbit<T>, 2> orbit;
-  Barrier<T> gap;
-};
 /**
 The difference of the two is the error, but it may be small by chance. Comparison with quadruple precision shows errors
 of the energy of up to ten tolerances, so the error is never below sixteen: 2048 roundings of `size`, which is the
@@ -90,18 +84,9 @@ Estimate agree(const T& coarse, const T& fine, const T& size) {
   return {double(fine), double(magnitude<T>(fine - coarse) + floor)};
 }
 
-/// Fills the pair with what the two resolutions say. The derivative of the barrier at equal area is
-/// $(\omega_{site}/\omega_b-1)\,\mathcal H'_{bond}$, from $d\mathcal H = \omega\,d\mathcal A/2\pi$ along both families.
-template <class T>
-void assess(BreatherPair& pair, const Measured<T>& coarse, const Measured<T>& fine);
-
 /// Measures at both tolerances in type T. Throws NewtonFailed.
 template <class T>
 void measure_in(BreatherPair& pair);
-
-/// Measures at one of them, for a step of a search; the errors are those of rounding alone. Throws NewtonFailed.
-template <class T>
-void measure_once(BreatherPair& pair, int coarser);
 
 /// Whether a value is known to three parts in a thousand.
 inline bool settled(const Estimate& e) {
@@ -125,17 +110,9 @@ BreatherPairs breather_pairs_at(double s, const std::array<Shooting<double>, 2>&
                                 const std::vector<double>& omegas,
                                 const std::function<void(BreatherPair&)>& measure_pair);
 
-/// The pair of frequency `omega`, not yet measured. Throws NewtonFailed.
-BreatherPair pair_between(const BreatherPair& left, const BreatherPair& right, double omega);
-
-/// Measures a pair at one tolerance, as `measure_once` does.
-using MeasureOnce = std::function<void(BreatherPair&, int coarser)>;
-
 /// The frequency between two pairs of opposite sign at which the barrier vanishes: Newton's method in double precision,
 /// then two steps, one at each tolerance, that give its error; in extended precision if that is above $10^{-8}$. Throws
 /// std::runtime_error if it is not known to a thousandth of the bracket.
-Estimate frequency_of_zero(const BreatherPair& left, const BreatherPair& right, Equal equal,
-                           const MeasureOnce& in_double = measure_once<double>,
-                           const MeasureOnce& in_extended = measure_once<Wide>);
+Estimate frequency_of_zero(const BreatherPair& left, const BreatherPair& right, Equal equal);
 
 }  // namespace lattice
