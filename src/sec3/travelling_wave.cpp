@@ -96,11 +96,6 @@ WaveDistances wave_distances(std::size_t sites, double eps, double alpha) {
     for (const double x : wave.differences(ahead)) most = std::max(most, std::abs(x));
     return eps * most;
   };
-  const auto root_mean_square = [&](const Wave& wave) {
-    double sum = 0;
-    for (const double x : wave.differences(0)) sum += x * x;
-    return eps * std::sqrt(sum / double(wave.sine.size()));
-  };
   const auto at_the_end = [&](const Wave& wave) {
     return std::max(largest(wave, 0), largest(wave, wave.lead / secant_stiffness(eps, alpha)));
   };
@@ -109,7 +104,6 @@ WaveDistances wave_distances(std::size_t sites, double eps, double alpha) {
              coarse_ahead = exact_wave(Equal::amplitude, sites, eps, alpha, 1536, 24),
              fine_ahead = exact_wave(Equal::amplitude, sites, eps, alpha, 3072, 48);
   return {compare(largest(coarse, 0), largest(fine, 0)),
-          compare(root_mean_square(coarse), root_mean_square(fine)),
           compare(at_the_end(coarse_ahead), at_the_end(fine_ahead))};
 }
 

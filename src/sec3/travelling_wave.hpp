@@ -16,8 +16,7 @@ namespace lattice {
 
 /// Distances of the exact wave from the plane wave of the DpS equation, from 24 and 48 harmonics.
 struct WaveDistances {
-  Estimate largest;           ///< over the phases, at equal frequency, hence at all times
-  Estimate root_mean_square;  ///< over the phases, at equal frequency
+  Estimate largest;  ///< over the phases, at equal frequency, hence at all times
   Estimate
       at_equal_amplitude;  ///< the largest at t = 0 and t = eps^(1-alpha), the later one prevails
 };

@@ -41,7 +41,6 @@ STATEMENT("dps.travelling_close") {
   const Data waves = table("travelling_waves").where("wavelength", 2, 4);
   answer(mean_order(waves), "");
   reading("equal_amplitude", mean_order(waves, "order_amplitude"));
-  reading("root_mean_square", mean_order(waves, "order_rms"));
 }
 
 STATEMENT("dps.wells_drop_out") {
