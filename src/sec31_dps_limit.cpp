@@ -25,6 +25,7 @@ packet, and the norm left at the struck end.
 #include <complex>
 #include <numbers>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "commands/dps_strike.hpp"
@@ -79,10 +80,6 @@ constexpr Resolution coarse{40, 1e-9}, fine{120, 1e-11};
 double rate(double eps) {
   return secant_stiffness(eps, alpha);
 }
-/// eps^alpha, the order of the error.
-double order_of_error(double eps) {
-  return eps * rate(eps);
-}
 
 /// The k-th amplitude: tau = 1 is 2^k periods of the wells.
 double amplitude(int k) {
@@ -95,7 +92,8 @@ double amplitude(int k) {
 The theorem speaks of every start within $O(\epsilon^{3/2})$ of Eq. (13) and of every horizon of order
 $\epsilon^{-1/2}$; we take three starts and three horizons. One start is an `impact` on the first bead, Eq. (25),
 another a `pair` of neighbours that move towards each other. In the third the two beads of the pair are displaced by
-$\epsilon^{3/2}$ and their velocities changed by $-\epsilon^{3/2}$, which the theorem allows. */
+$\epsilon^{3/2}$ and their velocities changed by $-\epsilon^{3/2}$, which the theorem allows. About longer times it says
+nothing; `sec34_dps_impact` compares both equations at $\tau = 250$. */
 struct Start {
   Field A;
   double shift = 0;  // in units of eps^alpha: added to displacements, subtracted from velocities
@@ -115,8 +113,8 @@ State<double> initial(const Start& start, double eps) {
   State<double> state = dps_state(start.A, eps, 0);
   for (std::size_t n = 0; n < sites; ++n) {
     if (start.A[n] == 0.0) continue;
-    state.y[n] += start.shift * order_of_error(eps);
-    state.v[n] -= start.shift * order_of_error(eps);
+    state.y[n] += start.shift * eps * rate(eps);
+    state.v[n] -= start.shift * eps * rate(eps);
   }
   return state;
 }
@@ -181,7 +179,8 @@ std::vector<std::vector<Estimate>> coefficients(const Start& start, const Well& 
     double error = 0;
     for (const auto& run : runs) error = std::max(error, std::abs(run.coarse[h] / run.fine[h] - 1));
     for (int k = 1; k <= count; ++k) {
-      const double value = runs[std::size_t(k) - 1].fine[h] / (2 * order_of_error(amplitude(k)));
+      const double eps = amplitude(k);
+      const double value = runs[std::size_t(k) - 1].fine[h] / (2 * eps * rate(eps));
       out[h].push_back({value, value * error});
     }
   }
@@ -215,8 +214,8 @@ const char* const limited = "change from one amplitude earlier, and the errors o
 
 The motion has the size $2\epsilon$, so the deviation over $2\epsilon^{3/2}$, the *coefficient*, times $\epsilon^{1/2}$
 is the relative error: at $\epsilon = 10^{-4}$ and up to $\tau = 10$ it is 3 per cent after the impact and 9 per cent
-for the pair. Drawn against $\epsilon^{1/2}$, the relative size of the next correction, the coefficient
-tends to a limit, in the end along a straight line: a finite limit is the power 3/2, and the slope is the correction.
+for the pair. Drawn against $\epsilon^{1/2}$, the relative size of the next correction, the coefficient tends to a
+limit, in the end along a straight line: a finite limit is the power 3/2, and the slope is the correction.
 
 The local order is the slope between neighbouring amplitudes on logarithmic axes. Each halving of $\epsilon^{1/2}$
 halves its distance from the limit, so $2b-a$ extrapolates two successive values $a$, $b$. The error is the change of
@@ -279,17 +278,15 @@ struct Asymmetric {
 };
 
 void report_wells(Report& report) {
-  struct Other {
-    const char* name;
-    Well well;
-  };
+  const std::vector<std::pair<const char*, Well>> wells{{"hard", Quartic{1}},
+                                                        {"asymmetric", Asymmetric{}}};
   const int count = report.quick ? amplitudes - 2 : amplitudes - 1;
   constexpr double horizon[] = {4};
   Table& table = report.table("other_wells");
-  for (const Other& other : {Other{"hard", Quartic{1}}, {"asymmetric", Asymmetric{}}})
+  for (const auto& [name, well] : wells)
     for (const std::size_t start : {0U, 1U}) {
-      const auto all = coefficients(starts[start], other.well, horizon, count);
-      table.add({{"well", "hard, s = 1; asymmetric, of the force -y - y^2", other.name},
+      const auto all = coefficients(starts[start], well, horizon, count);
+      table.add({{"well", "hard, s = 1; asymmetric, of the force -y - y^2", name},
                  {"start", "initial condition, 0: impact, 1: pair", start},
                  {"order", "limit of the local order of the error in eps, up to tau = 4",
                   limit(local_orders(all[0])), "", limited}});
@@ -331,9 +328,6 @@ void report_waves(Report& report) {
   }
 }
 
-/**
-About times much longer than $\epsilon^{-1/2}$ the theorem says nothing; `sec34_dps_impact` compares both equations at
-$\tau = 250$. */
 void reproduce(Report& report) {
   report_errors(report);
   report_wells(report);
@@ -355,7 +349,7 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** The constants after the derivation are the parameters, another start is one more entry of `starts`,
-another well a struct like `Asymmetric` in the list of `report_wells`. With `alpha = 1.75` the limits of the order
+another well a struct like `Asymmetric` in the list `wells`. With `alpha = 1.75` the limits of the order
 should be 1.75.
 
 1. *Easy.* Does a packet of the chain move as the DpS equation says?

@@ -28,14 +28,14 @@ STATEMENT("cantilever.frequency") {
 }
 
 STATEMENT("cantilever.speed") {
-  answer(table("packet")["speed_arrival"]);
-  reading("line from 20 to 60", table("packet")["speed"]);
+  answer(table("packet")["speed"]);
+  reading("80 sites over the time", table("packet")["speed_arrival"]);
   reading("line from 75 to 85", table("packet")["speed_there"]);
 }
 
 STATEMENT("cantilever.duration") {
-  answer(table("packet")["duration_thousandth"]);
-  reading("force above a hundredth", table("packet")["duration"]);
+  answer(table("packet")["duration"]);
+  reading("force above a thousandth", table("packet")["duration_thousandth"]);
   reading("force above a half", table("packet")["duration_half"]);
 }
 
@@ -96,8 +96,8 @@ STATEMENT("outlook.small_period") {
 }
 
 STATEMENT("outlook.travel_10ms") {
-  answer(exact(10e-3) * table("packet")["speed_arrival"], "sites");
-  reading("line from 20 to 60", exact(10e-3) * table("packet")["speed"]);
+  answer(exact(10e-3) * table("packet")["speed"], "sites");
+  reading("80 sites over the time", exact(10e-3) * table("packet")["speed_arrival"]);
   reading("line from 75 to 85", exact(10e-3) * table("packet")["speed_there"]);
 }
 
