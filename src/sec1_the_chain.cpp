@@ -23,7 +23,6 @@ as error. A cell of a table has a name, a meaning, a value, a unit, and what its
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-
 #include <numbers>
 #include <vector>
 
@@ -318,7 +317,7 @@ Both methods have order two, and energy and speed converge like $h^2$. The energ
 [20.065 ± 0.006](cell:sec34_boomeron/turns/velocity=1.9/apex_site). */
 // A number at a step that is halved again and again: the last one, with its change as error
 template <class Of>
-Estimate refined(Table& table, const char* number, double longest, bool quick, Of of) {
+Estimate converged(Table& table, const char* number, double longest, bool quick, Of of) {
   double last = 0, now = of(1);
   for (int k = 1; k <= (quick ? 3 : halvings); ++k) {
     last = now;
@@ -337,9 +336,9 @@ void report_numbers(Report& report, int steps) {
     const VectorXd y = find_breather(standing, steps_in_period * finer);
     return energy_density(standing.chain, {y, 0 * y}).sum();
   };
-  const Estimate speed = refined(convergence, "speed", every / 2, report.quick, speed_at);
-  const Estimate energy =
-      refined(convergence, "energy", standing.period() / steps_in_period, report.quick, energy_at);
+  const Estimate speed = converged(convergence, "speed", every / 2, report.quick, speed_at);
+  const Estimate energy = converged(convergence, "energy", standing.period() / steps_in_period,
+                                    report.quick, energy_at);
   const Estimate turn = compare(turning_point(turning, steps), turning_point(turning, 2 * steps));
   report.table("results").add(
       {{"speed", "of the packet after v_0 = 1 at s = 0", speed, "site per unit of time"},

@@ -316,8 +316,8 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** The constants under *Model* are the knobs: try `alpha_ring = 2` with `alpha_box = 2.5`, a ring of 12
-beads, or `unevenness = 0.3`. With `omega_b = 1.3` runs are longer, and `long_chain` must grow to 501; the program
-stops if an end of a chain moves. Another localized state is one more line in `localized`.
+beads with `unevenness = 0.3`, or `omega_b = 1.3`. Another localized state is one more line in `localized`; the program
+stops if an end of its chain moves.
 
 1. *Easy.* What becomes of an impact when there are no wells?
    `build/bin/sec34_impact run --well none --velocity 1 --time 200` gives `packet_energy_fraction` = 0.99366. Hint:
