@@ -14,12 +14,12 @@ unset mytics
 set xtics (0.003, 0.01, 0.03, 0.1, 0.2)
 set label 1 panel('a') at graph 0.03,0.94
 set xlabel 'time step  {/:Italic h}'; set ylabel 'error of displacements  {/:Italic y_n}(50)' offset 1,0
-of(name) = strcol('method') eq name && strcol('contacts') eq 'open' ? column('error') : NaN
-plot orbit using 'setting':(of('verlet')) with linespoints ls 4 title 'velocity Verlet', \
-     '' using 'setting':(of('blanes_moan_4')) with linespoints ls 3 title 'order 4', \
-     '' using 'setting':(of('blanes_moan_6')) with linespoints ls 1 title 'order 6', \
-     '' using 'setting':(of('two_steps')) with linespoints ls 2 title 'events, 2 steps', \
-     '' using 'setting':(of('six_steps')) with linespoints ls 2 dt 1 pt 6 ps 0.6 title 'events, 6 steps', \
+of(name) = strcol('method') eq name ? column('error') : NaN
+plot orbit using 'step':(of('verlet')) with linespoints ls 4 title 'velocity Verlet', \
+     '' using 'step':(of('blanes_moan_4')) with linespoints ls 3 title 'order 4', \
+     '' using 'step':(of('blanes_moan_6')) with linespoints ls 1 title 'order 6', \
+     '' using 'step':(of('two_steps')) with linespoints ls 2 title 'events, 2 steps', \
+     '' using 'step':(of('six_steps')) with linespoints ls 2 dt 1 pt 6 ps 0.6 title 'events, 6 steps', \
      [0.003:0.05] 2e-3*x**2.5 lc rgb grey dt (1,2) notitle, \
      [0.01:0.2] 1e-2*x**5 lc rgb grey dt (4,2) notitle
 set key bottom left samplen 1.6 maxrows auto width 0

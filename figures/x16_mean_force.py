@@ -32,9 +32,9 @@ wells.set(xlabel="contact, from the centre", ylabel=r"mean contact force $\bar F
 wells.set_ylim(0, 0.22)
 wells.legend(loc="upper left", handlelength=2, labelspacing=0.3)
 rows = draw.records(f"{folder}/dispersal.ecsv")
-for chain, style, color, label in [("free", "-", "#0072B2", "free chain"),
-                                   ("wells", "--", "#D55E00", "in wells")]:
-    part = {key: np.array([float(r[key]) for r in rows if r["chain"] == chain and float(r["t"]) > 0])
+for name, style, color, label in [("breather", "-", "#0072B2", "free chain"),
+                                  ("breather_in_wells", "--", "#D55E00", "in wells")]:
+    part = {key: np.array([float(r[key]) for r in rows if r["motion"] == name])
             for key in ("t", "core", "mean")}
     core.plot(part["t"], part["core"], style, color=color, label=label)
     mean.plot(part["t"], part["mean"], style, color=color, label=label)
