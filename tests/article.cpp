@@ -16,7 +16,6 @@
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
 #include "sec3/array_impact.hpp"
-#include "sec33/dps_motion.hpp"
 #include "sec33/exchange.hpp"
 #include "sec33/kick_threshold.hpp"
 #include "sec34/packet.hpp"
