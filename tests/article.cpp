@@ -15,6 +15,7 @@
 #include "lattice/impact/turning.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
+#include "lattice/standing/spectrum.hpp"
 #include "sec3/array_impact.hpp"
 #include "sec33/exchange.hpp"
 #include "sec33/kick_threshold.hpp"
