@@ -141,7 +141,7 @@ struct OneThreshold : KickedBreather {
           "threshold predicted from the barrier and the pinning mode");
     q.add_small("effective_barrier", p.barrier, "",
                 "E_site - E_bond at equal action, the barrier for the moving breather");
-    q.add_small("kinetic_share", p.share, "",
+    q.add_small("kinetic_share", p.phi, "",
                 "fraction of the energy c^2/2 that goes into translational kinetic energy; "
                 "negative if the effective mass is");
     return q.table;

@@ -1,9 +1,10 @@
 #include "sec33/dps_motion.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <complex>
 #include <numbers>
 
+#include "lattice/gsl/random.hpp"
 #include "lattice/model/sites.hpp"
 
 namespace lattice {
@@ -31,60 +32,51 @@ double PinnedBreather::pendulum_push() const {
   return pair.rate / (std::numbers::pi * centre_per_shift * (mu - pair.m));
 }
 
-double DpsRun::reaches(double distance) const {
-  for (std::size_t k = 1; k < X.size(); ++k)
-    if (const double now = std::abs(X[k]), before = std::abs(X[k - 1]); now > distance)
-      return t[k - 1] + (t[k] - t[k - 1]) * (distance - before) / (now - before);
-  return std::nan("");
-}
-
-// What has not moved by the end of its run moves no earlier
-double DpsRun::passage() const {
-  const double time = reaches(1);
-  return std::isnan(time) ? t.back() : time;
-}
-
-double DpsRun::spread() const {
-  return *std::max_element(participation.begin(), participation.end()) / participation.front();
-}
-
 double DpsRun::farthest() const {
   double most = 0;
   for (const double x : X) most = std::max(most, std::abs(x));
   return most;
 }
 
-// How many of all runs at one tolerance, and at the other
-Estimate passing(const NoiseTrials& trials, double distance, double by) {
-  long coarse = 0, fine = 0;
-  for (const NoiseTrial& trial : trials) {
-    coarse += trial.coarse.passes(distance, by);
-    fine += trial.fine.passes(distance, by);
-  }
-  return compare(coarse, fine);
+// Many runs
+int passing(const DpsRuns& runs, double distance) {
+  return int(
+      std::ranges::count_if(runs, [&](const DpsRun& run) { return run.farthest() > distance; }));
 }
 
-Estimate largest_spread(const NoiseTrials& trials) {
-  double coarse = 0, fine = 0;
-  for (const NoiseTrial& trial : trials) {
-    coarse = std::max(coarse, trial.coarse.spread());
-    fine = std::max(fine, trial.fine.spread());
-  }
-  return compare(coarse, fine);
+double largest_spread(const DpsRuns& runs) {
+  double most = 0;
+  for (const DpsRun& run : runs)
+    most = std::max(most, std::ranges::max(run.participation) / run.participation.front());
+  return most;
 }
 
-static double median(std::vector<double> all) {
-  std::sort(all.begin(), all.end());
-  return all[all.size() / 2];
+// Noise, real and imaginary parts, site by site; a control loses what it has along V
+Field Noise::operator()(const Field& u, std::size_t seed) const {
+  Random random(seed);
+  Field noise;
+  for (const auto& u_n : u) {
+    const double re = random.uniform(-1, 1), im = is_complex ? random.uniform(-1, 1) : 0;
+    noise.push_back(std::complex(amplitude * re, amplitude * im) * (is_relative ? u_n : 1.0));
+  }
+  return noise;
 }
 
-Estimate median_passage(const NoiseTrials& trials) {
-  std::vector<double> coarse, fine;
-  for (const NoiseTrial& trial : trials) {
-    coarse.push_back(trial.coarse.passage());
-    fine.push_back(trial.fine.passage());
+Field NoiseGroup::perturbed(std::size_t seed) const {
+  Field v = noise(breather.u, seed);
+  if (start == "control") breather.pair.add(-breather.pair.of(v), v);
+  for (std::size_t i = 0; i < v.size(); ++i) v[i] += breather.u[i];
+  return v;
+}
+
+int NoiseGroup::predicted_by(const Estimate& threshold) const {
+  int predicted = 0;
+  for (std::size_t i = 0; i < runs.fine.size(); ++i) {
+    const double beyond = runs.fine[i].push - threshold.value;
+    const bool coarse = runs.coarse[i].farthest() > 1, fine = runs.fine[i].farthest() > 1;
+    if (std::abs(beyond) > threshold.error && coarse == fine && fine == (beyond > 0)) ++predicted;
   }
-  return compare(median(coarse), median(fine));
+  return predicted;
 }
 
 }  // namespace lattice

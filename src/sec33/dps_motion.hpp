@@ -1,9 +1,9 @@
 #pragma once
 /**
-# A DpS breather that noise sets in motion
+# DpS breathers that a push or noise sets in motion
 
 `sec33_dps_stability` follows perturbed DpS breathers and records their displacement $X$: the centre of $|v_n|^4$, in
-sites from the place of rest. Here is what a pendulum would do, and how many runs are counted.
+sites from the place of rest. Here are what a pendulum would do, the noise, and what is counted.
 
 For a small shift $a$ and push $b$ along the translational mode $V$ (spectrum.hpp) the displacement is $X = ga$, where
 $g$ is the derivative of the centre along $V$. In the potential of a sine, about a site,
@@ -11,9 +11,8 @@ $$\ddot X = \frac{\sigma^2}{2\pi}\sin 2\pi X,$$
 and a push $b$ gives it the initial speed $g(\mu-m)b$. So the push that depins a breather from a bond is
 $b_p = |\sigma|/(\pi g(\mu-m))$. */
 
-#include <cmath>
-#include <complex>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "lattice/numerics/estimate.hpp"
@@ -42,43 +41,43 @@ struct Accuracy {
 
 /// What a run is seen to do, sample by sample.
 struct DpsRun {
-  std::vector<double> t{}, X{};         ///< time and displacement
+  double push = 0;                      ///< |b| at the start
+  std::vector<double> X{};              ///< displacement
   std::vector<double> participation{};  ///< on how many sites the breather lives
   double drift = 0;                     ///< of norm or energy, whichever is larger
 
-  /// When |X| exceeds `distance` for the first time, interpolated; nan if it never does.
-  double reaches(double distance) const;
-  /// Whether it does so by this time.
-  bool passes(double distance, double by = HUGE_VAL) const { return reaches(distance) <= by; }
   /// The largest |X|.
   double farthest() const;
-  /// When it passes the next site, |X| = 1; the end of the run if it never does.
-  double passage() const;
-  /// By which factor the number of sites grows at most.
-  double spread() const;
+};
+using DpsRuns = std::vector<DpsRun>;
+
+/// How many go beyond a distance, and by which factor the number of sites on which they live grows at most.
+int passing(const DpsRuns& runs, double distance);
+double largest_spread(const DpsRuns& runs);
+
+/// Independent numbers at every site, the real and the imaginary part uniform within `amplitude`.
+struct Noise {
+  const char* name;
+  double amplitude;
+  bool is_complex = true;    ///< or real
+  bool is_relative = false;  ///< times u_n
+
+  Field operator()(const Field& u, std::size_t seed) const;
 };
 
-/// One seed of the noise.
-struct NoiseTrial {
-  std::size_t seed;
-  std::complex<double> kick{};  ///< shift and push of the noise along the translational mode
-  DpsRun coarse{}, fine{};      ///< at two tolerances
+/// Breathers that start alike, under the same kind of noise.
+struct NoiseGroup {
+  Noise noise;
+  std::string start;  ///< site, bond, or control: without a component along the translational mode
+  const PinnedBreather& breather;
+  double time;              ///< of the runs
+  std::size_t seeds = 16;   ///< 1, 2 and so on
+  TwoRuns<DpsRuns> runs{};  ///< at two tolerances
 
-  /// `number` of the finer run, with its distance from that of the coarser one.
-  template <class Number>
-  Estimate of(Number number) const {
-    return compare(number(coarse), number(fine));
-  }
+  /// The breather under the noise of this seed.
+  Field perturbed(std::size_t seed) const;
+  /// How many pass on if and only if their push exceeds the threshold: beyond its error, and at both tolerances.
+  int predicted_by(const Estimate& threshold) const;
 };
-using NoiseTrials = std::vector<NoiseTrial>;
-
-/// How many pass a distance by the time `by`; exact if both tolerances give the same.
-Estimate passing(const NoiseTrials& trials, double distance, double by = HUGE_VAL);
-
-/// By which factor the number of sites on which these breathers live grows at most.
-Estimate largest_spread(const NoiseTrials& trials);
-
-/// The median of the times at which these breathers pass the next site.
-Estimate median_passage(const NoiseTrials& trials);
 
 }  // namespace lattice

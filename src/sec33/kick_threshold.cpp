@@ -1,65 +1,67 @@
 #include "sec33/kick_threshold.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
+#include "lattice/algebra/dense.hpp"
+#include "lattice/model/sites.hpp"
+
 namespace lattice {
 
-// Inverse iteration turns any guess towards the eigenvector nearest to the shift
-Vector<double> eigenvector_near(const Matrix<double>& m, double value, Vector<double> guess) {
+// Inverse iteration turns any guess towards the eigenvector nearest to `value`
+static Vector<double> eigenvector_near(const Matrix<double>& m, double value,
+                                       Vector<double> guess) {
   const Matrix<double> shifted = m - (value + 1e-5) * Matrix<double>::Identity(m.rows(), m.cols());
   for (int k = 0; k < 20; ++k) guess = solve_square(shifted, guess).normalized();
   return guess;
 }
 
-// Around a site half a period and the reflection, around a bond a whole period
-PeriodMap period_map(const RestingBreather& at, const EventTolerance<double>& rule) {
+// How positions follow from positions and velocities: around a bond after a period, around a site after half of one and
+// the reflection
+static Matrix<double> period_map(const RestingBreather& at, const EventTolerance<double>& rule) {
   const auto n = Eigen::Index(at.chain.sites);
   const bool site = at.centre == Centre::site;
   State<double> state = at.rest;
   Tangent<double> tangent(at.chain.sites, 2 * at.chain.sites);
   flow(at.chain, state, site ? at.period / 2 : at.period, rule, &tangent);
-  const auto entry = [&](Eigen::Index i, Eigen::Index k) {
-    const double value = tangent(std::size_t(site ? n - 1 - i : i), std::size_t(k));
-    return site ? -value : value;
-  };
-  PeriodMap map{Matrix<double>(n, n), Matrix<double>(n, n), Matrix<double>::Identity(n, n)};
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index k = 0; k < n; ++k) {
-      map.yy(i, k) = entry(i, k);
-      map.yv(i, k) = entry(i, k + n);
-    }
-  // Around a bond even perturbations suffice; the shift in time is odd and drops out
-  if (site) return map;
-  map.basis = Matrix<double>::Zero(n, n / 2);
-  for (Eigen::Index i = 0; i < n / 2; ++i)
-    map.basis(i, i) = map.basis(n - 1 - i, i) = std::sqrt(0.5);
-  return map;
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Matrix<double> map = Eigen::Map<const Rows>(tangent.entries.data(), n, 2 * n);
+  return site ? Matrix<double>(-map.colwise().reverse()) : map;
+}
+
+// Even perturbations suffice around a bond, where the shift in time is odd; around a site take all
+static Matrix<double> slow_basis(const RestingBreather& at) {
+  const auto n = Eigen::Index(at.chain.sites);
+  if (at.centre == Centre::site) return Matrix<double>::Identity(n, n);
+  Matrix<double> basis = Matrix<double>::Zero(n, n / 2);
+  for (Eigen::Index i = 0; i < n / 2; ++i) basis(i, i) = basis(n - 1 - i, i) = std::sqrt(0.5);
+  return basis;
 }
 
 // The slow plane, from its eigenvectors
 Pinning pinning_of(const RestingBreather& at, const EventTolerance<double>& rule) {
-  const PeriodMap map = period_map(at, rule);
-  const Matrix<double> M_yy = map.basis.transpose() * map.yy * map.basis;
-  const Matrix<double> M_yv = map.basis.transpose() * map.yv * map.basis;
-  const Vector<double> g = map.basis.transpose() *
-                           Eigen::Map<const Vector<double>>(at.g.data(), Eigen::Index(at.g.size()));
+  const Matrix<double> basis = slow_basis(at);
+  const Matrix<double> map = period_map(at, rule);
+  const Eigen::Index n = map.rows();
+  const Matrix<double> M_yy = basis.transpose() * map.leftCols(n) * basis;
+  const Matrix<double> M_yv = basis.transpose() * map.rightCols(n) * basis;
+  const Vector<double> g =
+      basis.transpose() * Eigen::Map<const Vector<double>>(at.g.data(), Eigen::Index(at.g.size()));
   const double near = at.centre == Centre::site ? -1 : 1, period = at.period;
   // Right and left eigenvectors span the plane: a shift of positions and a push of velocities
   const Vector<double> xi = eigenvector_near(M_yy, near, g);
   const Vector<double> zeta = eigenvector_near(M_yy.transpose(), near, g);
   const double cosine = zeta.dot(M_yy * xi) / zeta.dot(xi),
                b = zeta.dot(M_yv * zeta) / zeta.dot(xi), part = xi.dot(g);
-  const double share = b * part * part / (period * xi.dot(zeta));
+  const double phi = b * part * part / (period * xi.dot(zeta));
   const double miss = 2 * (1 - std::abs(cosine)) / (period * period);
-  const Vector<double> shift = (part < 0 ? -1 : 1) * (map.basis * xi);
+  const Vector<double> shift = (part < 0 ? -1 : 1) * (basis * xi);
   const std::vector<double> mode(shift.begin(), shift.end());
-  if (at.centre == Centre::bond) return {miss, share, mode};
+  if (at.centre == Centre::bond) return {miss, phi, mode};
   // Around a site half a period is taken twice, which doubles the angle
-  return {2 * (1 + std::abs(cosine)) * miss, 2 * cosine * share, mode};
+  return {2 * (1 + std::abs(cosine)) * miss, 2 * cosine * phi, mode};
 }
 
 double pendulum_speed(double start, double omega, bool from_maximum) {
@@ -76,7 +78,8 @@ double pendulum_speed(double start, double omega, bool from_maximum) {
 }
 
 // A cubic through the means near the maximum
-double hill_speed(const KickedPath& path, double hill) {
+double hill_speed(const KickedPath& path) {
+  const double hill = 0.5;
   std::vector<std::size_t> near;
   for (std::size_t k = 0; k < path.centre.size(); ++k)
     if (std::abs(std::abs(path.moved(k)) - hill) <= 0.05) near.push_back(k);
@@ -95,12 +98,6 @@ double hill_speed(const KickedPath& path, double hill) {
   const Vector<double> a = least_squares(power, place);
   // The least slope of the cubic or, if it has none, the slope in the middle
   return (a[3] > 0 ? a[1] - a[2] * a[2] / (3 * a[3]) : a[1]) / half;
-}
-
-double threshold_from(double c1, double v1, double c2, double v2) {
-  const double square = (c1 * c1 * v2 * v2 - c2 * c2 * v1 * v1) / (v2 * v2 - v1 * v1);
-  if (!(square > 0)) throw std::invalid_argument("these two speeds do not bracket a threshold");
-  return std::sqrt(square);
 }
 
 // Newton's method, on a chain without a floor; the runs have one
@@ -149,13 +146,13 @@ Prediction predict_threshold(const RestingBreather& at, const Estimate& barrier)
   }
   const auto pair = [&](auto of) { return compare(of(found[0]), of(found[1])); };
   Prediction out;
-  out.share = pair([](const Pinning& p) { return p.share; });
+  out.phi = pair([](const Pinning& p) { return p.phi; });
   out.barrier = barrier;
   if (!(found[1].frequency2 > 0)) return out;
   out.frequency = pair([](const Pinning& p) { return std::sqrt(p.frequency2); });
   // The threshold goes as the root of the barrier, so the barrier's relative error counts half
   out.threshold =
-      pair([&](const Pinning& p) { return std::sqrt(2 * std::abs(barrier.value / p.share)); });
+      pair([&](const Pinning& p) { return std::sqrt(2 * std::abs(barrier.value / p.phi)); });
   out.threshold.error += 0.5 * out.threshold.value * std::abs(barrier.error / barrier.value);
   return out;
 }
@@ -180,7 +177,8 @@ Depinning depinning(const RestingBreather& at, double predicted, const Method& m
     out.drift = std::max(out.drift, path.run.energy_drift);
   }
   const auto from = [&](std::size_t i, std::size_t k) {
-    return threshold_from(out.c[i], out.speed[i], out.c[k], out.speed[k]);
+    const double c1 = out.c[i], v1 = out.speed[i], c2 = out.c[k], v2 = out.speed[k];
+    return std::sqrt((c1 * c1 * v2 * v2 - c2 * c2 * v1 * v1) / (v2 * v2 - v1 * v1));
   };
   const Estimate one = compare(from(0, 2), from(0, 1)), two = compare(from(1, 2), from(0, 1));
   out.threshold = {one.value, std::max(one.error, two.error)};

@@ -6,15 +6,13 @@ A breather that moves slowly feels a potential of its centre with the period of 
 breather whose pinning pair is on the unit circle sits in a *minimum*, half a site away from a maximum. (Where the
 effective mass is negative the energies are upside down.) A kick (kick.hpp) depins it above some $c_c$, which is
 predicted from one period of the linearised flow and the barrier at equal action, and found in runs of the whole chain.
-The chapter `sec33_mobility` explains both. */
+The chapter `sec33_mobility` derives both. */
 
 #include <array>
 #include <vector>
 
-#include "lattice/algebra/dense.hpp"
 #include "lattice/events/event_driven.hpp"
 #include "lattice/integrators/event_corrected.hpp"
-#include "lattice/model/sites.hpp"
 #include "lattice/orbits/breather_pairs.hpp"
 #include "sec33/kick.hpp"
 
@@ -52,42 +50,24 @@ BreatherPair barriers_at(double omega_b, double s = 0);
 /**
 ## The slow plane
 
-Close to a breather that starts at rest the monodromy matrix $M$ has a slow plane, spanned by a shift $\xi$ of the
-positions (the pinning mode) and a push $\zeta$ of the velocities,
-$$M_{yy}\,\xi = \cos\theta\,\xi,\quad M_{yy}^T\zeta = \cos\theta\,\zeta,\quad
-  \zeta\cdot M_{yv}\zeta = b\,\zeta\cdot\xi,$$
-where $M_{yy}$ and $M_{yv}$ are the derivatives of the final positions with respect to the initial positions and
-velocities. Over many periods this is an oscillator (or, if $\cos\theta > 1$, its unstable twin) with $\Omega^2 =
-2(1-\cos\theta)/T_b^2$. A kick $c\,g$ gives it the kinetic energy
-$$\varphi\,\frac{c^2}2,\qquad \varphi = \frac{b\,(\xi\cdot g)^2}{T_b\,\xi\cdot\zeta}.$$ */
+A shift $\xi$ of the positions and a push $\zeta$ of the velocities span the plane of slow motion along the chain, in
+which the monodromy matrix turns by $\theta$ in a period. Symmetry separates it from a shift in time, whose multiplier is
+exactly one (floquet.hpp). Around a bond a shift along the chain is even under $n \to 1-n$ and a shift in time is odd.
+Around a site half a period followed by $y_n \to -y_{-n}$ leaves a shift in time alone and reverses one along the chain. */
 struct Pinning {
-  double frequency2 = 0;        ///< Omega^2; negative for an unstable breather
-  double share = 0;             ///< the fraction phi
+  double frequency2 = 0;  ///< Omega^2; negative for an unstable breather
+  double phi = 0;         ///< the fraction of c^2/2 that becomes kinetic energy of translation
   std::vector<double> shift{};  ///< xi, of length one, with a positive part along g
 };
 
-/// The eigenvector of the eigenvalue nearest to `value`, by inverse iteration from `guess`.
-Vector<double> eigenvector_near(const Matrix<double>& m, double value, Vector<double> guess);
-
-/**
-Symmetry separates this plane from a shift in time, whose multiplier is exactly one (floquet.hpp). Around a bond a shift
-along the chain is even under $n \to 1-n$ and a shift in time is odd. Around a site half a period followed by
-$y_n \to -y_{-n}$ leaves a shift in time alone and reverses one along the chain. */
-struct PeriodMap {
-  Matrix<double> yy, yv, basis;  ///< the basis of the directions that are left, column by column
-};
-
-/// The map of one period around a bond, of half a period and the reflection around a site.
-PeriodMap period_map(const RestingBreather& at, const EventTolerance<double>& rule);
-
-/// Of a breather and its kick. Around a site the map of half a period is squared, which doubles its angle.
+/// Of a breather and its kick.
 Pinning pinning_of(const RestingBreather& at, const EventTolerance<double>& rule = {});
 
 /// What linear theory predicts. Errors come from two tolerances of the linearised flow and from the barrier. If the
 /// pinning pair is real the slightest kick may move the breather, and there is neither a frequency nor a threshold.
 struct Prediction {
-  Estimate threshold{}, share{}, frequency{}, barrier{};  ///< c_c, phi, Omega, and E_site - E_bond
-  bool exists() const { return frequency.value > 0; }     ///< whether there is a threshold
+  Estimate threshold{}, phi{}, frequency{}, barrier{};  ///< c_c, phi, Omega, and E_site - E_bond
+  bool exists() const { return frequency.value > 0; }   ///< whether there is a threshold
 };
 
 /// From the barrier at equal action.
@@ -100,16 +80,10 @@ double pendulum_speed(double start, double omega, bool from_maximum);
 /**
 ## From speeds to the threshold
 
-Close to the threshold a breather stays near the maximum for long. What changes smoothly is the speed $V$ with which a
-free one passes it: its kinetic energy there is $\varphi\,c^2/2$ less the barrier, so that
-$V^2 \propto c^2 - c_c^2$. Near the maximum $X \simeq (V/\Omega)\sinh\Omega t$ is nearly a cubic in $t$ whose least
-slope is $V$. */
-/// The speed at `hill` sites from the start, from all means within 0.05 sites of it; std::invalid_argument if fewer than
-/// eight lie there.
-double hill_speed(const KickedPath& path, double hill = 0.5);
-
-/// The kick at which $V^2$ vanishes, from two others; std::invalid_argument if the line has no zero.
-double threshold_from(double c1, double v1, double c2, double v2);
+Near the maximum half a site away $X \simeq (V/\Omega)\sinh\Omega t$ is nearly a cubic in $t$ whose least slope is the
+speed $V$. */
+/// This speed, from all means within 0.05 sites of the maximum; std::invalid_argument if fewer than eight lie there.
+double hill_speed(const KickedPath& path);
 
 /// The path until the breather is free or pinned; std::runtime_error if it is neither within `limit`. Ten times 1/Omega
 /// are enough for all kicks but those within 1e-7 of the threshold.
@@ -118,12 +92,11 @@ KickedPath decided_path(const RestingBreather& at, double c, const Method& metho
 /// Kicks by which a threshold is found, over the predicted one.
 inline constexpr std::array<double, 3> kicks_beyond{1.05, 1.2, 1.4};
 
-/// The speeds V at the maximum after these kicks, and the c at which V^2 vanishes: the two weaker ones give the value,
-/// the third one the error.
+/// The speeds V at the maximum after these kicks, and the c at which V^2, linear in c^2, vanishes: the two weaker ones
+/// give the value, the third one the error.
 struct Depinning {
   std::array<double, 3> c{}, speed{};
-  double drift =
-      0;  ///< largest change of the energy in these runs, relative to that of the breather
+  double drift = 0;  ///< largest change of the energy, relative to that of the breather
   Estimate threshold{};
 };
 /// Throws std::runtime_error if one of the kicks does not free the breather within `limit`.
