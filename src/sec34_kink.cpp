@@ -274,7 +274,7 @@ void report_shape(Report& report) {
 ## No blow-up, and checks
 
 In soft quartic wells a strong impact ends in a blow-up; with $W = 1-\cos y$ it cannot. No term of the energy is
-negative, so no bead is ever faster than $v_0$ or farther away than $v_0t$. The runs of `sec34/confinement.cpp` keep to
+negative, so no bead is ever faster than $v_0$ or farther away than $v_0t$. The runs of `sec34/confinement.hpp` keep to
 that until $t = 2000$, for impacts of up to $v_0 = 6$, and conserve their energy.
 
 In the scan we trust only whole numbers that are equal for two steps, since its long runs become chaotic. Speed and
