@@ -5,12 +5,12 @@ table = data.'/sec34_boomeron/convergence.ecsv'
 set logscale xy
 set format y '10^{%T}'
 set xrange [0.02:0.25]
-set yrange [1e-9:1]
+set yrange [1e-9:1e2]
 set ytics 1e2
 set xtics (0.025, 0.05, 0.1, 0.2)
 set xlabel 'time step'
 set ylabel 'error (sites, units of time)' offset 1
-set key bottom right samplen 1.6 spacing 0.95
+set key top left samplen 1.6 spacing 0.95
 plot table using "step":"time" with linespoints ls 1 title 'reflection, time', \
      '' using "step":"other_time" with linespoints ls 1 dt (3,2) pt 6 title 'other scheme', \
      '' using "step":"site" with linespoints ls 2 dt solid title 'turning point, site', \

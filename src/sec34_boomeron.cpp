@@ -352,19 +352,18 @@ x58_acceleration.gp: `acceleration` against `centre` from the table `acceleratio
 
 The acceleration depends on more than the position. At $v_0 = 1.9$ the deceleration weakens from the struck end to the
 turning point, where for a while the acceleration is even directed outwards. It is weaker on the way back, and so is the
-motion itself: at site 15.0 the packet has the velocity
-[0.063](cell:acceleration/s=1/velocity=1.9/t=130/speed) on the way out and
-[-0.044 ± 0.002](cell:acceleration/s=1/velocity=1.9/t=720/speed) on the way back. A particle in a field of force, constant or not,
-would have the same speed both times. At $v_0=1.5$ the packet slows down all the way in figure 22, from
-[0.122](cell:acceleration/s=1/velocity=1.5/t=120/speed) sites per unit of time at $t=120$ to
+motion itself: at site 15.0 the packet has the velocity [0.063](cell:acceleration/s=1/velocity=1.9/t=130/speed) on the
+way out and [-0.044 ± 0.002](cell:acceleration/s=1/velocity=1.9/t=720/speed) on the way back. A particle in a field of
+force, constant or not, would have the same speed both times. At $v_0=1.5$ the packet slows down all the way in figure
+22, from [0.122](cell:acceleration/s=1/velocity=1.5/t=120/speed) sites per unit of time at $t=120$ to
 [0.0651 ± 0.0007](cell:acceleration/s=1/velocity=1.5/t=870/speed) at 870.
 
-The article's sentence is quantified by the mean acceleration *at the turn*, where the packet is above nine tenths of its
-turning point. At exactly 1.9, where it hovers, it is [-6e-5](cell:turns/s=1/velocity=1.9/at_turn), only
+The article's sentence is quantified by the mean acceleration *at the turn*, where the packet is above nine tenths of
+its turning point. At exactly 1.9, where it hovers, it is [-6e-5](cell:turns/s=1/velocity=1.9/at_turn), only
 [0.14](statement:boomeron.constant_force) of that on the way out, for $100 < t < 220$; at 1.93, which rounds to 1.9 too,
 two thirds of it. In figure 22 the path looks like a parabola, since it is off one by only
-[0.060 ± 0.002](cell:turns/s=1/velocity=1.9/parabola) of its range (root mean square). This says little: a wedge, the path of a
-particle with no force but at its tip, is off by $(\frac1{12}-\frac5{64})^{1/2} = 0.072$.
+[0.060 ± 0.002](cell:turns/s=1/velocity=1.9/parabola) of its range (root mean square). This says little: a wedge, the
+path of a particle with no force but at its tip, is off by $(\frac1{12}-\frac5{64})^{1/2} = 0.072$.
 
 Does it grow with $s$ and $v_0$? At $t = 160$, on the way out, its modulus grows from each of nine impacts from 1.1 to 2
 to the next, and from each of six wells from $s = 0.005$ to 1; between impacts that are closer it may fall, as by 3 per
@@ -407,10 +406,10 @@ void report_acceleration(Report& report, const std::vector<Packet>& packets) {
 The article shows the velocities of all beads at $v_0 = 1.87$ for two times at which, it says, the packet is close to
 turning. It is close in place: at $t = 238$ the centre is [2.5](cell:close_to_turning/t=238/distance) sites from its
 turning point, less than half the width of the packet. It is not close in time. It still moves with
-[0.031](cell:close_to_turning/t=238/speed) sites per unit of time, less than a quarter of the speed with which it left the end
-([0.13](cell:close_to_turning/t=238/first_speed)), and of eleven impacts from 1.865 to 1.875, which round to the printed
-one, none stops before [3.2e2](cell:turns/s=1/velocity=1.875/stop_time). A velocity profile does not
-distinguish a packet at rest from one that moves slowly.
+[0.031](cell:close_to_turning/t=238/speed) sites per unit of time, less than a quarter of the speed with which it left
+the end ([0.13](cell:close_to_turning/t=238/first_speed)), and of eleven impacts from 1.865 to 1.875, which round to the
+printed one, none stops before [3.2e2](cell:turns/s=1/velocity=1.875/stop_time). A velocity profile does not distinguish
+a packet at rest from one that moves slowly.
 
 ![Velocities close to the turning. Drawn by fig23_turning_profiles.gp: `v` against `n` for two `t`, from the table
 `turning_profiles`.](fig:23)

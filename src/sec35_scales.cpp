@@ -69,9 +69,9 @@ gives $2^{-2/5}\,\delta = 0.758\,\delta$.
 In a well of stiffness $k$ each bead oscillates with the period $2\pi\tau_c$, $\tau_c = (m/k)^{1/2}$. Which is faster,
 contact or oscillation, is the only parameter of an impact, Eqs. (29) and (30),
 $$\lambda = (\tau_c/\tau_h)^2,\qquad \dot y_1(0) = \lambda^{5/2} = (\tau_c/\tau_h)^5,$$
-if lengths are measured in units of $\xi = (k/\gamma)^2$, at which well and contact are equally strong, and times in units
-of $\tau_c$. For large $\lambda$ the wells are negligible while two beads touch; for small $\lambda$ the contacts are a
-small disturbance of the oscillations.
+if lengths are measured in units of $\xi = (k/\gamma)^2$, at which well and contact are equally strong, and times in
+units of $\tau_c$. For large $\lambda$ the wells are negligible while two beads touch; for small $\lambda$ the contacts
+are a small disturbance of the oscillations.
 
 A cradle with strings of length $L$ has $\tau_c^2 = L/g$, and a collision of its balls was measured to take 0.077 ms. As
 $\lambda^{5/2}$ contains the fifth power of $\tau_h$, rounding matters. The article prints no $g$; 10 m/s² and its own
@@ -196,11 +196,11 @@ Packet packet_of_dps(std::size_t samples, double tolerance) {
 }
 
 /**
-The excess of the DpS equation is (its value)/(the value in the chain) $-$ 1, both in the units of the chain: $A_n$ times
-$2\epsilon$, speeds times $\epsilon^{1/2}$. For deflection and speed it falls nearly like $\lambda^{5/4} =
-(\lambda^{5/2})^{1/2}$, the order of the terms that the equation leaves out (`sec31_dps_limit`): from $10^{-3}$ to
-$10^{-2}$ both grow by a factor of 3, where the square root grows by 3.2. The velocity of the bead agrees far better. As
-deflection and velocity are both $|A_n|$ in the DpS equation, at most one of them can be right.
+The excess of the DpS equation is (its value)/(the value in the chain) $-$ 1, both in the units of the chain: $A_n$
+times $2\epsilon$, speeds times $\epsilon^{1/2}$. For deflection and speed it falls nearly like
+$\lambda^{5/4} = (\lambda^{5/2})^{1/2}$, the order of the terms that the equation leaves out (`sec31_dps_limit`): from
+$10^{-3}$ to $10^{-2}$ both grow by a factor of 3, where the square root grows by 3.2. The velocity of the bead agrees
+far better. As deflection and velocity are both $|A_n|$ in the DpS equation, at most one of them can be right.
 
 ![Excess of the DpS equation against the impact. Drawn by x53_dps_excess.gp: `deflection` and `speed` over `impact` from
 `dps_regime` and, filled, `arrays`.](fig:x53)
@@ -219,8 +219,8 @@ packet is known. The article calls the approximation valid in the array and give
 | 1 | [0.495](cell:dps_regime/impact=1/deflection) | [0.454](cell:least) | [0.512](cell:most) | [0.379](cell:speed) | [0.0138](cell:velocity) |
 
 For large $\lambda$ the packet is a pulse of touching beads without wells, whose speed grows like $1/\tau_h$, that is
-$(\lambda^{5/2})^{1/5}$, while that of the DpS packet grows like $\epsilon^{1/2}$. So the excess grows like the power 0.3;
-for the cradle $(1.75\cdot10^{19})^{0.3} = 6\cdot10^5$, and the packet would be too fast by a factor of
+$(\lambda^{5/2})^{1/5}$, while that of the DpS packet grows like $\epsilon^{1/2}$. So the excess grows like the power
+0.3; for the cradle $(1.75\cdot10^{19})^{0.3} = 6\cdot10^5$, and the packet would be too fast by a factor of
 [1.827e5](cell:far/speed). */
 struct Compared {
   Estimate velocity, speed, push, share;
@@ -266,9 +266,9 @@ void report_regime(Report& report, const TwoRuns<Packet>& dps) {
 /**
 ## Arrays that one can build
 
-The article's conclusion says for which sizes such breathers should be observable: beads of about 1 cm diameter, loads of
-about 1 N, beams of about 1 cm width. Beads and beams of section 3.6 have half of these sizes, and the strongest push at
-bead 80 is [2.864](cell:arrays/array=section_3.6/load) N. We strike another array, with these sizes and otherwise the
+The article's conclusion says for which sizes such breathers should be observable: beads of about 1 cm diameter, loads
+of about 1 N, beams of about 1 cm width. Beads and beams of section 3.6 have half of these sizes, and the strongest push
+at bead 80 is [2.864](cell:arrays/array=section_3.6/load) N. We strike another array, with these sizes and otherwise the
 same beams and materials, at 0.23 m/s, so that this push is [1.012](cell:arrays/array=centimetres/load) N. A fraction of
 [0.443](cell:arrays/array=centimetres/share) of the energy travels in the packet, and the DpS equation is more accurate
 than in section 3.6 (table above), because the impact is weaker: $\lambda^{5/2}$ is proportional to $V$, and at 1 m/s it
@@ -306,11 +306,11 @@ the beam with its two beads by a spring and one point mass changes the frequency
 The coefficient of a contact is Hertz's, in the article's closed form
 $$\gamma_n = \frac{E_{\text{bead}}\sqrt{2R}}{3(1-\nu^2)}\,
 \Bigl[\frac{2\tilde R_n\tilde R_{n+1}}{\tilde R_n+\tilde R_{n+1}}\Bigr]^{1/2}.$$
-It agrees with the integrated pressure of two spheres for all pairs of radii (table `hertz`). The article prints $E$, the
-modulus of the beams, in the place of $E_{\text{bead}}$, with which $\gamma$ would be
+It agrees with the integrated pressure of two spheres for all pairs of radii (table `hertz`). The article prints $E$,
+the modulus of the beams, in the place of $E_{\text{bead}}$, with which $\gamma$ would be
 [132](cell:hertz/first=1/second=1/with_beam) times as large and $\lambda$ 14.6 instead of 0.29 (exercises); but its 0.29
-follows from the beads' modulus. What is left out are the higher modes and the torsion of the beams, and all of a contact
-beyond Hertz's static law. */
+follows from the beads' modulus. What is left out are the higher modes and the torsion of the beams, and all of a
+contact beyond Hertz's static law. */
 void reproduce(Report& report) {
   const TwoRuns<Packet> dps{packet_of_dps(1280, 1e-8),
                             packet_of_dps(2560, 1e-10)};  // samples, tolerance
