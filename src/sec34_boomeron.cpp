@@ -377,7 +377,7 @@ constexpr double fitted_over = 120, fitted_every = 10, article_end = 1000;  // o
 
 void report_acceleration(Report& report, const std::vector<Packet>& packets) {
   Table& table = report.table("acceleration");
-  const char *from = "against the largest, known to 3 per cent: from step and smoothing",
+  const char *from = "against the largest, known to 5 per cent: from step and smoothing",
              *squared = "site per squared unit of time";
   const double half = fitted_over / 2;
   for (const Packet& packet : packets) {
