@@ -1,8 +1,8 @@
 # Figure x58: acceleration of the packet against its place, on the way out (filled) and back (open).
 width = 85; height = 60
 load 'figures/style.gp'
-table = data.'/sec34_boomeron/acceleration_path.ecsv'
-on(v, way) = column("way") == way && abs(column("velocity") - v) < 1e-9 ? 1e4 * column("acceleration") : NaN
+table = data.'/sec34_boomeron/acceleration.ecsv'
+on(v, way) = column("s") == 1 && column("way") == way && abs(column("velocity") - v) < 1e-9 ? 1e4 * column("acceleration") : NaN
 set xrange [8:40]
 set xlabel 'centre X (site)'
 set ylabel 'acceleration (10^{−4} sites / time^2)' offset 1

@@ -1,14 +1,15 @@
 /**
 # Statements of section 3.4: Packets that reverse their direction in hard wells */
 
+#include <vector>
+
 #include "report/statement.hpp"
 
 using namespace lattice;
 
 STATEMENT("boomeron.reversal") {
-  const Data ways = table("acceleration").where("s", 1).where("velocity", 1.9);
-  less(ways.at("part", "out")["acceleration"], 0);
-  less(ways.at("part", "back")["acceleration"], 0);
+  const Data out = table("acceleration").where("s", 1).where("velocity", 1.9);
+  less(out.at("t", 160)["acceleration"], 0);
 
   // It comes back, to the end that was hit, and moves out again
   const Data turns = table("turns").where("s", 1);
@@ -24,13 +25,14 @@ STATEMENT("boomeron.reversal") {
 }
 
 STATEMENT("boomeron.moderate") {
-  const Data turns = table("turns").where("s", 1), quarters = table("slowing");
+  const Data turns = table("turns").where("s", 1), hard = table("acceleration").where("s", 1);
   const auto turn = turns.at("velocity", 1.5);
   less(1000, turn["apex_time"]);  // the end of the figure
-  for (int quarter : {1, 2, 3})
-    less(quarters.at("quarter", quarter + 1)["speed"], quarters.at("quarter", quarter)["speed"]);
-  less(0, quarters.at("quarter", 4)["speed"]);
-  const Data out = table("acceleration").where("s", 1).where("part", "out");
+  // Slower and slower, from the middle of one quarter to that of the next
+  const Data path = hard.where("velocity", 1.5);
+  for (double t : {120, 370, 620}) less(path.at("t", t + 250)["speed"], path.at("t", t)["speed"]);
+  less(0, path.at("t", 870)["speed"]);
+  const Data out = hard.where("t", 160);
   const auto turning = out.at("velocity", 1.9)["acceleration"];
   for (double velocity : {1.1, 1.3, 1.5}) {
     const auto moderate = out.at("velocity", velocity)["acceleration"];
@@ -51,7 +53,8 @@ STATEMENT("boomeron.turning_time") {
   reading("in time", [&] {
     for (double t : {238.0, 241.0}) less(turn["apex_time"] - exact(t), part * turn["apex_time"]);
   });
-  const Estimate stop = least(table("printed_range").where("velocity", 1.865, 1.875), "stop_time");
+  const Estimate stop =
+      least(table("turns").where("s", 1).where("velocity", 1.865, 1.875), "stop_time");
   reading("first stop", [&] {
     for (double t : {238.0, 241.0}) less(stop - exact(t), part * stop);
   });
@@ -61,11 +64,10 @@ STATEMENT("boomeron.turning_time") {
 }
 
 STATEMENT("boomeron.any_s") {
-  const Data turns = table("turns"), weak = table("weakly_hard");
+  const Data turns = table("turns"), weak = table("onward");
   const Estimate back = bound(5);
   const auto on = [&](double s, double velocity) {
     less(weak.at("s", s, "velocity", velocity)["fallen_back"], back);
-    less(0, weak.at("s", s, "velocity", velocity)["speed"]);
   };
   const auto turns_round = [&](double velocity) {
     less(back, weak.at("s", 0.005, "velocity", velocity)["fallen_back"]);
@@ -81,50 +83,37 @@ STATEMENT("boomeron.any_s") {
 }
 
 STATEMENT("boomeron.erratic") {
-  const Data spread = table("spread");
-  const auto becomes_erratic = [&](double noise) {
-    const Data part = spread.where("noise", noise);
-    less(part.at("part", "out_and_back")["deviation"], bound(0.25));
-    less(bound(3), part.at("part", "late")["deviation"]);
-  };
-  becomes_erratic(1e-6);
-  reading("noise of 1e-4", [&] { becomes_erratic(1e-4); });
-  reading("noise of 1e-8", [&] { becomes_erratic(1e-8); });
+  const auto spread = table("predictable").at("noise", 1e-6);
+  less(spread["early"], bound(0.25));
+  less(bound(3), spread["late"]);
 }
 
 STATEMENT("boomeron.constant_force") {
-  const Data hard = table("acceleration").where("s", 1);
-  const auto over_out = [&](double velocity, const char* part) {
-    const Data ways = hard.where("velocity", velocity);
-    return ways.at("part", part)["acceleration"] / ways.at("part", "out")["acceleration"];
+  const Data out = table("acceleration").where("s", 1).where("t", 160),
+             turns = table("turns").where("s", 1);
+  const auto over_out = [&](double velocity) {
+    return turns.at("velocity", velocity)["at_turn"] / out.at("velocity", velocity)["acceleration"];
   };
-  answer(over_out(1.9, "between"), "");
-  reading("out and back", over_out(1.9, "back"));
-  reading("digits of 1.9", over_out(1.93, "between"));
-  const Data arcs = table("arcs");
-  reading("parabola", arcs.at("arc", 1)["deviation"]);
-  reading("second arc", arcs.at("arc", 2)["deviation"]);
+  answer(over_out(1.9), "");
+  reading("digits of 1.9", over_out(1.93));
+  reading("parabola", turns.at("velocity", 1.9)["parabola"]);
 }
 
 STATEMENT("boomeron.force_grows") {
-  const Data all = table("acceleration");
-  const auto grows = [&](const char* part, const char* measure) {
-    const Data out = all.where("part", part);
-    const auto from_each_to_the_next = [&](const Data& rows, const char* along) {
-      for (const auto& one : rows) {
-        const Data::Row* next = nullptr;
-        for (const auto& other : rows)
-          if (one(along) < other(along) && (!next || other(along) < (*next)(along))) next = &other;
-        if (next) less(abs(one[measure]), abs((*next)[measure]));
-      }
+  const auto grows = [&](double t) {
+    const Data all = table("acceleration").where("t", t);
+    const auto from_each_to_the_next = [&](const Data& rows, const char* along,
+                                           const std::vector<double>& values) {
+      for (std::size_t i = 1; i < values.size(); ++i)
+        less(abs(rows.at(along, values[i - 1])["acceleration"]),
+             abs(rows.at(along, values[i])["acceleration"]));
     };
-    from_each_to_the_next(out.where("s", 1).where("velocity", 1.1, 2), "velocity");
-    from_each_to_the_next(out.where("velocity", 1.9).where("s", 0.005, 1), "s");
+    from_each_to_the_next(all.where("s", 1), "velocity",
+                          {1.1, 1.3, 1.5, 1.6, 1.7, 1.8, 1.87, 1.9, 2});
+    from_each_to_the_next(all.where("velocity", 1.9), "s", {0.005, 0.05, 0.25, 0.5, 0.75, 1});
   };
-  grows("out", "acceleration");
-  reading("earlier", [&] { grows("earlier", "acceleration"); });
-  reading("later", [&] { grows("later", "acceleration"); });
-  reading("speeds", [&] { grows("out", "mean_change"); });
+  grows(160);
+  reading("earlier", [&] { grows(120); });
 }
 
 STATEMENT("boomeron.waves") {

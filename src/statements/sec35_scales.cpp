@@ -23,7 +23,6 @@ STATEMENT("scale.cradle") {
   answer(with("printed", 10));
   reading("g = 9.81 m/s^2", with("printed", 9.81));
   reading("2.439 tau_h and g = 9.81 m/s^2", with("all", 9.81));
-  reading("2.439 tau_h and g = 10 m/s^2", with("all", 10));
 }
 
 /**
@@ -36,7 +35,6 @@ STATEMENT("scale.dps_regime") {
   };
   vanishes("deflection");
   vanishes("speed");
-  reading("at site 40", [&] { vanishes("half_way"); });
 }
 
 STATEMENT("scale.cradle_far") {
@@ -47,20 +45,15 @@ STATEMENT("cantilever.dps_valid") {
   const auto array = table("arrays").at("array", "section_3.6");
   answer(array["deflection"]);
   reading("speed of the packet", array["speed"]);
-  reading("velocity of the bead", array["velocity_excess"]);
+  reading("velocity of the bead", array["velocity"]);
 }
 
 STATEMENT("outlook.ranges") {
-  const auto large = table("arrays").at("array", "centimetres"),
-             ours = table("arrays").at("array", "section_3.6");
+  const auto large = table("arrays").at("array", "centimetres");
   control([&] { near(large["load"], 1, 0.1); });
   // A packet travels, and the DpS equation describes it
   less(bound(0.1), large["share"]);
   for (const char* excess : {"deflection", "speed"}) less(large[excess], bound(0.1));
-  reading("the array of section 3.6", [&] {
-    for (const char* printed : {"diameter", "width", "load"})
-      within(ours[printed], 1 / std::sqrt(10.0), std::sqrt(10.0));
-  });
 }
 
 /**
@@ -102,8 +95,7 @@ STATEMENT("cantilever.lambda") {
 }
 
 STATEMENT("outlook.dominated") {
-  answer(table("losses").at("period", "printed")["epsilon"]);
-  reading("period of the wells", table("losses").at("period", "of_the_wells")["epsilon"]);
+  answer(table("array")["growth"]);
 }
 
 // Time scales, without the numbers that make a period and a contact time of them
