@@ -24,7 +24,7 @@ trains[1].set_xlabel("site $n$")
 share = figure.add_subplot(panels[:, 1])
 for s, text, style, color in [(1, "1", "-", "#009E73"), (0, "0", "--", "#0072B2"),
                               (-1 / 6, "-1/6", ":", "#D55E00")]:
-    rows = draw.where(history, "s", s)
+    rows = draw.where(draw.where(history, "s", s), "d", 0.5)
     share.loglog(rows["t"], rows["share"], style, color=color, lw=1.4, label=f"$s = {text}$")
 guide = [500, 4500]
 share.loglog(guide, [0.5 * (t / 500) ** (-1 / 2) for t in guide], "-", color="#888888", lw=0.8,

@@ -7,8 +7,8 @@ set lmargin 8; set rmargin 1.5; set bmargin 3.4; set tmargin 0.8
 set xlabel 'wavelengths on the ring'
 set ylabel 'time over the prediction' offset 1,0
 set xrange [20:64]
-set yrange [0:2]
-set key bottom left
+set yrange [0:1.7]
+set key bottom left maxrows 4
 plot 1 with lines lc rgb grey lw 0.8 notitle, \
      rings using "waves":(only(1, 0.15, column("over_nls"))):"over_nls_error" with yerrorbars ls 3 ps 0.5 title 's = 1', \
      rings using "waves":(only(0, 0.15, column("over_nls"))):"over_nls_error" with yerrorbars ls 1 ps 0.5 title 's = 0', \

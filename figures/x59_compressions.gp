@@ -1,8 +1,8 @@
 # Figure x59: centre of the packet after the same impact for four compressions.
 width = 85; height = 62
 load 'figures/style.gp'
-paths = data.'/sec4_precompression_mi/paths.ecsv'
-only(d, x) = abs(column("d") - d) < 1e-9 ? x : NaN
+paths = data.'/sec4_precompression_mi/packet_history.ecsv'
+only(d, x) = abs(column("d") - d) < 1e-9 && column("s") > 0.5 ? x : NaN
 set lmargin 8; set rmargin 3; set bmargin 3.4; set tmargin 0.8
 set logscale y
 set xlabel 'time t'

@@ -252,10 +252,12 @@ static State<double> soliton(const Carrier& wave, double eps, std::size_t sites,
     const double n = double(i) - double(sites) / 2;
     const double way = n - speed * t,
                  z = eps * (way - double(sites) * std::round(way / double(sites)));
-    const double theta = wave.q * n - frequency * t, sech = height / std::cosh(z);
+    const double decay = std::exp(-std::abs(z)), square = decay * decay;
+    const double theta = wave.q * n - frequency * t, sech = height * 2 * decay / (1 + square);
     state.y[i] = sech * std::cos(theta);
     state.v[i] =
-        sech * (frequency * std::sin(theta) + speed * eps * std::tanh(z) * std::cos(theta));
+        sech * (frequency * std::sin(theta) +
+                speed * eps * std::copysign((1 - square) / (1 + square), z) * std::cos(theta));
   }
   return state;
 }
@@ -291,7 +293,7 @@ static void report_ansatz(Report& report, double d) {
   if (!report.quick) eps.push_back(0.025);
   std::vector<TwoRuns<AnsatzError>> runs(eps.size());
   parallel_for("error of the ansatz", eps.size(), [&](std::size_t k) {
-    runs[k] = {ansatz_error(wave, eps[k], 0.8, 1250), ansatz_error(wave, eps[k], 0.4, 2000)};
+    runs[k] = {ansatz_error(wave, eps[k], 0.8, 5000), ansatz_error(wave, eps[k], 0.4, 8000)};
   });
   // With the order of each error from one size to the next
   Table& table = report.table("ansatz_error");
