@@ -24,11 +24,11 @@ trains[1].set_xlabel("site $n$")
 share = figure.add_subplot(panels[:, 1])
 for s, text, style, color in [(1, "1", "-", "#009E73"), (0, "0", "--", "#0072B2"),
                               (-1 / 6, "-1/6", ":", "#D55E00")]:
-    rows = draw.where(history, "s", s)
+    rows = draw.where(draw.where(history, "s", s), "d", 0.5)
     share.loglog(rows["t"], rows["share"], style, color=color, lw=1.4, label=f"$s = {text}$")
 guide = [500, 4500]
-share.loglog(guide, [0.5 * (t / 500) ** (-1 / 3) for t in guide], "-", color="#888888", lw=0.8,
-             label="$t^{-1/3}$")
+share.loglog(guide, [0.5 * (t / 500) ** (-1 / 2) for t in guide], "-", color="#888888", lw=0.8,
+             label="$t^{-1/2}$")
 share.set(xlabel="time $t$", ylabel="share of the energy in the packet", xlim=(10, 5000),
           ylim=(0.09, 1.1), yticks=[0.1, 0.2, 0.5, 1], yticklabels=["0.1", "0.2", "0.5", "1"])
 share.minorticks_off()

@@ -20,12 +20,28 @@ namespace {
 const double d = 0.5;
 const CompressedHertz contact{d};
 
+double slope(const PlaneWave& wave, double theta) {
+  double sum = 0;
+  for (std::size_t k = 0; k < wave.b.size(); ++k)
+    sum += double(k + 1) * wave.b[k] * std::cos(double(k + 1) * theta);
+  return sum;
+}
+
+State<double> on_ring(const PlaneWave& wave, std::size_t sites) {
+  State<double> state(sites);
+  for (std::size_t n = 0; n < sites; ++n) {
+    const double theta = wave.q * double(n + 1);
+    state.y[n] = wave.profile(theta);
+    state.v[n] = -wave.omega * slope(wave, theta);
+  }
+  return state;
+}
+
 std::vector<PacketSample> synthetic(double share_power, double boundary_power, double turn) {
   std::vector<PacketSample> samples;
   for (double t = 1; t <= 800; ++t) {
     const double centre = t < turn ? 0.6 * t : 0.6 * (2 * turn - t);
-    samples.push_back({t, centre, std::pow(t, share_power), 0.1 * std::pow(t, boundary_power),
-                       1 + t, std::pow(t, 2 * share_power), std::pow(t, share_power / 2)});
+    samples.push_back({t, centre, std::pow(t, share_power), 0.1 * std::pow(t, boundary_power)});
   }
   return samples;
 }
@@ -41,29 +57,14 @@ TEST_CASE("an exact wave keeps its form and frequency in a run", "[property]") {
   for (std::size_t n = 0; n < 24; ++n) {
     const double theta = q * double(n + 1) - wave.omega * 4;
     check_close(state.y[n], wave.profile(theta), 1e-10);
-    check_close(state.v[n], -wave.omega * wave.slope(theta), 1e-10);
+    check_close(state.v[n], -wave.omega * slope(wave, theta), 1e-10);
   }
   CHECK(std::abs(wave.omega - phonon(q, contact_series(d).v1).omega) > 1e-4);
-}
-
-TEST_CASE("a Fourier component has the height of its wave", "[unit]") {
-  State<double> state(40);
-  const double first = 2 * M_PI * 3 / 40, second = 2 * M_PI * 5 / 40;
-  for (std::size_t i = 0; i < 40; ++i) {
-    const double n = double(i + 1);
-    state.y[i] = 0.2 * std::cos(first * n) + 0.03 * std::cos(second * n);
-    state.v[i] = 1.5 * (0.2 * std::sin(first * n) + 0.03 * std::sin(second * n));
-  }
-  check_close(std::abs(fourier(state, first, 1.5)) / 40, 0.2, 1e-14);
-  check_close(std::abs(fourier(state, second, 1.5)) / 40, 0.03, 1e-14);
-  CHECK(std::abs(fourier(state, -first, 1.5)) < 1e-14);
 }
 
 TEST_CASE("an exact wave is a series, and the largest one opens a contact", "[unit]") {
   const PlaneWave three{0.7, 1.3, {0.2, -0.05, 0.03}};
   check_close(three.profile(0.4), 0.2 * std::sin(0.4) - 0.05 * std::sin(0.8) + 0.03 * std::sin(1.2),
-              1e-15);
-  check_close(three.slope(0.4), 0.2 * std::cos(0.4) - 0.1 * std::cos(0.8) + 0.09 * std::cos(1.2),
               1e-15);
   check_close(three.relative(0.4), three.profile(1.1) - three.profile(0.4), 1e-15);
   const PlaneWave one = plane_wave(Quartic{1}, contact, 1.9, 0.14, 24);
@@ -92,8 +93,6 @@ TEST_CASE("breathers, trains, surface modes and boomerangs are told apart", "[un
   check_close(breather.share_exponent, -0.05, 1e-12);
   check_close(train.share_exponent, -1.0 / 3, 1e-12);
   check_close(train.boundary_exponent, -1, 1e-12);
-  check_close(train.narrow_exponent, -2.0 / 3, 1e-12);
-  check_close(train.wide_exponent, -1.0 / 6, 1e-12);
   check_close(surface.boundary_exponent, 0, 1e-12);
   check_close(breather.steadiness, 1, 1e-12);
   CHECK(boomerang.steadiness < 0);
@@ -117,29 +116,23 @@ TEST_CASE("a sech is fitted about the top of its envelope", "[unit]") {
   CHECK(std::abs(shot.centre - 177) <= 1);
   check_close(shot.sech.centre, 177, 0, 0.01);
   check_close(shot.sech.width, 6, 0, 0.1);
-  const Sech same = sech_within(shot, envelope_half_width), narrow = sech_within(shot, 3);
-  check_close(same.width, shot.sech.width, 1e-9);
-  check_close(same.residual, shot.sech.residual, 1e-9);
-  CHECK(narrow.residual < shot.sech.residual);
-  double squares = 0;
-  for (long n = std::lround(shot.centre) - 10; n <= std::lround(shot.centre) + 10; ++n)
-    squares += std::pow(shot.envelope.amplitude[std::size_t(n - 1)], 2);
-  check_close(rms_of_fit(shot), std::sqrt(squares / 21), 1e-12);
 }
 
 TEST_CASE("a tail on one side is not one on both", "[unit]") {
   const auto packet = [](double behind, double ahead) {
-    Snapshot shot{State<double>(301), 150, {1, std::vector<double>(301, behind)}, {0.5, 150, 5, 0}};
+    Snapshot shot{
+        State<double>(301), {}, 150, {1, std::vector<double>(301, behind)}, {0.5, 150, 5, 0}};
     std::fill(shot.envelope.amplitude.begin() + 150, shot.envelope.amplitude.end(), ahead);
     return shot;
   };
   check_close(tail_amplitude(packet(0.01, 0.02), -1), 0.02, 1e-15);
   check_close(tail_amplitude(packet(0.01, 0.02), 1), 0.04, 1e-15);
-  // Only from near to far, and only what is far behind belongs to the train
+  // Only from 40 to 80 sites, and only what is far behind belongs to the train
   Snapshot shot = packet(0.01, 0.02);
+  shot.envelope.amplitude[149 + 39] = shot.envelope.amplitude[149 + 81] = 1;
+  check_close(tail_amplitude(shot, 1), 0.04, 1e-15);
   shot.envelope.amplitude[149 + 40] = 1;
-  check_close(tail_amplitude(shot, 1, 41, 80), 0.04, 1e-15);
-  CHECK(tail_amplitude(shot, 1, 30, 60) > 0.2);
+  CHECK(tail_amplitude(shot, 1) > 0.2);
   check_close(train_amplitude(shot), 0.02, 1e-15);
   shot.envelope.amplitude[149 - 31] = 0.1, shot.envelope.amplitude[149 - 30] = 3;
   check_close(train_amplitude(shot), 0.2, 1e-15);
@@ -153,13 +146,7 @@ RingPair drawn(double split, double height, double lasting) {
   pair.localized = {2000, 50};
   for (double t = 50; t <= 9000; t += 50) {
     const bool two = t >= split && t < split + lasting;
-    const RingSample at{t,
-                        6,
-                        two ? height : 0.1,
-                        t >= 2000,
-                        10,
-                        two ? height / 2 : 0.2,
-                        two ? std::sqrt(height) : 0.3};
+    const RingSample at{t, 10, two ? height : 0.1, t >= 2000};
     pair.samples.push_back({at, at});
   }
   return pair;
@@ -171,18 +158,13 @@ TEST_CASE("a pulse that splits was one before", "[unit]") {
   const double round = 340;
   const PulseSplits splits = pulse_splits(drawn(3000, 0.8, 2000), round);
   CHECK((splits.one_pulse_for.value == 1000 && splits.second.value == 0.8));
-  CHECK((splits.kept.value == 0.8 && splits.in_windows.value == 0.4));
-  check_close(splits.of_figure.value, std::sqrt(0.8), 1e-15);
+  CHECK(splits.kept.value == 0.8);
   const PulseSplits brief = pulse_splits(drawn(3000, 0.8, 350), round);  // seven samples
   CHECK((brief.second.value == 0.8 && brief.kept.value == 0.1));
   CHECK(pulse_splits(drawn(3000, 0.8, 400), round).kept.value == 0.8);
   const PulseSplits never = pulse_splits(drawn(5000, 0.8, 2000), round);  // too late
   CHECK((never.second.value == 0.1 && never.one_pulse_for.value == 2000));
   CHECK(pulse_splits(drawn(3000, 0.4, 2000), round).one_pulse_for.value == 2000);
-  RingPair spread = drawn(3000, 0.8, 2000);
-  for (auto& both : spread.samples)
-    for (RingSample& at : both) at.localized = at.t < 3000;
-  CHECK(pulse_splits(spread, round).in_windows_localized.value == 0.2);
   CHECK(std::isnan(pulse_splits({}, round).second.value));
 }
 
@@ -205,10 +187,9 @@ TEST_CASE("a second hump has a valley on both sides", "[unit]") {
   const Chain chain{200, Quartic{}, contact, Ends::periodic};
   State<double> state(200);
   state.v[195] = 1;
-  CHECK((ring_sample(chain, state).second == 0 && ring_sample(chain, state).second_window == 0));
+  CHECK(ring_sample(chain, state).second == 0);
   state.v[95] = 1;
   check_close(ring_sample(chain, state).second, 1, 1e-15);
-  check_close(ring_sample(chain, state).second_window, 1, 1e-15);
   CHECK(ring_sample(chain, state).localized);
 }
 
@@ -234,18 +215,17 @@ TEST_CASE("a packet is as wide on a background as without", "[unit]") {
 
 TEST_CASE("a breather on the ring is concentrated and moves to the right", "[unit]") {
   const auto ring = [](double peak, double speed) {
-    WatchedRing m{State<double>(200), std::vector<double>(200, 0.01)};
-    m.density[20] += peak;
-    m.shown.envelope.amplitude.assign(200, 1);
-    m.shown.envelope.amplitude[20] += 9 * peak;
+    WatchedRing m;
+    m.end.density.assign(200, 0.01);
+    m.end.density[20] += peak;
     for (double t = 0; t <= 60; ++t) {
       m.t.push_back(t);
       m.centre.push_back(20 + speed * t + 0.3 * std::sin(t));
     }
     return m;
   };
-  const Packet made = packet_of(ring(0, 0.3), ring(1, 0.3)),
-               flat = packet_of(ring(0, 0), ring(0, 0));
+  const Packet made = packet_of({ring(0, 0.3), ring(1, 0.3)}),
+               flat = packet_of({ring(0, 0), ring(0, 0)});
   check_close(made.peak_over_mean.value, 1.01 / (3.0 / 200), 1e-11);
   check_close(made.peak_over_mean.error, made.peak_over_mean.value - 1, 1e-11);
   check_close(made.share_of_sites.value, 9 / (1.01 * 1.01 + 199e-4) / 200, 1e-12);
@@ -254,7 +234,6 @@ TEST_CASE("a breather on the ring is concentrated and moves to the right", "[uni
   CHECK((flat.share_of_sites.value > 0.99 && flat.width.value == 200));
   CHECK(made.speed.value > made.speed.error);
   check_close(made.speed.value, 0.3, 0.02);
-  check_close(made.envelope_over_rms.value, 10 / std::sqrt(299.0 / 200), 1e-12);
   CHECK(flat.speed.value < flat.speed.error);
 }
 
@@ -296,15 +275,7 @@ TEST_CASE("a packet by its densities, site by site", "[unit]") {
               1e-11);
   check_close(at.share, inside / all, 1e-13);
   check_close(at.boundary, sum(0, 4, itself) / all, 1e-13);
-  check_close(at.participation, all * all / sum(0, 149, square), 1e-10);
-  check_close(packet_participation(e, 20), inside * inside / sum(from, to, square), 1e-10);
-  double narrow = 0, wide = 0;
-  for (int n = 0; n < 150; ++n) {
-    narrow = std::max(narrow, sum(std::max(0, n - 10), std::min(149, n + 10), itself));
-    wide = std::max(wide, sum(std::max(0, n - 40), std::min(149, n + 40), itself));
-  }
-  check_close(at.narrow, narrow / all, 1e-13);
-  check_close(at.wide, wide / all, 1e-13);
+  check_close(packet_participation(e), inside * inside / sum(from, to, square), 1e-10);
 }
 
 TEST_CASE("the envelope is that of the carrier in the window", "[unit]") {

@@ -9,7 +9,7 @@ wavenumbers whose phonons are modulationally unstable; `coefficients` evaluates 
 #include <numbers>
 
 #include "report/program.hpp"
-#include "sec4/instability.hpp"
+#include "sec4/phonons.hpp"
 
 namespace lattice {
 

@@ -19,13 +19,6 @@ double PlaneWave::profile(double theta) const {
   return sum;
 }
 
-double PlaneWave::slope(double theta) const {
-  double sum = 0;
-  for (std::size_t k = b.size(); k-- > 0;)
-    sum += double(k + 1) * b[k] * std::cos(double(k + 1) * theta);
-  return sum;
-}
-
 // One step of Newton's method, with the equation at as many points as there are harmonics; its relative size. The
 // amplitude b_1 is given, so the first column belongs to the frequency and the others to b_2, b_3, ...
 static double improve(PlaneWave& wave) {
@@ -68,24 +61,6 @@ PlaneWave plane_wave(const Well& well, const Contact& contact, double q, double 
   if (!(step < 1e-10) || !(widest < contact.opening()))
     throw std::runtime_error("no plane wave of this amplitude keeps all contacts closed");
   return wave;
-}
-
-State<double> on_ring(const PlaneWave& wave, std::size_t sites) {
-  State<double> state(sites);
-  for (std::size_t n = 0; n < sites; ++n) {
-    const double theta = wave.q * double(n + 1);
-    state.y[n] = wave.profile(theta);
-    state.v[n] = -wave.omega * wave.slope(theta);
-  }
-  return state;
-}
-
-std::complex<double> fourier(const State<double>& state, double q, double omega) {
-  std::complex<double> sum = 0;
-  for (std::size_t n = 0; n < state.y.size(); ++n)
-    sum +=
-        std::complex<double>(state.y[n], state.v[n] / omega) * std::polar(1.0, -q * double(n + 1));
-  return sum;
 }
 
 // On an odd number of points derivative and shift are full matrices, exact for every harmonic that the grid can hold.

@@ -27,7 +27,6 @@ struct PlaneWave {
   Contact contact = Hertz{};
 
   double profile(double theta) const;  ///< f(theta)
-  double slope(double theta) const;    ///< its derivative
   /// r(theta).
   double relative(double theta) const { return profile(theta + q) - profile(theta); }
 };
@@ -36,12 +35,6 @@ struct PlaneWave {
 /// if that does not converge or if the wave opens a contact, since the series would no longer converge geometrically.
 PlaneWave plane_wave(const Well& well, const Contact& contact, double q, double a,
                      std::size_t harmonics = 12);
-/// The wave at t = 0 on a ring that holds a whole number of wavelengths; the first site is n = 1.
-State<double> on_ring(const PlaneWave& wave, std::size_t sites);
-
-/// The Fourier component of wavenumber `q` of y + i v / omega, summed over the sites from n = 1.
-std::complex<double> fourier(const State<double>& state, double q, double omega);
-
 /**
 A small disturbance $e^{iQn + \lambda t}p(\theta)$ of such a wave obeys a linear equation with coefficients of period
 $2\pi$. With the shift $S p = p(\theta+q)$ and $B = e^{iQ}S - 1$ it is

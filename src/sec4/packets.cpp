@@ -25,54 +25,47 @@ static double largest_in(const std::vector<double>& a, Window range) {
 }
 
 // A window's energy is the difference of two sums
-std::size_t richest(const std::vector<double>& e, std::size_t half_width) {
+static std::size_t richest(const std::vector<double>& e) {
   std::vector<double> before(e.size() + 1, 0.0);
   std::partial_sum(e.begin(), e.end(), before.begin() + 1);
   double best = 0;
   std::size_t at = 0;
   for (std::size_t n = 0; n < e.size(); ++n) {
-    const Window range = around(n, half_width, e.size());
+    const Window range = around(n, compressed_half_width, e.size());
     if (const double sum = before[range.last] - before[range.first]; sum > best) best = sum, at = n;
   }
   return at;
 }
 
-double packet_participation(const std::vector<double>& e, std::size_t half_width) {
-  const Window near = around(richest(e, half_width), half_width, e.size());
+double packet_participation(const std::vector<double>& e) {
+  const Window near = around(richest(e), compressed_half_width, e.size());
   return participation(
       {e.begin() + std::ptrdiff_t(near.first), e.begin() + std::ptrdiff_t(near.last)});
 }
 
 PacketSample packet_sample(double t, const std::vector<double>& e) {
   const std::size_t peak = richest(e);
-  const auto share = [&e](std::size_t half_width) {
-    return window_sum(e, richest(e, half_width), half_width) / total(e);
-  };
-  return {t,
-          energy_centre(e, peak, compressed_half_width),
-          window_sum(e, peak, compressed_half_width) / total(e),
-          boundary_share(e),
-          participation(e),
-          share(compressed_half_width / 2),
-          share(2 * compressed_half_width)};
+  return {t, energy_centre(e, peak, compressed_half_width),
+          window_sum(e, peak, compressed_half_width) / total(e), boundary_share(e)};
 }
 
-// Power laws of the shares over the rest of the run
+// Power laws of the fractions over the rest of the run
 Traits traits(const std::vector<PacketSample>& samples, double from) {
-  std::vector<double> log_t, t, centre;
-  std::array<std::vector<double>, 4> log_share;
+  std::vector<double> log_t, t, centre, share, boundary;
   for (const PacketSample& p : samples) {
     if (p.t < samples.back().t * from) continue;
-    log_t.push_back(std::log(p.t)), t.push_back(p.t), centre.push_back(p.centre);
-    for (std::size_t k = 0; double share : {p.share, p.boundary, p.narrow, p.wide})
-      log_share[k++].push_back(std::log(share));
+    log_t.push_back(std::log(p.t));
+    t.push_back(p.t);
+    centre.push_back(p.centre);
+    share.push_back(std::log(p.share));
+    boundary.push_back(std::log(p.boundary));
   }
   const double speed = fit_line(t, centre).slope;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 100 < t.size(); ++i)
     least = std::min(least, (centre[i + 100] - centre[i]) / 100);
-  const auto exponent = [&](std::size_t k) { return fit_line(log_t, log_share[k]).slope; };
-  return {exponent(0), exponent(1), speed, least / std::abs(speed), exponent(2), exponent(3)};
+  return {fit_line(log_t, share).slope, fit_line(log_t, boundary).slope, speed,
+          least / std::abs(speed)};
 }
 
 // The carrier's frequency from the packet, then amplitudes from velocity and acceleration
@@ -96,10 +89,10 @@ static double misfit(const Sech& f, const std::vector<double>& a, Window range) 
   return sum / double(range.last - range.first);
 }
 
-// One Gauss-Newton step: gather matrix and right-hand side from the derivatives at every site
+// One Gauss-Newton step, from the derivatives at every site
 static Eigen::Vector3d sech_step(const Sech& f, const std::vector<double>& a, Window range) {
   Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d g = Eigen::Vector3d::Zero(), step;
+  Eigen::Vector3d g = Eigen::Vector3d::Zero();
   for (std::size_t n = range.first; n < range.last; ++n) {
     const double x = (double(n + 1) - f.centre) / f.width, y = f.at(double(n + 1));
     const double bend = y * std::tanh(x) / f.width;
@@ -107,13 +100,7 @@ static Eigen::Vector3d sech_step(const Sech& f, const std::vector<double>& a, Wi
     g += d * (a[n] - y);
     m += d * d.transpose();
   }
-  // Three equations, solved by Cramer's rule
-  for (int k = 0; k < 3; ++k) {
-    Eigen::Matrix3d replaced = m;
-    replaced.col(k) = g;
-    step[k] = replaced.determinant() / m.determinant();
-  }
-  return step;
+  return m.inverse() * g;
 }
 
 Sech fit_sech(const std::vector<double>& a, Window range, double width) {
@@ -138,41 +125,29 @@ Sech fit_sech(const std::vector<double>& a, Window range, double width) {
 
 // About the centre of energy, unless the envelope has its top elsewhere
 Snapshot snapshot(const Chain& chain, const State<double>& state) {
+  const std::vector<double> e = energy_density(chain, state);
   const auto about = [&](double centre) {
     const Window range = around(std::size_t(centre) - 1, envelope_half_width, chain.sites);
-    Snapshot out{state, centre, envelope(chain, state, range), {}};
+    Snapshot out{state, e, centre, envelope(chain, state, range), {}};
     out.sech = fit_sech(out.envelope.amplitude, range, 8);
     return out;
   };
-  const double centre = packet_sample(state.t, energy_density(chain, state)).centre;
+  const double centre = packet_sample(state.t, e).centre;
   Snapshot out = about(centre);
   const double top = largest_in(
       out.envelope.amplitude, around(std::size_t(centre) - 1, compressed_half_width, chain.sites));
   return std::abs(top - centre) > double(envelope_half_width) / 2 ? about(top) : out;
 }
 
-Sech sech_within(const Snapshot& shot, std::size_t half_width) {
-  const std::vector<double>& a = shot.envelope.amplitude;
-  return fit_sech(a, around(std::size_t(shot.centre) - 1, half_width, a.size()), 8);
-}
-
-double rms_of_fit(const Snapshot& shot) {
-  const std::vector<double>& a = shot.envelope.amplitude;
-  const Window range = around(std::size_t(shot.centre) - 1, envelope_half_width, a.size());
-  double squares = 0;
-  for (std::size_t n = range.first; n < range.last; ++n) squares += a[n] * a[n];
-  return std::sqrt(squares / double(range.last - range.first));
-}
-
 // What is left of the wave beside the packet
-double tail_amplitude(const Snapshot& shot, int side, long near, long far) {
+double tail_amplitude(const Snapshot& shot, int side) {
   double squares = 0;
-  for (long k = near; k <= far; ++k) {
+  for (long k = 40; k <= 80; ++k) {
     const double at =
         shot.envelope.amplitude.at(std::size_t(std::lround(shot.sech.centre) - 1 + side * k));
     squares += at * at;
   }
-  return std::sqrt(squares / double(far - near + 1)) / shot.sech.height;
+  return std::sqrt(squares / 41) / shot.sech.height;
 }
 
 double train_amplitude(const Snapshot& shot) {
@@ -227,62 +202,39 @@ double second_hump(const std::vector<double>& a) {
   return second / from_top[0];
 }
 
-// The two richest windows on the ring that have no site in common
-static double second_window(const std::vector<double>& e) {
-  const std::size_t n = e.size(), half_width = envelope_half_width;
-  std::vector<double> content(n, 0.0);
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t k = 0; k <= 2 * half_width; ++k) content[i] += e[(i + n + k - half_width) % n];
-  const auto first =
-      std::size_t(std::max_element(content.begin(), content.end()) - content.begin());
-  double second = 0;
-  for (std::size_t k = 2 * half_width + 1; k + 2 * half_width < n; ++k)
-    second = std::max(second, content[(first + k) % n]);
-  return second / content[first];
+bool is_localized(const std::vector<double>& e) {
+  return peak_over_mean(e) > 5 && 2 * participation(e) < double(e.size());
 }
 
-// Velocity and acceleration are those of the displacements a quarter of a period apart
 RingSample ring_sample(const Chain& ring, const State<double>& state) {
   const std::vector<double> e = energy_density(ring, state);
-  const double peak = peak_over_mean(e);
-  return {state.t,
-          peak,
-          second_hump(e),
-          peak > 5 && 2 * participation(e) < double(e.size()),
-          packet_width(e),
-          second_window(e),
-          second_hump(envelope(ring, state, {0, e.size()}).amplitude)};
+  return {state.t, packet_width(e), second_hump(e), is_localized(e)};
 }
 
 WatchedRing watch_packet(const Method& method, const Chain& ring, State<double> state) {
-  WatchedRing out{std::move(state)};
-  const auto watch = [&](const State<double>& now) {
-    out.density = energy_density(ring, now);
+  WatchedRing out;
+  evolve(method, ring, state, watched_time, 1, [&](const State<double>& now) {
     out.t.push_back(now.t);
-    out.centre.push_back(packet_sample(now.t, out.density).centre);
-  };
-  evolve(method, ring, out.end, watched_time, 1, watch);
-  out.shown = snapshot(ring, out.end);
+    out.centre.push_back(packet_sample(now.t, energy_density(ring, now)).centre);
+  });
+  out.end = snapshot(ring, state);
   return out;
 }
 
 // The slope of the centre's path is its speed
-Packet packet_of(const WatchedRing& coarse, const WatchedRing& fine) {
-  const TwoRuns<WatchedRing> runs{coarse, fine};
-  const auto over_rms = [](const WatchedRing& ring) {
-    double squares = 0;
-    const std::vector<double>& a = ring.shown.envelope.amplitude;
-    for (double at : a) squares += at * at;
-    return *std::max_element(a.begin(), a.end()) / std::sqrt(squares / double(a.size()));
+Packet packet_of(const TwoRuns<WatchedRing>& runs) {
+  const auto of_density = [&](auto of) {
+    return runs.of([of](const WatchedRing& run) { return of(run.end.density); });
   };
-  const Line rough = fit_line(coarse.t, coarse.centre), best = fit_line(fine.t, fine.centre);
-  return {runs.of([](const auto& run) { return peak_over_mean(run.density); }),
-          runs.of([](const auto& run) {
-            return participation(run.density) / double(run.density.size());
-          }),
+  const auto share = [](const std::vector<double>& e) {
+    return participation(e) / double(e.size());
+  };
+  const Line rough = fit_line(runs.coarse.t, runs.coarse.centre),
+             best = fit_line(runs.fine.t, runs.fine.centre);
+  return {of_density(peak_over_mean),
+          of_density(share),
           {best.slope, best.slope_error + std::abs(best.slope - rough.slope)},
-          runs.of([](const auto& run) { return packet_width(run.density); }),
-          runs.of(over_rms)};
+          of_density(packet_width)};
 }
 
 // Two steps side by side, as long as they give the same state
@@ -305,7 +257,7 @@ RingPair side_by_side(const Chain& ring, const State<double>& start, double step
     out.samples.push_back(seen);
     if (out.localized.value > 0 || !seen[0].localized || !seen[1].localized) continue;
     out.localized = {state[1].t, interval};
-    for (std::size_t k : {0, 1}) out.packet[k] = watch_packet(method[k], ring, state[k]);
+    out.later = {watch_packet(method[0], ring, state[0]), watch_packet(method[1], ring, state[1])};
   }
   out.agree = exact(state[1].t);
   return out;
@@ -329,12 +281,9 @@ PulseSplits pulse_splits(const RingPair& pair, double round) {
     if (both[1].t >= pair.localized.value && both[1].t <= 2 * pair.localized.value)
       seen.push_back(both);
   if (seen.empty()) return {};
-  const auto largest = [&](auto of) {
-    Estimate out{0, 0};
-    for (const auto& [coarse, fine] : seen)
-      if (of(fine) > out.value) out = compare(of(coarse), of(fine));
-    return out;
-  };
+  Estimate largest{0, 0};
+  for (const auto& [coarse, fine] : seen)
+    if (fine.second > largest.value) largest = compare(coarse.second, fine.second);
   const auto two = std::ranges::find_if(
       seen, [](const Pair& both) { return std::max(both[0].second, both[1].second) >= 0.5; });
   const double until = two == seen.end() ? seen.back()[1].t : (*two)[1].t;
@@ -348,12 +297,7 @@ PulseSplits pulse_splits(const RingPair& pair, double round) {
     });
     if ((*least)[1].second > kept.value) kept = compare((*least)[0].second, (*least)[1].second);
   }
-  return {{until - pair.localized.value, interval},
-          largest([](const RingSample& at) { return at.second; }),
-          kept,
-          largest([](const RingSample& at) { return at.second_of_figure; }),
-          largest([](const RingSample& at) { return at.second_window; }),
-          largest([](const RingSample& at) { return at.localized ? at.second_window : 0; })};
+  return {{until - pair.localized.value, interval}, largest, kept};
 }
 
 }  // namespace lattice

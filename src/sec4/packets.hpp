@@ -21,23 +21,19 @@ inline const Estimate none{std::nan(""), std::nan("")};  ///< no such quantity
 /// Sites on either side of a packet's centre that belong to it, and of those to which its envelope is fitted.
 inline constexpr std::size_t compressed_half_width = 20, envelope_half_width = 10;
 
-/// The site around which all sites within `half_width` together hold the most energy.
-std::size_t richest(const std::vector<double>& e, std::size_t half_width = compressed_half_width);
+/// How many of the sites of the packet share their energy.
+double packet_participation(const std::vector<double>& e);
 
-/// How many of the sites within `half_width` of it share their energy.
-double packet_participation(const std::vector<double>& e, std::size_t half_width);
-
-/// Time, energy centre, shares of packet and of the first five sites, participation number of the chain, from the energy
-/// density `e` at one instant; and the share of a packet of half and of twice this width.
+/// Time, energy centre, fractions of the energy in the packet and on the first five sites, from the density `e`.
 struct PacketSample {
-  double t, centre, share, boundary, participation, narrow, wide;
+  double t, centre, share, boundary;
 };
 PacketSample packet_sample(double t, const std::vector<double>& e);
 
-/// Exponents of the shares in time over the samples after the part `from` of the run, mean speed of the centre there, and
+/// Exponents of these fractions in time over the samples after the part `from` of the run, mean speed of the centre, and
 /// its least advance in any 100 units of time over the mean one. The samples are one unit of time apart, 140 at least.
 struct Traits {
-  double share_exponent, boundary_exponent, speed, steadiness, narrow_exponent, wide_exponent;
+  double share_exponent, boundary_exponent, speed, steadiness;
 };
 Traits traits(const std::vector<PacketSample>& samples, double from = 0.25);
 
@@ -68,21 +64,18 @@ While it forms, at $t = 291$, the centre lies six sites behind, because waves be
 the top is not in the inner half of the window about the centre, the window moves there. */
 struct Snapshot {
   State<double> state;
-  double centre;      ///< of the window of the fit, in sites from one
-  Envelope envelope;  ///< of the whole chain
-  Sech sech;          ///< fitted about the top of the envelope
+  std::vector<double> density;  ///< of the energy
+  double centre;                ///< of the window of the fit, in sites from one
+  Envelope envelope;            ///< of the whole chain
+  Sech sech;                    ///< fitted about the top of the envelope
 
   /// The larger one of the sech's width and the distance of its top from the centre of the window.
   double reach() const { return std::max(std::abs(sech.centre - centre), sech.width); }
 };
 Snapshot snapshot(const Chain& chain, const State<double>& state);
-/// The same fitted to the sites within `half_width` of the same centre.
-Sech sech_within(const Snapshot& shot, std::size_t half_width);
-/// Root mean square of the envelope on the 21 sites of the fit.
-double rms_of_fit(const Snapshot& shot);
-/// Root mean square of the envelope from `near` to `far` sites behind (`side` = -1) or ahead (+1) of the packet, over
-/// the sech's height: nothing is left of the sech there.
-double tail_amplitude(const Snapshot& shot, int side, long near = 40, long far = 80);
+/// Root mean square of the envelope from 40 to 80 sites behind (`side` = -1) or ahead (+1) of the packet, over the
+/// sech's height: nothing is left of the sech there.
+double tail_amplitude(const Snapshot& shot, int side);
 /// The highest wave more than 30 sites behind the packet, over the sech's height.
 double train_amplitude(const Snapshot& shot);
 
@@ -90,49 +83,45 @@ double train_amplitude(const Snapshot& shot);
 /// the carrier makes it oscillate; all sites if the density does not fall so far. (Participation counts the background.)
 double packet_width(const std::vector<double>& density);
 
-/// The height of the second hump on a ring over that of the highest, of a quantity averaged over five neighbours: from the
-/// second to the first it must fall, both ways round the ring, below half of the second. Zero if there is none.
-double second_hump(const std::vector<double>& a);
+/// The height of the second hump on a ring over that of the highest, of the same average: from the second to the first it
+/// must fall, both ways round the ring, below half of the second. Zero if there is none.
+double second_hump(const std::vector<double>& density);
 
-/// What is seen of a ring at one instant.
+/// The energy is localized if a site has five times the mean density and fewer than half of the sites share it.
+bool is_localized(const std::vector<double>& density);
+
+/// What is seen of a ring at one instant: width of the packet, second hump, whether the energy is localized.
 struct RingSample {
-  double t, peak_over_mean;
-  double second;  ///< height of a second hump of the energy density over that of the first
-  bool
-      localized;  ///< five times the mean density at a site, and half of the sites share the energy
-  double width = 0;  ///< of the packet at half height
-  double second_window =
-      0;  ///< energy of the second richest window of 21 sites over that of the richest
-  double second_of_figure = 0;  ///< as `second`, of the envelope of the displacements
+  double t, width, second;
+  bool localized;
 };
 RingSample ring_sample(const Chain& ring, const State<double>& state);
 
 inline constexpr double watched_time = 60;  ///< some ten oscillations
 /// A ring after this time, during which the packet's centre was followed.
 struct WatchedRing {
-  State<double> end;
-  std::vector<double> density{};  ///< of the energy at the end
+  Snapshot end;
   std::vector<double> t{}, centre{};
-  Snapshot shown{};  ///< of the end
 };
 WatchedRing watch_packet(const Method& method, const Chain& ring, State<double> state);
 
 /// The packet of two such runs: largest density over the mean, fraction of the sites that share the energy, speed of the
-/// centre with the error of its fit, width, and height of the envelope over its root mean square.
+/// centre with the error of its fit, width.
 struct Packet {
-  Estimate peak_over_mean = none, share_of_sites = none, speed = none, width = none,
-           envelope_over_rms = none;
+  Estimate peak_over_mean = none, share_of_sites = none, speed = none, width = none;
 };
-Packet packet_of(const WatchedRing& coarse, const WatchedRing& fine);
+Packet packet_of(const TwoRuns<WatchedRing>& runs);
 
 /// Two runs with two steps side by side, the finer one second, sampled every 50 units of time.
 struct RingPair {
   std::vector<std::array<RingSample, 2>> samples{};
-  Estimate agree{};                     ///< how long they agree; exact if they have not parted
-  Estimate localized = none;            ///< when the energy has localized in both,
-  std::array<WatchedRing, 2> packet{};  ///< and their packets a little later
+  Estimate agree{};              ///< how long they agree; exact if they have not parted
+  Estimate localized = none;     ///< when the energy has localized in both,
+  TwoRuns<WatchedRing> later{};  ///< and both a little later
 
-  /// The least width of the packet, up to 1.5 times this; nan if the energy has not localized.
+  /// The packet then, if the energy has localized.
+  Packet packet() const { return localized.value > 0 ? packet_of(later) : Packet{}; }
+  /// Its least width, up to 1.5 times that time; nan if the energy has not localized.
   Estimate width() const;
 };
 /// By `step` and half of it, until `longest` or `patience` times the time of localization. An
@@ -141,12 +130,10 @@ RingPair side_by_side(const Chain& ring, const State<double>& start, double step
                       double patience);
 
 /// What becomes of a localized pulse: for how long there is no second one of half its height, and, up to twice the time of
-/// localization, the largest height of a second one over the first; the largest that it keeps while a phonon goes `round`
-/// the ring; the same of the envelope of the displacements and of the energy in two windows, also of those only while the
-/// energy is localized. All nan if it never is.
+/// localization, the largest height of a second one over the first, and the largest that it keeps while a phonon goes
+/// `round` the ring. All nan if it never is.
 struct PulseSplits {
-  Estimate one_pulse_for = none, second = none, kept = none, of_figure = none, in_windows = none,
-           in_windows_localized = none;
+  Estimate one_pulse_for = none, second = none, kept = none;
 };
 PulseSplits pulse_splits(const RingPair& pair, double round);
 

@@ -2,13 +2,19 @@
 /**
 # Phonons of a compressed chain, and the NLS equation of their envelope
 
-The formulas of section 4.1 for any compression $d$ and any anharmonicity $s$ of the wells. They are templates on the
-scalar, so that evaluating one in `double` and in `long double` shows its own rounding error. */
+The formulas of section 4.1 for any compression $d$ and any anharmonicity $s$ of the wells. They have no step to halve, but
+they have rounding errors, so they are templates on the scalar, to be evaluated in `double` and in `long double`. */
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <concepts>
+#include <numbers>
 #include <stdexcept>
+#include <tuple>
+#include <vector>
 
-#include "lattice/numerics/ieee.hpp"
+#include "lattice/numerics/estimate.hpp"
 
 namespace lattice {
 
@@ -78,6 +84,66 @@ Coefficients<T> coefficients(T q, T d, T s) {
   const Phonon<T> p = phonon(q, v.v1);
   const T beta = nls_beta(q, v, s);
   return {p, beta, -beta * p.omega_2};
+}
+
+/**
+Both factors of $\Phi$ can change sign, so the unstable wavenumbers may be one interval, or several, or none. None is
+lost if we know all zeros. That of $\omega_2$ has a closed form, and with $x = 1-\cos q$ those of $\beta$ are the zeros
+of
+$$\tfrac{2d}9\,(4v_1x^2+3)\,\beta = -x^4 + x^3 + \bigl(2sd^{3/2}-\tfrac14d^{-1/2}\bigr)x^2 + sd,$$
+of which three stationary points are known, one of them at $x = 0$. */
+/// The edges of these intervals between 0 and pi, in 1/site: from, to, from, to ... Phi is positive at q = 0 if beta is
+/// negative there, and changes its sign at each zero of omega_2 and of beta.
+template <class T>
+std::vector<T> edges_of_instability(T d, T s) {
+  using std::asin, std::sqrt;
+  const T root = sqrt(d), b = T(2) * s * d * root - T(1) / (T(4) * root);
+  const auto positive = [&](T x) { return x * x * (x * (T(1) - x) + b) + s * d > T(0); };
+  // The polynomial is monotone between these places
+  std::vector<T> places{T(0)};
+  if (const T square = T(9) + T(32) * b; square > T(0)) {
+    const T top = (T(3) + sqrt(square)) / T(8);
+    for (T x : {-b / (T(2) * top), top})
+      if (x > T(0) && x < T(2)) places.push_back(x);
+  }
+  places.push_back(T(2));
+  std::vector<T> zeros{T(2) / (T(1) + sqrt(T(1) + T(6) * root))};  // that of omega_2
+  for (std::size_t k = 1; k < places.size(); ++k) {
+    T low = places[k - 1], high = places[k], middle;
+    const bool before = positive(low);
+    if (positive(high) == before) continue;
+    while ((middle = low + (high - low) / T(2)) > low && middle < high)
+      (positive(middle) == before ? low : high) = middle;
+    zeros.push_back(middle);
+  }
+  std::sort(zeros.begin(), zeros.end());
+  std::vector<T> edges;
+  if (!positive(T(0))) edges.push_back(T(0));
+  for (T x : zeros) edges.push_back(T(2) * asin(sqrt(x / T(2))));
+  if (edges.size() % 2 == 1) edges.push_back(std::numbers::pi_v<T>);
+  return edges;
+}
+
+/// A formula of these arguments in two precisions. Where large terms cancel, the last digit of an argument decides, in
+/// both alike, so what one unit in its last place changes is added to the error.
+template <class Formula, std::same_as<double>... Arguments>
+Estimate in_two_precisions(Formula formula, Arguments... x) {
+  const auto fine = [&](const std::array<double, sizeof...(x)>& at) {
+    return std::apply([&](auto... y) { return formula(static_cast<long double>(y)...); }, at);
+  };
+  const std::array<double, sizeof...(x)> given{x...};
+  const long double value = fine(given);
+  Estimate out = compare(double(formula(x...)), double(value));
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    long double most = 0;
+    for (double side : {-HUGE_VAL, HUGE_VAL}) {
+      auto beside = given;
+      beside[i] = std::nextafter(given[i], side);
+      most = std::max(most, std::abs(fine(beside) - value));
+    }
+    out.error += double(most);
+  }
+  return out;
 }
 
 }  // namespace lattice
