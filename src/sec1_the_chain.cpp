@@ -234,11 +234,10 @@ void report_tail(Report& report, int steps) {
     for (Index k = 0; k < (ahead ? fine.size() - 1 - peak : half_width); ++k) {
       const Index n = ahead ? peak + k : peak - k, next = ahead ? n + 1 : n - 1;
       if (coarse[next] < 1e-300) break;
-      table.add({{"side", "of the packet: ahead or behind", ahead ? "ahead" : "behind"},
-                 {"beads", "from the bead with the most energy", k},
-                 {"energy", "logarithm of the mean energy over that of the next bead outwards",
-                  compare(std::log(coarse[n] / coarse[next]), std::log(fine[n] / fine[next])), "",
-                  "of two steps, against the largest"}});
+      table.add({{"side", ahead ? "ahead" : "behind"},
+                 {"beads", k},
+                 {"energy",
+                  compare(std::log(coarse[n] / coarse[next]), std::log(fine[n] / fine[next]))}});
     }
 }
 
@@ -322,9 +321,8 @@ Estimate converged(Table& table, const char* number, double longest, bool quick,
   for (int k = 1; k <= (quick ? 3 : halvings); ++k) {
     last = now;
     now = of(1 << k);
-    table.add({{"number", "speed of the packet, or energy of the breather", number},
-               {"h", "time step", longest / (1 << k)},
-               {"change", "relative change since twice the step", std::abs(now / last - 1)}});
+    table.add(
+        {{"number", number}, {"h", longest / (1 << k)}, {"change", std::abs(now / last - 1)}});
   }
   return compare(last, now);
 }
@@ -340,10 +338,7 @@ void report_numbers(Report& report, int steps) {
   const Estimate energy = converged(convergence, "energy", standing.period() / steps_in_period,
                                     report.quick, energy_at);
   const Estimate turn = compare(turning_point(turning, steps), turning_point(turning, 2 * steps));
-  report.table("results").add(
-      {{"speed", "of the packet after v_0 = 1 at s = 0", speed, "site per unit of time"},
-       {"turn", "turning point after v_0 = 1.9 at s = 1", turn, "site"},
-       {"energy", "of the breather", energy}});
+  report.table("results").add({{"speed", speed}, {"turn", turn}, {"energy", energy}});
 }
 
 // The beads of the breather during one period
@@ -354,9 +349,9 @@ void report_motion(Report& report) {
   State state{y, 0 * y};
   for (int k = 0; k <= steps_in_period; ++k) {
     for (Index n = 0; n < y.size(); ++n)
-      motion.add({{"t", "time", standing.period() * k / steps_in_period},
-                  {"n", "site, counted from the centre", n - y.size() / 2, "site"},
-                  {"y", "displacement", state.y[n]}});
+      motion.add({{"t", standing.period() * k / steps_in_period},
+                  {"n", n - y.size() / 2},
+                  {"y", state.y[n]}});
     state = after(standing.chain, state, standing.period() / steps_in_period, finer);
   }
 }
@@ -372,10 +367,10 @@ void report_maps(Report& report, int steps) {
       mean += energy_density(impact.chain, now) / samples;
       if (std::lround(time / every) % samples != 0) return true;
       for (Index n = 0; n < shown; ++n)
-        map.add({{"s", "anharmonicity of the wells", impact.chain.s},
-                 {"t", "time, middle of the samples averaged", time - every * (samples - 1) / 2},
-                 {"n", "site", n + 1, "site"},
-                 {"e", "energy density, averaged over the samples", mean[n]}});
+        map.add({{"s", impact.chain.s},
+                 {"t", time - every * (samples - 1) / 2},
+                 {"n", n + 1},
+                 {"e", mean[n]}});
       mean.setZero();
       return true;
     });

@@ -161,9 +161,7 @@ void report_spread(Report& report, const std::vector<Motion>& motions) {
       const double allowed = std::pow(10, -digits);
       const std::vector<double> push = mean_forces(m, allowed).push;
       const auto [least, most] = std::minmax_element(push.begin(), push.end());
-      table.add({{"motion", "name of the motion; not_returning is not periodic", m.name},
-                 {"tolerance", "of GSL, for each step", allowed},
-                 {"spread", "of the mean forces, over the largest", (*most - *least) / *most}});
+      table.add({{"motion", m.name}, {"tolerance", allowed}, {"spread", (*most - *least) / *most}});
     }
 }
 
@@ -194,11 +192,8 @@ void report_means(Report& report, const std::vector<Motion>& motions) {
     const std::size_t contacts = m.chain.ends == Ends::periodic ? m.chain.sites : m.chain.sites + 1;
     for (std::size_t i = 0; i < contacts; ++i) {
       if (!m.chain.pushes(i)) continue;
-      table.add({{"motion", "name of the motion; all are periodic but not_returning", m.name},
-                 {"n", "contact, to the left of bead n; 1 is the first", i + 1, "site"},
-                 {"force", "mean force of the contact over a period",
-                  compare(coarse.push[i], fine.push[i]), "",
-                  "difference of two tolerances, against the largest force"}});
+      table.add(
+          {{"motion", m.name}, {"n", i + 1}, {"force", compare(coarse.push[i], fine.push[i])}});
     }
   }
 }
@@ -279,14 +274,10 @@ void report_dispersal(Report& report, const State<double>& breather) {
   for (const Motion& m : localized(breather, report.quick ? 60 : 200)) {
     const Dispersal coarse = let_go(m, steps_per_unit), fine = let_go(m, 2 * steps_per_unit);
     for (std::size_t i = 0; i < fine.t.size(); ++i)
-      table.add(
-          {{"motion", "what is let go, without wells but for breather_in_wells", m.name},
-           {"t", "time", fine.t[i]},
-           {"core", "fraction of the energy on nine sites", compare(coarse.core[i], fine.core[i]),
-            "", "difference of two resolutions, against the largest fraction"},
-           {"mean", "force of a central contact, averaged from 0 to t",
-            compare(coarse.mean[i], fine.mean[i]), "",
-            "difference of two resolutions, against the largest mean"}});
+      table.add({{"motion", m.name},
+                 {"t", fine.t[i]},
+                 {"core", compare(coarse.core[i], fine.core[i])},
+                 {"mean", compare(coarse.mean[i], fine.mean[i])}});
   }
 }
 

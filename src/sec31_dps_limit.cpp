@@ -206,8 +206,6 @@ Estimate limit(const std::vector<Estimate>& values) {
   };
   return compare(from(values.size() - 2), from(values.size() - 1));
 }
-const char* const from_both = "from the errors of both points";
-const char* const limited = "change from one amplitude earlier, and the errors of the deviations";
 
 /**
 ## The error and its order (figure x02)
@@ -239,23 +237,19 @@ void report_errors(Report& report) {
     const auto all = coefficients(starts[start], Harmonic{}, horizons, count);
     for (std::size_t h = 0; h < all.size(); ++h) {
       for (std::size_t i = 0; i < all[h].size(); ++i)
-        errors.add(
-            {{"start", "initial condition, 0: impact, 1: pair, 2: displaced pair", start},
-             {"tau", "slow time up to which the largest error is taken", horizons[h]},
-             {"eps", "amplitude scale epsilon of the motion", amplitude(int(i) + 1)},
-             {"coefficient", "largest difference of chain and approximation over 2 eps^(3/2)",
-              all[h][i], "", "largest relative difference of two resolutions on the curve"}});
+        errors.add({{"start", start},
+                    {"tau", horizons[h]},
+                    {"eps", amplitude(int(i) + 1)},
+                    {"coefficient", all[h][i]}});
       const std::vector<Estimate> order = local_orders(all[h]);
-      limits.add(
-          {{"start", "initial condition, 0: impact, 1: pair, 2: displaced pair", start},
-           {"tau", "slow time up to which the largest error is taken", horizons[h]},
-           {"first", "local order between the two largest amplitudes", order[0], "", from_both},
-           {"order", "limit of the local order", limit(order), "", limited},
-           {"coefficient", "limit of the deviation over 2 eps^(3/2)", limit(all[h]), "", limited}});
+      limits.add({{"start", start},
+                  {"tau", horizons[h]},
+                  {"first", order[0]},
+                  {"order", limit(order)},
+                  {"coefficient", limit(all[h])}});
     }
   }
-  report.table("time_constant")
-      .add(Row{{"tau_0", "constant of the DpS equation", exact(tau_0(alpha)), "", "exact"}});
+  report.table("time_constant").add(Row{{"tau_0", exact(tau_0(alpha))}});
 }
 
 /**
@@ -286,10 +280,7 @@ void report_wells(Report& report) {
   for (const auto& [name, well] : wells)
     for (const std::size_t start : {0U, 1U}) {
       const auto all = coefficients(starts[start], well, horizon, count);
-      table.add({{"well", "hard, s = 1; asymmetric, of the force -y - y^2", name},
-                 {"start", "initial condition, 0: impact, 1: pair", start},
-                 {"order", "limit of the local order of the error in eps, up to tau = 4",
-                  limit(local_orders(all[0])), "", limited}});
+      table.add({{"well", name}, {"start", start}, {"order", limit(local_orders(all[0]))}});
     }
 }
 
@@ -319,12 +310,9 @@ void report_waves(Report& report) {
     const auto order = [](const Estimate& a, const Estimate& b) {
       return order_between(wave_eps[0], a, wave_eps[1], b);
     };
-    table.add(
-        {{"wavelength", "wavelength", wavelength, "site"},
-         {"order", "order in eps of the largest distance, equal frequency",
-          order(large.largest, small.largest), "", from_both},
-         {"order_amplitude", "the same at equal amplitude, of the largest up to t = eps^(-1/2)",
-          order(large.at_equal_amplitude, small.at_equal_amplitude), "", from_both}});
+    table.add({{"wavelength", wavelength},
+               {"order", order(large.largest, small.largest)},
+               {"order_amplitude", order(large.at_equal_amplitude, small.at_equal_amplitude)}});
   }
 }
 

@@ -160,17 +160,15 @@ void report_key(Report& report) {
       const BreatherPair& pair = pairs[i];
       const double law = -(pair.omega - 1) / 5;
       const Estimate ratio = quotient(pair.equal_area, pair.equal_frequency);
-      table.add(
-          {{"s", "anharmonicity of the well", s},
-           {"omega", "frequency", pair.omega},
-           {"equal_frequency", "E_site - E_bond at equal frequency", pair.equal_frequency},
-           {"equal_area", "E_site - E_bond at equal area (2 pi times the action)", pair.equal_area},
-           {"energy_site", "energy of the site-centred breather", pair.energy[0]},
-           {"energy_bond", "energy of the bond-centred breather", pair.energy[1]},
-           {"over_law", "equal_area over equal_frequency, divided by -(omega - 1)/5",
-            Estimate{ratio.value / law, ratio.error / -law}},
-           {"over_linear", "modulus of equal_frequency over that of the linear well",
-            quotient(modulus(pair.equal_frequency), modulus(of_linear[i].equal_frequency))}});
+      table.add({{"s", s},
+                 {"omega", pair.omega},
+                 {"equal_frequency", pair.equal_frequency},
+                 {"equal_area", pair.equal_area},
+                 {"energy_site", pair.energy[0]},
+                 {"energy_bond", pair.energy[1]},
+                 {"over_law", Estimate{ratio.value / law, ratio.error / -law}},
+                 {"over_linear",
+                  quotient(modulus(pair.equal_frequency), modulus(of_linear[i].equal_frequency))}});
     }
   }
 }
@@ -211,18 +209,15 @@ Families report_barriers(Report& report) {
       const auto& [energy_site, energy_bond] = pair.energy;
       const auto& [amplitude_site, amplitude_bond] = pair.amplitude;
       table.add(
-          {{"s", "anharmonicity of the well", s},
-           {"omega", "frequency", pair.omega},
-           {"energy_bond", "energy of the bond-centred breather", energy_bond},
-           {"amplitude_bond", "its largest displacement at t = 0", amplitude_bond},
-           {"equal_frequency", "E_site - E_bond at equal frequency", pair.equal_frequency},
-           {"equal_area", "E_site - E_bond at equal area (2 pi times the action)", pair.equal_area},
-           {"predicted", "of equal_frequency, from equal_area and its derivative",
-            Estimate{pair.equal_area.value - pair.omega * pair.slope_area.value,
-                     pair.equal_area.error + pair.omega * pair.slope_area.error},
-            "", "known to 3 per cent, next to zeros"},
-           {"relative", "modulus of equal_frequency divided by energy_bond",
-            modulus(quotient(pair.equal_frequency, energy_bond))}});
+          {{"s", s},
+           {"omega", pair.omega},
+           {"energy_bond", energy_bond},
+           {"amplitude_bond", amplitude_bond},
+           {"equal_frequency", pair.equal_frequency},
+           {"equal_area", pair.equal_area},
+           {"predicted", Estimate{pair.equal_area.value - pair.omega * pair.slope_area.value,
+                                  pair.equal_area.error + pair.omega * pair.slope_area.error}},
+           {"relative", modulus(quotient(pair.equal_frequency, energy_bond))}});
     }
   }
   return families;
@@ -242,10 +237,8 @@ void report_zeros(Report& report, const Families& families) {
       before.push_back(left);
       after.push_back(right);
     }
-    counted.add({{"s", "anharmonicity of the well", pairs[0].s},
-                 {"equal_frequency", "how often the barrier at equal frequency vanishes",
-                  before.size() - already},
-                 {"equal_area", "how often the barrier at equal area vanishes", area}});
+    counted.add(
+        {{"s", pairs[0].s}, {"equal_frequency", before.size() - already}, {"equal_area", area}});
   }
 
   // Where the barrier at equal frequency vanishes
@@ -257,10 +250,7 @@ void report_zeros(Report& report, const Families& families) {
   int number = 0;
   for (std::size_t i = 0; i < zeros.size(); ++i) {
     number = i > 0 && before[i - 1].s == before[i].s ? number + 1 : 1;
-    changes.add({{"s", "anharmonicity of the well", before[i].s},
-                 {"zero", "1 for the first in the well, 2 for the second, ...", number},
-                 {"omega", "frequency at which the barrier at equal frequency changes sign",
-                  zeros[i], "", "error of omega"}});
+    changes.add({{"s", before[i].s}, {"zero", number}, {"omega", zeros[i]}});
   }
 }
 
@@ -353,13 +343,9 @@ void report_accuracy(Report& report) {
   BreatherPair pair = find_pair(linear, printed_omega);
   measure_in<Wide>(pair);
   report.table("accuracy")
-      .add({{"energy", "change of the energy of a breather that leaves the printed residual",
-             compare(energy_of_residual(2e-6), energy_of_residual(1e-6)), "",
-             "two changes of the frequency"},
-            {"energy_of_variation",
-             "change of its energy if every bead moves by the printed variation",
-             compare(energy_of_variation(1), energy_of_variation(0))},
-            {"excess", "the printed barrier minus ours",
+      .add({{"energy", compare(energy_of_residual(2e-6), energy_of_residual(1e-6))},
+            {"energy_of_variation", compare(energy_of_variation(1), energy_of_variation(0))},
+            {"excess",
              Estimate{printed_barrier - pair.equal_frequency.value, pair.equal_frequency.error}}});
 }
 

@@ -97,7 +97,6 @@ Quadruple u(const Breather& b, long n) {
 TwoRuns<Breather> two_lengths(Centre centre) {
   return {breather(centre), breather(centre, strains + 1)};
 }
-const char* const longer = "difference from a chain with one strain less in each half";
 
 /**
 ## Both breathers and their approximation (figure x03 a to c)
@@ -123,11 +122,9 @@ void report_profile(Table& profile, Table& by_site, const TwoRuns<Breather>& run
   const std::size_t sites = runs.coarse.u.size();
   for (std::size_t i = 0; i < sites; ++i) {
     const long n = site_number(i, sites);
-    profile.add(
-        {{"n", "site", n, "site"},
-         {"u", "stationary DpS breather, mu = 1",
-          runs.of([n](const Breather& b) { return double(u(b, n)); }), "", longer},
-         {"quasi_continuum", "quasi-continuum profile", approximation(runs.coarse.centre, n)}});
+    profile.add({{"n", n},
+                 {"u", runs.of([n](const Breather& b) { return double(u(b, n)); })},
+                 {"quasi_continuum", approximation(runs.coarse.centre, n)}});
   }
 
   // The approximation over u_n, and the power of the tail
@@ -138,10 +135,8 @@ void report_profile(Table& profile, Table& by_site, const TwoRuns<Breather>& run
     const auto tail = [n](const Breather& b) {
       return double(log(abs(u(b, n + 1))) / log(abs(u(b, n))));
     };
-    by_site.add({{"centre", "site or bond", name},
-                 {"n", "site", n, "site"},
-                 {"approximation", "quasi-continuum profile over u_n", runs.of(ratio), "", longer},
-                 {"tail", "ln|u_(n+1)| over ln|u_n|", runs.of(tail), "", longer}});
+    by_site.add(
+        {{"centre", name}, {"n", n}, {"approximation", runs.of(ratio)}, {"tail", runs.of(tail)}});
   }
 }
 
@@ -159,9 +154,9 @@ void report_lengths(Report& report) {
   };
   Table& table = report.table("lengths");
   for (std::size_t count = 2; count <= (report.quick ? 5 : 6); ++count)
-    table.add({{"strains", "of the right half", count},
-               {"site", "relative error of the norm, around a site", error(Centre::site, count)},
-               {"bond", "relative error of the norm, around a bond", error(Centre::bond, count)}});
+    table.add({{"strains", count},
+               {"site", error(Centre::site, count)},
+               {"bond", error(Centre::bond, count)}});
 }
 
 /**
@@ -187,14 +182,9 @@ void report_support(Report& report) {
   const auto largest = [](double factor) {
     return compare(residual(factor, 1.0 / 64), residual(factor, 1.0 / 128));
   };
-  report.table("support").add(
-      Row{{"half_width", "of the quasi-continuum profile",
-           compare(power / 4 * std::beta(0.5, 0.5), edge), "",
-           "difference of two formulas, one with Euler's beta integral"},
-          {"residual", "of g in Eq. (17), the largest over the height", largest(1), "",
-           "difference of two distances, relative to the height"},
-          {"control", "the same if g is one per cent higher", largest(1.01), "",
-           "difference of two distances, relative to the height"}});
+  report.table("support").add(Row{{"half_width", compare(power / 4 * std::beta(0.5, 0.5), edge)},
+                                  {"residual", largest(1)},
+                                  {"control", largest(1.01)}});
 }
 
 /**
@@ -235,13 +225,10 @@ double difference(const Breather& b) {
 }
 
 void report_breathers(Table& table, const TwoRuns<Breather>& runs, const char* name) {
-  table.add({{"centre", "site or bond", name},
-             {"difference", "from the quasi-continuum profile, over the amplitude",
-              runs.of(difference), "", longer},
-             {"norm", "sum of u_n^2", runs.of([](const Breather& b) { return double(b.norm()); }),
-              "", longer},
-             {"exponent", "of the amplitude in mu, at the site where it is farthest from two",
-              runs.of(exponent), "", longer}});
+  table.add({{"centre", name},
+             {"difference", runs.of(difference)},
+             {"norm", runs.of([](const Breather& b) { return double(b.norm()); })},
+             {"exponent", runs.of(exponent)}});
 }
 
 void reproduce(Report& report) {
@@ -258,8 +245,7 @@ void reproduce(Report& report) {
     return double((b.norm() - s.norm()) / s.norm());
   };
   report.table("norms").add(
-      Row{{"gap", "norm around the bond minus that around the site, over it",
-           compare(gap(site.coarse, bond.coarse), gap(site.fine, bond.fine)), "", longer}});
+      Row{{"gap", compare(gap(site.coarse, bond.coarse), gap(site.fine, bond.fine))}});
 }
 
 /**

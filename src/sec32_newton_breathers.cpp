@@ -160,17 +160,13 @@ Row row_of(const char* equations, std::size_t k, const TwoRuns<Path>& paths) {
   const auto pinning = [&](const Path& path) {
     return alignment(path[k].soft.softest, gradient({path[k].x.begin(), path[k].x.end()}));
   };
-  const char* size = "of two resolutions, against the largest: the others are rounding";
-  return Row{{"equations", "the time after which they are imposed, and how", equations},
-             {"steps", "steps of Newton's method", k},
-             {"residual", "change after a whole period, in extended precision, over the amplitude",
-              paths.of(returned), "", size},
-             {"step", "the last of these steps over the amplitude", paths.of(last_step), "", size},
-             {"energy_excess", "energy at this point minus that of the breather", paths.of(excess),
-              "", size},
-             {"condition", "condition number of the equations", paths.of(condition)},
-             {"pinning", "|cos| of the angle between least singular vector and discrete gradient",
-              paths.of(pinning)}};
+  return Row{{"equations", equations},
+             {"steps", k},
+             {"residual", paths.of(returned)},
+             {"step", paths.of(last_step)},
+             {"energy_excess", paths.of(excess)},
+             {"condition", paths.of(condition)},
+             {"pinning", paths.of(pinning)}};
 }
 
 void report_convergence(Report& report) {
@@ -184,12 +180,11 @@ void report_convergence(Report& report) {
   const TwoRuns<Path> whole = both(problem, 0), without = both(problem, least_kept);
   Table& history = report.table("iterations");
   for (std::size_t k = 0; k <= most_steps; ++k)
-    history.add({{"steps", "steps of Newton's method", k},
-                 {"quarter_period", "residual over the amplitude", quarter.fine[k].residual},
-                 {"whole_period", "the same of the article's equations", whole.fine[k].residual},
-                 {"without_pinning_mode", "without steps along it", without.fine[k].residual},
-                 {"singular", "least singular value of whole_period over the largest",
-                  1 / whole.fine[k].soft.condition}});
+    history.add({{"steps", k},
+                 {"quarter_period", quarter.fine[k].residual},
+                 {"whole_period", whole.fine[k].residual},
+                 {"without_pinning_mode", without.fine[k].residual},
+                 {"singular", 1 / whole.fine[k].soft.condition}});
 
   // What the article prints, and the step before
   Table& table = report.table("convergence");
@@ -215,11 +210,10 @@ void report_symmetry(Report& report) {
   Table& table = report.table("symmetry");
   for (Centre centre : both_centres)
     for (double omega : searched)
-      table.add({{"centre", "site or bond", name_of(centre)},
-                 {"omega", "breather frequency", omega},
-                 {"broken", "largest violation of the symmetry over the amplitude",
-                  compare(0.0, broken_symmetry(conditions(centre, omega), perturbation, 7)), "",
-                  "relative to the amplitude, distance from zero"}});
+      table.add(
+          {{"centre", name_of(centre)},
+           {"omega", omega},
+           {"broken", compare(0.0, broken_symmetry(conditions(centre, omega), perturbation, 7))}});
 }
 
 /**
@@ -246,9 +240,7 @@ void report_profiles(Report& report) {
         return largest_difference(breather.start, guess) / breather.amplitude;
       };
       differences.add(
-          {{"centre", "site or bond", name_of(centre)},
-           {"omega", "frequency", omega},
-           {"difference", "largest difference over the amplitude", found.of(difference)}});
+          {{"centre", name_of(centre)}, {"omega", omega}, {"difference", found.of(difference)}});
       breathers.push_back(found.fine.start);
       guesses.push_back(guess);
     }
@@ -259,14 +251,13 @@ void report_profiles(Report& report) {
     Table& table = report.table(name_of(centre) + "_profiles");
     for (std::size_t i = 0; i < beads; ++i) {
       const long n = site_number(i, beads);
-      table.add(
-          {{"n", "site", n, "site"},
-           {"u", "stationary DpS breather, mu = 1", u[i]},
-           {"u_continuum", "its quasi-continuum approximation", quasi_continuum(centre, n, alpha)},
-           {"y_101", "positions at t = 0 at the first frequency", breathers[0].y[i]},
-           {"y_101_continuum", "quasi-continuum approximation", guesses[0].y[i]},
-           {"y_110", "positions at t = 0 at the second frequency", breathers[1].y[i]},
-           {"y_110_continuum", "quasi-continuum approximation", guesses[1].y[i]}});
+      table.add({{"n", n},
+                 {"u", u[i]},
+                 {"u_continuum", quasi_continuum(centre, n, alpha)},
+                 {"y_101", breathers[0].y[i]},
+                 {"y_101_continuum", guesses[0].y[i]},
+                 {"y_110", breathers[1].y[i]},
+                 {"y_110_continuum", guesses[1].y[i]}});
     }
   }
 }
@@ -293,16 +284,14 @@ void report_persistence(Report& report) {
   };
   const TwoRuns<State<double>> end{after(1), after(0)};
   report.table("hundred_periods")
-      .add(Row{{"steps", "of Newton's method to the breather", found.iterations()},
-               {"moved", "largest change of positions and velocities over the amplitude",
-                Estimate{largest_difference(end.fine, start) / largest(start),
-                         largest_difference(end.fine, end.coarse) / largest(start)},
-                "", "relative, of two tolerances"}});
+      .add(Row{{"steps", found.iterations()},
+               {"moved", Estimate{largest_difference(end.fine, start) / largest(start),
+                                  largest_difference(end.fine, end.coarse) / largest(start)}}});
   Table& table = report.table("persistence");
   for (std::size_t i = 0; i < start.y.size(); ++i)
-    table.add({{"n", "site", site_number(i, start.y.size()), "site"},
-               {"y_start", "positions at t = 0", start.y[i]},
-               {"y_end", "positions after 100 periods", compare(end.coarse.y[i], end.fine.y[i])}});
+    table.add({{"n", site_number(i, start.y.size())},
+               {"y_start", start.y[i]},
+               {"y_end", compare(end.coarse.y[i], end.fine.y[i])}});
 }
 
 /**
@@ -329,17 +318,11 @@ void report_tail(Report& report) {
   for (long n = -long(tail_sites / 2); n <= long(tail_sites / 2); ++n) {
     const bool known = size(n) > 1e-300 && wide(n) > 0;
     const double before = n == 0 ? undefined.value : wide.exponent(n < 0 ? n + 1 : n - 1);
-    table.add({{"n", "site", n, "site"},
-               {"size", "|y_n(0)| in double precision; nan where it underflows",
-                known ? Estimate{size(n), std::abs(double(size(n) - wide(n)))} : undefined, "",
-                "difference from extended precision; nan where size is"},
-               {"exponent", "ln |y_(n+1)| / ln |y_n|, outwards from the centre",
-                compare(before, wide.exponent(n)), "",
-                "change from the site before, known to 15 per cent; nan at the centre and where "
-                "the tail ends"},
-               {"double_log", "ln(-ln |y_n(0)|) in extended precision", wide.double_log(n)},
-               {"law", "double_log by the law |y|^alpha, from the outermost site inwards",
-                wide.double_log(last) + double(std::abs(n) - last) * std::log(alpha)}});
+    table.add({{"n", n},
+               {"size", known ? Estimate{size(n), std::abs(double(size(n) - wide(n)))} : undefined},
+               {"exponent", compare(before, wide.exponent(n))},
+               {"double_log", wide.double_log(n)},
+               {"law", wide.double_log(last) + double(std::abs(n) - last) * std::log(alpha)}});
   }
 }
 
@@ -372,18 +355,14 @@ void report_branches(Report& report) {
     const auto coarse = newton(conditions(Centre::site, pair.omega),
                                Vector<double>(pair.orbit[0].x * 1.000001), rule<double>(1));
     const Estimate ratio = quotient(pair.amplitude[0], pair.amplitude[1]);
-    return Row{{"omega", "frequency", pair.omega},
-               {"amplitude_bond", "largest |y_n(0)|", pair.amplitude[1]},
-               {"amplitude_site", "largest |y_n(0)|", pair.amplitude[0]},
-               {"energy_bond", "energy of the bond-centred breather", pair.energy[1]},
-               {"energy_site", "energy of the site-centred breather", pair.energy[0]},
-               {"asymmetry", "largest |y_n(0) - y_-n(0)| around a site, over the amplitude",
-                compare(asymmetry(coarse), asymmetry(pair.orbit[0]))},
-               {"amplitude_gap", "amplitude_site over amplitude_bond, minus one",
-                Estimate{ratio.value - 1, ratio.error}},
-               {"energy_gap", "E_site - E_bond, over E_bond",
-                quotient(pair.equal_frequency, pair.energy[1]), "",
-                "difference of two resolutions, against the largest"}};
+    return Row{{"omega", pair.omega},
+               {"amplitude_bond", pair.amplitude[1]},
+               {"amplitude_site", pair.amplitude[0]},
+               {"energy_bond", pair.energy[1]},
+               {"energy_site", pair.energy[0]},
+               {"asymmetry", compare(asymmetry(coarse), asymmetry(pair.orbit[0]))},
+               {"amplitude_gap", Estimate{ratio.value - 1, ratio.error}},
+               {"energy_gap", quotient(pair.equal_frequency, pair.energy[1])}};
   };
   report.table("branches").fill(pairs, row, "branches");
 }
@@ -408,20 +387,17 @@ void report_small_amplitude(Report& report) {
   Table &widths = report.table("widths"), &others = report.table("other_wells");
   for (Centre centre : both_centres) {
     for (double omega : {lowest, 1.005, 1.01, 1.05})
-      widths.add({{"centre", "site or bond", name_of(centre)},
-                  {"omega", "frequency", omega},
-                  {"width", "participation number of the displacements, (sum y^2)^2 / sum y^4",
-                   widths_of(conditions(centre, omega)).displacements, "site"}});
+      widths.add({{"centre", name_of(centre)},
+                  {"omega", omega},
+                  {"width", widths_of(conditions(centre, omega)).displacements}});
 
     // How the amplitude grows from rest in three wells
     for (int well : {-1, 0, 1}) {
       const auto orbits = breathers_at(conditions(centre, omega_b, well), {1.0005, lowest, 1.01});
-      others.add({{"s", "anharmonicity of the well", double(well)},
-                  {"centre", "site or bond", name_of(centre)},
-                  {"exponent", "of the amplitude in omega_b - 1, at 1.0005",
-                   compare(growth_exponent(orbits.at(1), orbits.at(2)),
-                           growth_exponent(orbits.at(0), orbits.at(1))),
-                   "", "change from the next pair of frequencies"}});
+      others.add({{"s", double(well)},
+                  {"centre", name_of(centre)},
+                  {"exponent", compare(growth_exponent(orbits.at(1), orbits.at(2)),
+                                       growth_exponent(orbits.at(0), orbits.at(1)))}});
     }
   }
 }

@@ -123,18 +123,16 @@ void report_spectra(Report& report) {
       const auto breather = stationary<double>(centre, mu, sites_of(centre, alpha), alpha);
       Table& profile = report.table("profile" + which);
       for (std::size_t i = 0; i < breather.u.size(); ++i)
-        profile.add({{"n", "site", site_number(i, breather.u.size()), "site"},
-                     {"u", "stationary DpS breather", breather.u[i]}});
+        profile.add({{"n", site_number(i, breather.u.size())}, {"u", breather.u[i]}});
       // Both exponents of each eigenvalue
       const auto fine = exponents_of<long double>(centre, mu);
       const auto coarse = exponents_of<double>(centre, mu);
       Table& spectrum = report.table("spectrum" + which);
       for (std::size_t i = 0; i < fine.size(); ++i) {
         const std::complex<double> sigma(double(fine[i].first), double(fine[i].second));
-        spectrum.add({{"real", "growth rate", sigma.real(), rate_unit},
-                      {"imag", "frequency in the rotating frame", sigma.imag(), rate_unit},
-                      {"error", "difference from the value in double precision",
-                       exponent_error(sigma, {coarse[i].first, coarse[i].second}), rate_unit}});
+        spectrum.add({{"real", sigma.real()},
+                      {"imag", sigma.imag()},
+                      {"error", exponent_error(sigma, {coarse[i].first, coarse[i].second})}});
       }
     }
 }
@@ -169,12 +167,10 @@ void report_convergence(Report& report) {
     // From the support of the compact approximation on: 9 or 8 sites for spheres
     const std::size_t shortest = 2 * short_chain(alpha) + (centre == Centre::site ? 1 : 0);
     for (std::size_t sites = shortest; sites <= shortest + 8; sites += 2)
-      table.add({{"centre", "site or bond", name},
-                 {"sites", "length of the chain", sites},
-                 {"in_double", "error of the margin in double precision",
-                  distance(margin<double>(centre, sites), reference)},
-                 {"in_quadruple", "the same in quadruple precision; nan below 1e-25",
-                  distance(margin<Quadruple>(centre, sites), reference)}});
+      table.add({{"centre", name},
+                 {"sites", sites},
+                 {"in_double", distance(margin<double>(centre, sites), reference)},
+                 {"in_quadruple", distance(margin<Quadruple>(centre, sites), reference)}});
   }
 }
 
@@ -200,7 +196,6 @@ potential is so flat, and so nearly a sine, we do not know.
 
 The growth rate is linear in $\mu$ by scaling (figure 9, bottom): if $v_n(t)$ solves Eq. (11), so does
 $\mu^2v_n(\mu t)$. That the computed $\sigma/\mu$ agree checks the arithmetic and not the law. */
-constexpr const char* two_precisions = "from two precisions and two chain lengths";
 
 void report_margins(Report& report) {
   const std::vector<double> mus{1e-3, 0.1, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 1e3};
@@ -208,10 +203,8 @@ void report_margins(Report& report) {
   for (const auto& [centre, name] : centres)
     for (const double mu : mus) {
       const Margin found = margin_of<Quadruple>(centre, mu, sites_of(centre, alpha), alpha);
-      table.add({{"centre", "site or bond", name},
-                 {"mu", "frequency", mu},
-                 {"margin", "m_2/mu - 2/3, positive if unstable", found.margin, "", two_precisions},
-                 {"exponent", "|sigma|/mu of this pair", found.exponent, "", two_precisions}});
+      table.add(
+          {{"centre", name}, {"mu", mu}, {"margin", found.margin}, {"exponent", found.exponent}});
     }
 }
 
@@ -299,9 +292,7 @@ void report_map(Report& report, const NoiseGroup& group) {
   follow(group.breather, group.perturbed(map_seed), run_time, every_other,
          [&](double t, const Field& now) {
            for (std::size_t i = 0; i < now.size(); ++i)
-             map.add({{"t", "time", t, "unit of time"},
-                      {"n", "site", site_number(i, now.size()), "site"},
-                      {"density", "|v_n|^2", std::norm(now[i])}});
+             map.add({{"t", t}, {"n", site_number(i, now.size())}, {"density", std::norm(now[i])}});
          });
 }
 
@@ -336,29 +327,22 @@ void add_departures(Table& table, const NoiseGroup& group) {
   const auto pass = [&](double distance) {
     return group.runs.of([&](const DpsRuns& runs) { return passing(runs, distance); });
   };
-  const char* exact_if = "exact where both tolerances agree";
-  table.add(
-      {{"noise", "main, narrow, real or relative", group.noise.name},
-       {"start", "site, bond, or control: a site without the translational mode", group.start},
-       {"seeds", "number of runs", group.runs.fine.size()},
-       {"left", "breathers whose |X| exceeds 1/2 by t = 500, or by 750 under real noise", pass(0.5),
-        "", exact_if},
-       {"moved", "breathers whose |X| exceeds 1 by then", pass(1), "", exact_if},
-       {"spread", "by which factor the participation number grows at most",
-        group.runs.of(largest_spread)}});
+  table.add({{"noise", group.noise.name},
+             {"start", group.start},
+             {"seeds", group.runs.fine.size()},
+             {"left", pass(0.5)},
+             {"moved", pass(1)},
+             {"spread", group.runs.of(largest_spread)}});
 }
 
 void add_outcomes(Table& outcomes, Table& pushes, const NoiseGroup& group, const Estimate& least) {
-  outcomes.add({{"noise", "main, narrow or relative", group.noise.name},
-                {"predicted", "bond-centred breathers whose outcome the push predicts",
-                 group.predicted_by(least)}});
+  outcomes.add({{"noise", group.noise.name}, {"predicted", group.predicted_by(least)}});
   for (std::size_t i = 0; i < group.runs.fine.size(); ++i) {
     const DpsRun& run = group.runs.fine[i];
-    pushes.add({{"noise", "main, narrow or relative", group.noise.name},
-                {"seed", "of the noise", i + 1},
-                {"over_threshold", "push of the noise over the least that moves the breather",
-                 run.push / least.value},
-                {"farthest", "largest |X| by t = 500", run.farthest(), "site"}});
+    pushes.add({{"noise", group.noise.name},
+                {"seed", i + 1},
+                {"over_threshold", run.push / least.value},
+                {"farthest", run.farthest()}});
   }
 }
 
@@ -374,11 +358,8 @@ void reproduce(Report& report) {
 
   const PinnedBreather site = breather_at_rest(Centre::site), bond = breather_at_rest(Centre::bond);
   const Estimate least = depinning_push(bond, report.quick ? 3 : 9);
-  const char* how = "half of the last bracket";
   report.table("depinning")
-      .add({{"push", "least push that sets the bond-centred breather in motion", least, "", how},
-            {"over_pendulum", "the same over that of the pendulum",
-             quotient(least, exact(bond.pendulum_push())), "", how}});
+      .add({{"push", least}, {"over_pendulum", quotient(least, exact(bond.pendulum_push()))}});
 
   // Under noise
   Table &departures = report.table("departures"), &outcomes = report.table("outcomes"),

@@ -132,10 +132,10 @@ void report_tolerances(Report& report) {
                                     std::abs(z - multiplier(kappa, -1))}));
       sum += ((z - 1.0) * (z - 1.0) / z).real();
     }
-    table.add({{"tolerance", "of the flow", rule.tolerance},
-               {"multipliers", "error of the eigenvalues of M next to +1", off},
-               {"symmetric", "error of kappa from the four of them", std::abs(sum / 8 - kappa)},
-               {"kappa", "error of kappa from K", std::abs(from_K - kappa)}});
+    table.add({{"tolerance", rule.tolerance},
+               {"multipliers", off},
+               {"symmetric", std::abs(sum / 8 - kappa)},
+               {"kappa", std::abs(from_K - kappa)}});
   }
 }
 
@@ -197,14 +197,11 @@ void report_over_s(Report& report, const Family& family) {
     const double kappa = at.spectrum.kappa().value;
     const double on_circle = std::sqrt(std::max(0.0, -kappa));
     const double on_axis = std::sqrt(std::max(0.0, kappa));
-    table.add(
-        {{"s", "anharmonicity of the well", at.spot.s},
-         {"kappa", "(lambda + 1/lambda - 2) / 4 of the pinning pair of multipliers",
-          at.spectrum.kappa(), "", "from two tolerances, against the neighbouring rows"},
-         {"argument", "argument of the multiplier in the upper half plane",
-          2 * std::asin(on_circle), "rad"},
-         {"growth", "ln of the larger modulus", 2 * std::asinh(on_axis)},
-         {"largest_modulus", "largest modulus of all multipliers", at.spectrum.largest_modulus()}});
+    table.add({{"s", at.spot.s},
+               {"kappa", at.spectrum.kappa()},
+               {"argument", 2 * std::asin(on_circle)},
+               {"growth", 2 * std::asinh(on_axis)},
+               {"largest_modulus", at.spectrum.largest_modulus()}});
   }
 }
 
@@ -238,14 +235,11 @@ stability in a symmetry-breaking bifurcation; higher harmonics of the potential 
 exchanges as far apart as the printed ones need a potential that is far from a sine at every $s$ between them. */
 void report_exchange(Report& report, const Family& around_site, const Family& around_bond) {
   const Estimate site = around_site.exchange.place, bond = around_bond.exchange.place;
-  const char* how = "from that of kappa";
   report.table("exchange")
-      .add({{"site", "s where the site-centred breather becomes stable", site, "", how},
-            {"bond", "s where the bond-centred one becomes unstable", bond, "", how},
-            {"gap", "bond minus site", Estimate{bond.value - site.value, site.error + bond.error},
-             "", how},
-            {"slope", "by which kappa falls with s, around a site", around_site.slope, "",
-             "two intervals"}});
+      .add({{"site", site},
+            {"bond", bond},
+            {"gap", Estimate{bond.value - site.value, site.error + bond.error}},
+            {"slope", around_site.slope}});
 }
 
 /**
@@ -268,9 +262,9 @@ void report_printed_exchanges(Report& report) {
     for (const double rounding : {-0.005, 0.0, 0.005}) {
       const auto problem = problem_at(centre, {omega_b, printed + rounding});
       const Pair pinning = spectrum<double>(problem, find_breather(problem)).pairs.front();
-      table.add({{"centre", "site or bond", name_of(centre)},
-                 {"s", "anharmonicity of the well", printed + rounding},
-                 {"beyond_one", "largest multiplier minus one", from_one(pinning)}});
+      table.add({{"centre", name_of(centre)},
+                 {"s", printed + rounding},
+                 {"beyond_one", from_one(pinning)}});
     }
 }
 
@@ -295,22 +289,19 @@ void report_pinning_mode(Report& report, Table& harmonic, Centre centre) {
   const double in_double = alignment(spectrum<double>(problem, orbit).mode, g);
   const double cosine = alignment(all.mode, g);
   const auto degrees = [](double x) { return std::acos(x) * 180 / std::numbers::pi; };
-  harmonic.add({{"centre", "site or bond", name_of(centre)},
-                {"kappa", "of the pinning pair", all.kappa()},
-                {"others", "largest modulus of the other multipliers, minus one",
-                 excess(all.pairs, 1), "", "difference of two resolutions, relative to one"},
-                {"cosine", "of the angle between pinning mode and discrete gradient",
-                 compare(in_double, cosine), "", "from two precisions"},
-                {"angle", "this angle", compare(degrees(in_double), degrees(cosine)), "degree",
-                 "from two precisions"}});
+  harmonic.add({{"centre", name_of(centre)},
+                {"kappa", all.kappa()},
+                {"others", excess(all.pairs, 1)},
+                {"cosine", compare(in_double, cosine)},
+                {"angle", compare(degrees(in_double), degrees(cosine))}});
 
   // Both vectors, bead by bead; the sign of an eigenvector is chosen as that of the gradient
   const Vector<double> mode = all.mode.dot(g) < 0 ? -all.mode : all.mode;
   Table& table = report.table("mode_" + name_of(centre));
   for (Eigen::Index i = 0; i < g.size(); ++i)
-    table.add({{"n", "site", site_number(std::size_t(i), std::size_t(g.size()))},
-               {"mode", "pinning mode, positions at t = 0", mode[i]},
-               {"gradient", "discrete gradient of the breather, normalised", g[i]}});
+    table.add({{"n", site_number(std::size_t(i), std::size_t(g.size()))},
+               {"mode", mode[i]},
+               {"gradient", g[i]}});
 }
 
 /**
@@ -364,14 +355,11 @@ void report_slow(Report& report) {
     exponents.push_back(
         {(1 + std::log2(fall.value)) / 2, fall.error / fall.value / (2 * std::numbers::ln2)});
   }
-  const char* how = "from two extrapolations, and from the errors of the rates";
   report.table("slow_limit")
-      .add({{"exponent", "of the rate as a power of eps", extrapolated_to_zero(exponents), "", how},
-            {"relative_rate", "limit of rate over omega_b - 1", extrapolated_to_zero(rates), "",
-             how},
-            {"here", "rate over omega_b - 1 at omega_b of the chapter", relative_rate(omega_b - 1)},
-            {"dps", "the same by the DpS equation",
-             margin_of<long double>(Centre::site, 1, sites_of(Centre::site)).exponent}});
+      .add({{"exponent", extrapolated_to_zero(exponents)},
+            {"relative_rate", extrapolated_to_zero(rates)},
+            {"here", relative_rate(omega_b - 1)},
+            {"dps", margin_of<long double>(Centre::site, 1, sites_of(Centre::site)).exponent}});
 }
 
 /**
@@ -423,20 +411,16 @@ void report_plane(Report& report, Table& table, const Family& near) {
   families.push_back(near.breathers);
 
   // What the statements compare
-  const char* how = "difference of two resolutions, relative to one";
   for (const auto& family : families)
     for (const auto& [spot, orbit, all] : family)
-      table.add(
-          {{"centre", "site or bond", name_of(near.centre)},
-           {"omega", "frequency", spot.omega_b},
-           {"s", "anharmonicity of the well", spot.s},
-           {"fourth", "distance of the fourth multiplier from +1", from_one(all.pairs[0])},
-           {"fifth", "distance of the fifth multiplier from +1", from_one(all.pairs[1])},
-           {"others", "largest modulus from the fifth multiplier on, minus one",
-            excess(all.pairs, 1), "", how},
-           {"largest", "largest modulus of all multipliers, minus one", excess(all.pairs), "", how},
-           {"at_edge", "how many multipliers are at the point of accumulation",
-            at_edge(all.pairs, spot.omega_b)}});
+      table.add({{"centre", name_of(near.centre)},
+                 {"omega", spot.omega_b},
+                 {"s", spot.s},
+                 {"fourth", from_one(all.pairs[0])},
+                 {"fifth", from_one(all.pairs[1])},
+                 {"others", excess(all.pairs, 1)},
+                 {"largest", excess(all.pairs)},
+                 {"at_edge", at_edge(all.pairs, spot.omega_b)}});
 }
 
 void reproduce(Report& report) {

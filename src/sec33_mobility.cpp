@@ -137,9 +137,7 @@ KickLook drawn_in(Table& map) {
   return [&map](const KickedPath& path, const State<double>& now, const std::vector<double>& e) {
     if (path.t.size() % 4 != 1) return;
     for (std::size_t n = 0; n < e.size(); ++n)
-      map.add(Row{{"t", "time", now.t},
-                  {"n", "site", site_number(n, e.size()), "site"},
-                  {"e", "energy density", e[n]}});
+      map.add(Row{{"t", now.t}, {"n", site_number(n, e.size())}, {"e", e[n]}});
   };
 }
 
@@ -183,15 +181,11 @@ void report_strong(Report& report, const Plan& plan, const Breathers& at) {
     const Estimate gained = paths[k].of([&](const KickedPath& p) { return p.energy - at_rest; });
     Estimate lost = paths[k].of(outside);
     lost.error += sampling;
-    table.add(Row{{"breather", "its centre and, at the kick, its contact", trials[k].name},
-                  {"speed", "slope of X", speed_between(paths[k], 0, paths[k].fine.run.t_end),
-                   "site per unit of time", "from two steps and the fit"},
-                  {"unsteadiness", "largest change of the speed over a site, as a fraction of it",
-                   unsteadiness(paths[k]), "", "relative, from two steps and the fit"},
-                  {"kick", "energy at the end of the run less that of the resting breather", gained,
-                   "", "from two steps, known to 2 per cent"},
-                  {"outside", "largest fraction of the energy beyond five sites", lost, "",
-                   "from two steps and two breathers, known to 2 per cent"}});
+    table.add(Row{{"breather", trials[k].name},
+                  {"speed", speed_between(paths[k], 0, paths[k].fine.run.t_end)},
+                  {"unsteadiness", unsteadiness(paths[k])},
+                  {"kick", gained},
+                  {"outside", lost}});
   }
 }
 
@@ -225,30 +219,26 @@ TwoRuns<KickedPath> report_weak(Report& report, const Plan& plan, const Breather
   const auto paths = kick_all(trials, c_weak);
   for (std::size_t k = 0; k < 3 && !report.quick; ++k)
     check_energy(trials[k].breather, c_weak, paths[k].fine);
-
-  const char* how =
-      "from two integrators, against the largest displacement; nan after the end of a run";
   Table& drawn = report.table("paths");
   const auto centre = [&](std::size_t k, std::size_t i) {
     const auto& [coarse, fine] = paths[k];
     return i < fine.centre.size() ? compare(coarse.centre[i], fine.centre[i]) : undefined;
   };
   for (std::size_t i = 0; i < paths[0].fine.t.size(); i += 8)
-    drawn.add(Row{{"t", "time", paths[0].fine.t[i]},
-                  {"X_site", "energy centre", centre(0, i), "site", how},
-                  {"X_bond_stretched", "energy centre", centre(1, i), "site", how},
-                  {"X_bond_compressed", "energy centre", centre(2, i), "site", how}});
+    drawn.add(Row{{"t", paths[0].fine.t[i]},
+                  {"X_site", centre(0, i)},
+                  {"X_bond_stretched", centre(1, i)},
+                  {"X_bond_compressed", centre(2, i)}});
 
   // How far they come
   const auto farthest = [](const KickedPath& p) { return p.farthest(); };
   const auto came_back = [](const KickedPath& p) { return p.farthest() - std::abs(p.travelled()); };
   Table& table = report.table("weak_kicks");
   for (std::size_t k = 0; k < paths.size(); ++k)
-    table.add(Row{
-        {"breather", "its centre and, at the kick, its contact", trials[k].name},
-        {"until", "end of the run", exact(trials[k].time), "", "exact"},
-        {"farthest", "largest distance", paths[k].of(farthest), "site", how},
-        {"came_back", "how much closer it is at the end", paths[k].of(came_back), "site", how}});
+    table.add(Row{{"breather", trials[k].name},
+                  {"until", exact(trials[k].time)},
+                  {"farthest", paths[k].of(farthest)},
+                  {"came_back", paths[k].of(came_back)}});
   if (report.quick) return paths[0];
 
   // When the breather passes the sites
@@ -256,9 +246,8 @@ TwoRuns<KickedPath> report_weak(Report& report, const Plan& plan, const Breather
   for (double x : {1.0, 2.0, 3.0}) {
     const auto time = [x](const KickedPath& p) { return p.time_at(x); };
     const auto ratio = [x](const KickedPath& p) { return p.speed_at(x) / p.speed_at(1.5); };
-    passages.add(Row{{"distance", "from the start", x, "site"},
-                     {"time", "when the centre is there", paths[0].of(time)},
-                     {"speed_ratio", "speed there over that at 1.5 sites", paths[0].of(ratio)}});
+    passages.add(
+        Row{{"distance", x}, {"time", paths[0].of(time)}, {"speed_ratio", paths[0].of(ratio)}});
   }
   return paths[0];
 }
@@ -318,10 +307,8 @@ void report_small_amplitude(Report& report) {
   const auto row = [](double omega) {
     const RestingBreather at = resting_breather(Centre::bond, Phase::stretched, omega, to_stay, s);
     const Estimate phi = predict_threshold(at, exact(1)).phi;
-    return Row{{"omega", "frequency of the breather", omega},
-               {"over_law", "phi over -(omega - 1)/3",
-                Estimate{-3 * phi.value / (omega - 1), 3 * phi.error / (omega - 1)}, "",
-                "two tolerances"}};
+    return Row{{"omega", omega},
+               {"over_law", Estimate{-3 * phi.value / (omega - 1), 3 * phi.error / (omega - 1)}}};
   };
   report.table("small_amplitude").fill(std::vector{1.0005, 1.002, 1.01, 1.1}, row, "frequencies");
 }
@@ -380,18 +367,16 @@ std::vector<Threshold> report_thresholds(Report& report, const Plan& plan, const
   Table& table = report.table("thresholds");
   for (const Threshold& one : all) {
     const Estimate c = one.found(), energy{c.value * c.value / 2, c.value * c.error};
-    table.add(Row{{"breather", "its centre and, at the kick, its contact", one.name},
-                  {"kinetic_share", "fraction phi of c^2/2", one.law.phi, "", "two tolerances"},
-                  {"frequency", "pinning frequency Omega", one.law.frequency, "", "two tolerances"},
-                  {"barrier", "E_site - E_bond at equal action", one.law.barrier},
-                  {"predicted", "threshold c_c by these", one.law.threshold},
-                  {"threshold", "c_c of the chain", c, "", "from two schemes and three kicks"},
-                  {"over_barrier", "c_c^2/2 over the barrier E_PN at equal frequency",
-                   Estimate{energy.value / barrier, energy.error / barrier}}});
+    table.add(Row{{"breather", one.name},
+                  {"kinetic_share", one.law.phi},
+                  {"frequency", one.law.frequency},
+                  {"barrier", one.law.barrier},
+                  {"predicted", one.law.threshold},
+                  {"threshold", c},
+                  {"over_barrier", Estimate{energy.value / barrier, energy.error / barrier}}});
   }
   report.table("printed_norm")
-      .add(Row{{"norm", "length of g as printed, contact stretched", norm, "", "two chains"},
-               {"threshold", "c_c for this g", quotient(all[0].found(), norm)}});
+      .add(Row{{"norm", norm}, {"threshold", quotient(all[0].found(), norm)}});
   return all;
 }
 
@@ -422,14 +407,11 @@ void report_steps(Report& report, const Plan& plan, const Threshold& best) {
     const Depinning run = step == made ? best.runs.coarse
                                        : depinning(best.at, best.law.threshold.value,
                                                    EventCorrected{step}, longest_run);
-    return Row{{"step", "time step", step},
-               {"shift", "c_c less that with fourteen stages, as a fraction of it",
-                std::abs(run.threshold.value / of_kicks.value - 1)},
-               {"drift", "largest change of the energy, relative", run.drift},
-               {"lines", "disagreement of the lines through the three kicks, as a fraction of c_c",
-                of_kicks.error / of_kicks.value},
-               {"kick", "energy c_c^2/2 of the kick, relative",
-                of_kicks.value * of_kicks.value / 2 / best.at.energy}};
+    return Row{{"step", step},
+               {"shift", std::abs(run.threshold.value / of_kicks.value - 1)},
+               {"drift", run.drift},
+               {"lines", of_kicks.error / of_kicks.value},
+               {"kick", of_kicks.value * of_kicks.value / 2 / best.at.energy}};
   };
   report.table("threshold_steps").fill(std::vector{0.4, 0.3, made}, row, "steps");
 }
@@ -467,13 +449,10 @@ void report_speeds(Report& report, const Plan& plan, const RestingBreather& site
       const Estimate speed = compare(speed_over_a_site(at, c, plan.unchecked.coarse),
                                      speed_over_a_site(at, c, plan.unchecked.fine));
       const double start = omega / std::numbers::pi * c * std::sqrt(std::abs(phi) / (2 * barrier));
-      return Row{
-          {"centre", "centre at which the breather starts", name},
-          {"c", "size c of the kick", c},
-          {"speed", "mean speed over one site", speed, "site per unit of time",
-           "from two time steps and two starting points"},
-          {"pendulum", "that of a pendulum by the linearised flow and the barrier",
-           pendulum_speed(start, omega, at.centre == Centre::site), "site per unit of time"}};
+      return Row{{"centre", name},
+                 {"c", c},
+                 {"speed", speed},
+                 {"pendulum", pendulum_speed(start, omega, at.centre == Centre::site)}};
     };
     table.fill(kicks, row, "speeds");
   };
@@ -500,9 +479,7 @@ void report_short_run(Report& report, const Plan& plan, const RestingBreather& b
     const auto next = std::ranges::lower_bound(p.t, passes.value);
     return std::abs(p.moved(std::size_t(next - p.t.begin()) - 1));
   };
-  report.table("short_run")
-      .add(Row{{"time", "when the bond-centred breather passes the next site", passes},
-               {"moved", "distance of the other by then", site.of(by_then), "site"}});
+  report.table("short_run").add(Row{{"time", passes}, {"moved", site.of(by_then)}});
 }
 
 /**

@@ -196,22 +196,18 @@ void report_turns(Report& report, const std::vector<Packet>& packets) {
     return end.found() ? fit_parabola(p, 0, end.time).deviation : std::nan("");
   };
   Table& turns = report.table("turns");
-  const char *well = "from step and smoothing, known to 4 per cent; nan where there is none",
-             *poorly = "from step and smoothing, known to 40 per cent; nan where there is none",
-             *squared = "site per squared unit of time";
   for (const Packet& packet : packets)
     if (packet.turns())
-      turns.add(
-          {{"s", "anharmonicity", packet.with.s},
-           {"velocity", "impact velocity", packet.with.v0},
-           {"apex_site", "turning point", packet.turn.apex_site, "site", well},
-           {"apex_time", "its time", packet.turn.apex_time, "", well},
-           {"stop_time", "when the velocity first vanishes", packet.turn.stop_time, "", poorly},
-           {"return_time", "time of the reflection", packet.turn.return_time, "", well},
-           {"return_site", "site of the reflection", packet.turn.return_site, "site", poorly},
-           {"out_again", "centre 60 units of time later", packet.of(out_again), "site", poorly},
-           {"at_turn", "mean acceleration near it", packet.of(at_turn), squared, poorly},
-           {"parabola", "relative distance from one", packet.of(off_parabola), "", poorly}});
+      turns.add({{"s", packet.with.s},
+                 {"velocity", packet.with.v0},
+                 {"apex_site", packet.turn.apex_site},
+                 {"apex_time", packet.turn.apex_time},
+                 {"stop_time", packet.turn.stop_time},
+                 {"return_time", packet.turn.return_time},
+                 {"return_site", packet.turn.return_site},
+                 {"out_again", packet.of(out_again)},
+                 {"at_turn", packet.of(at_turn)},
+                 {"parabola", packet.of(off_parabola)}});
 }
 
 /**
@@ -232,11 +228,11 @@ void report_convergence(Report& report) {
   const Turn best = turn_by(other(report.quick ? 0.05 : 0.0125));
   const auto row = [&](double step) -> Row {
     const Turn ours = turn_by(EventCorrected{step}), theirs = turn_by(other(step));
-    return {{"step", "largest step", step},
-            {"site", "error of the turning point", error(ours.apex.site, best.apex.site), "site"},
-            {"time", "of the reflection", error(ours.rebound.time, best.rebound.time)},
-            {"other_site", "other scheme", error(theirs.apex.site, best.apex.site), "site"},
-            {"other_time", "other scheme", error(theirs.rebound.time, best.rebound.time)}};
+    return {{"step", step},
+            {"site", error(ours.apex.site, best.apex.site)},
+            {"time", error(ours.rebound.time, best.rebound.time)},
+            {"other_site", error(theirs.apex.site, best.apex.site)},
+            {"other_time", error(theirs.rebound.time, best.rebound.time)}};
   };
   report.table("convergence").fill(std::array{0.2, 0.1, 0.05, 0.025}, row, "steps");
 }
@@ -291,22 +287,19 @@ void report_ensemble(Report& report) {
     const TwoRuns<std::vector<Spread>> both{spread_within(noise, members, 0.2, time),
                                             spread_within(noise, members, 0.1, time)};
     for (const Spread& at : both.fine)
-      table.add({{"noise", "relative width of the interval of impacts", noise},
-                 {"t", "time", at.t},
-                 {"mean", "mean of the centres", at.mean, "site"},
-                 {"deviation", "standard deviation of the centres", at.deviation, "site"},
-                 {"low", "lower decile of the centres", at.low, "site"},
-                 {"high", "upper decile of the centres", at.high, "site"}});
+      table.add({{"noise", noise},
+                 {"t", at.t},
+                 {"mean", at.mean},
+                 {"deviation", at.deviation},
+                 {"low", at.low},
+                 {"high", at.high}});
     // When it is half a site, and its mean before and long after the reflection
     Estimate t = both.of([](const auto& all) { return time_to_spread(all, unpredictable); });
     t.error += compared_every;
-    const char* known = "two steps, known to 70 per cent";
     const auto early = [&](const auto& all) { return mean(between(all, 0, 850)); };
     const auto late = [&](const auto& all) { return mean(between(all, time - 600, time)); };
-    predictable.add({{"noise", "relative width of the interval of impacts", noise},
-                     {"t", "when the deviation exceeds half a site", t, "", known},
-                     {"early", "mean deviation until t = 850", both.of(early), "site", known},
-                     {"late", "in the last 600 units of time", both.of(late), "site", known}});
+    predictable.add(
+        {{"noise", noise}, {"t", t}, {"early", both.of(early)}, {"late", both.of(late)}});
   };
   add(1e-6, report.quick ? 8 : 20);
   if (!report.quick) add(1e-4, 10);
@@ -325,10 +318,8 @@ void report_maps(Report& report) {
       ++samples;
       if (now.t < until - 1e-9) return;
       for (std::size_t n = 0; n < sites; ++n)
-        table.add({{"panel", "of figure 22", panel},
-                   {"t", "time", until - interval / 2},
-                   {"n", "site", n + 1, "site"},
-                   {"e", "energy density, averaged over an interval", sum[n] / samples}});
+        table.add(
+            {{"panel", panel}, {"t", until - interval / 2}, {"n", n + 1}, {"e", sum[n] / samples}});
       sum.assign(sites, 0.0);
       samples = 0;
       until += interval;
@@ -377,8 +368,6 @@ constexpr double fitted_over = 120, fitted_every = 10, article_end = 1000;  // o
 
 void report_acceleration(Report& report, const std::vector<Packet>& packets) {
   Table& table = report.table("acceleration");
-  const char *from = "against the largest, known to 5 per cent: from step and smoothing",
-             *squared = "site per squared unit of time";
   const double half = fitted_over / 2;
   for (const Packet& packet : packets) {
     if (packet.with.v0 > 2) continue;
@@ -389,13 +378,13 @@ void report_acceleration(Report& report, const std::vector<Packet>& packets) {
         return fit_parabola(p, t - half, t + half).acceleration;
       };
       const auto velocity = [&](const Path& p) { return velocity_at(p, t); };
-      table.add({{"s", "anharmonicity", packet.with.s},
-                 {"velocity", "impact velocity", packet.with.v0},
-                 {"t", "time", t},
-                 {"way", "2 after the turning point", t > packet.turn.apex_time.value ? 2 : 1},
-                 {"centre", "the packet's centre at this time", centre_at(packet.fine, t), "site"},
-                 {"acceleration", "mean over 120 units of time", packet.of(mean), squared, from},
-                 {"speed", "velocity", packet.of(velocity), "site per unit of time", from}});
+      table.add({{"s", packet.with.s},
+                 {"velocity", packet.with.v0},
+                 {"t", t},
+                 {"way", t > packet.turn.apex_time.value ? 2 : 1},
+                 {"centre", centre_at(packet.fine, t)},
+                 {"acceleration", packet.of(mean)},
+                 {"speed", packet.of(velocity)}});
     }
   }
 }
@@ -428,9 +417,7 @@ void report_profiles(Report& report) {
     const auto runs = two_runs(until, finer_step(until, report));
     for (std::size_t n = 0; n < 40; ++n) {
       const Estimate v = runs.of([n](const ImpactRun& run) { return run.end.v[n]; });
-      profiles.add({{"t", "time", time},
-                    {"n", "site", n + 1, "site"},
-                    {"v", "velocity", v, "", "against the largest: difference of two steps"}});
+      profiles.add({{"t", time}, {"n", n + 1}, {"v", v}});
     }
     // Where the packet is, and how fast now and at first
     const auto distance = [time](const Path& p) {
@@ -438,11 +425,10 @@ void report_profiles(Report& report) {
     };
     const auto now = [time](const Path& p) { return velocity_at(p, time); };
     const auto first = [](const Path& p) { return velocity_at(p, 20); };
-    const char* from = "from step and smoothing, known to 20 per cent";
-    near.add({{"t", "time", time},
-              {"distance", "from the turning point", whole.of(distance), "site", from},
-              {"speed", "over ten units of time", whole.of(now), "site per unit of time", from},
-              {"first_speed", "around t = 20", whole.of(first), "site per unit of time", from}});
+    near.add({{"t", time},
+              {"distance", whole.of(distance)},
+              {"speed", whole.of(now)},
+              {"first_speed", whole.of(first)}});
   }
 }
 
@@ -474,16 +460,15 @@ void report_onward(Report& report, const std::vector<Packet>& packets) {
     }
     return back;
   };
-  const char* from = "from the time step and the smoothing";
   for (const Packet& packet : packets) {
     if (packet.turns()) continue;
     const double end = packet.with.time - path_smoothing;
     const auto centre = [&](const Path& p) { return centre_at(p, end); };
-    table.add({{"s", "anharmonicity", packet.with.s},
-               {"velocity", "impact velocity", packet.with.v0},
-               {"until", "end of the run", packet.with.time},
-               {"centre", "15 units of time before", packet.of(centre), "site", from},
-               {"fallen_back", "largest step back", packet.of(fallen_back), "site", from}});
+    table.add({{"s", packet.with.s},
+               {"velocity", packet.with.v0},
+               {"until", packet.with.time},
+               {"centre", packet.of(centre)},
+               {"fallen_back", packet.of(fallen_back)}});
   }
 }
 

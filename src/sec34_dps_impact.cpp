@@ -175,46 +175,40 @@ in each period; here the norm of the first ten sites falls in every stretch of 2
 */
 void report_dps(Report& report, const Case& impact, const TwoRuns<DpsRun>& runs) {
   // Every eighth sample for the map, and the last one
-  const Columns profile_columns{count("n", "site", "site"), number("density", "|A_n|^2")};
-  Table& map = report.table("dps_impact_map", {number("tau", "slow time"), profile_columns});
-  Table& profile = report.table("dps_impact_profile", profile_columns);
+  Table &map = report.table("dps_impact_map"), &profile = report.table("dps_impact_profile");
   for (std::size_t k = 0; k < runs.fine.A.size(); k += 8) {
     const std::vector<double> d = density(runs.fine.A[k]);
-    for (std::size_t n = 0; n < impact.sites; ++n) map.add({runs.fine.tau[k], n + 1, d[n]});
+    for (std::size_t n = 0; n < impact.sites; ++n)
+      map.add({{"tau", runs.fine.tau[k]}, {"n", n + 1}, {"density", d[n]}});
   }
   const std::vector<double> last = density(runs.fine.A.back());
-  for (std::size_t n = 0; n < impact.sites; ++n) profile.add({n + 1, last[n]});
+  for (std::size_t n = 0; n < impact.sites; ++n) profile.add({{"n", n + 1}, {"density", last[n]}});
 
   // The packet, and how it changes on its way
   report.table("dps_packet")
-      .add({{"norm", "its norm at the end, as a part of the whole",
-             runs.of([](const DpsRun& run) { return run.path.energy.back(); })},
-            {"norm_change", "change from the first half of the way to the second, relative",
+      .add({{"norm", runs.of([](const DpsRun& run) { return run.path.energy.back(); })},
+            {"norm_change",
              runs.of([](const DpsRun& run) { return std::abs(energy_change(run.path)); })},
-            {"speed_change", "the same of the speed", runs.of([](const DpsRun& run) {
+            {"speed_change", runs.of([](const DpsRun& run) {
                const Estimate change = speed_change(run.path);
                return Estimate{std::abs(change.value), change.error};
-             }),
-             "", "difference of two resolutions, relative"}});
+             })}});
 
   // What stays behind
   const Estimate strongest = runs.of([](const DpsRun& run) {
     const std::vector<double> d = density(run.A.back());
     return residue(d, *front_packet(d));
   });
-  report.table("residue").add(
-      Row{{"window", "norm of its strongest eleven sites over that of the packet", strongest}});
+  report.table("residue").add(Row{{"window", strongest}});
   const auto stretches = [](const DpsRun& run) {
     return residue_stretches(run.tau, run.A, 50, 25);
   };
   const auto coarse = stretches(runs.coarse), fine = stretches(runs.fine);
   Table& in_time = report.table("residue_in_time");
   for (std::size_t i = 0; i < fine.size(); ++i)
-    in_time.add({{"tau", "slow time at the end of a stretch of 25", fine[i].tau},
-                 {"first_ten", "largest norm of the first ten sites in the stretch",
-                  compare(coarse[i].first_ten, fine[i].first_ten)},
-                 {"sharing", "sites that share the residue at its end: its participation number",
-                  compare(coarse[i].sharing, fine[i].sharing), "site"}});
+    in_time.add({{"tau", fine[i].tau},
+                 {"first_ten", compare(coarse[i].first_ten, fine[i].first_ten)},
+                 {"sharing", compare(coarse[i].sharing, fine[i].sharing)}});
 }
 
 /**
@@ -236,36 +230,29 @@ void report_figures(Report& report, const Case& impact, const TwoRuns<DpsRun>& d
                     const TwoRuns<ChainRun>& chain) {
   const auto &coarse = chain.coarse, &fine = chain.fine;
   const State<double> dps_end = dps_state(dps.fine.A.back(), impact.eps, impact.time());
-  Table& profiles =
-      report.table("impact_profiles",
-                   {count("n", "site", "site"), estimate("y_lattice", "displacement in the chain"),
-                    number("y_dps", "displacement in the DpS approximation")});
+  Table& profiles = report.table("impact_profiles");
   for (std::size_t n = 0; n < impact.sites; ++n)
-    profiles.add({n + 1, compare(coarse.end.y[n], fine.end.y[n]), dps_end.y[n]});
+    profiles.add({{"n", n + 1},
+                  {"y_lattice", compare(coarse.end.y[n], fine.end.y[n])},
+                  {"y_dps", dps_end.y[n]}});
 
-  Table& maps = report.table("impact_density_maps",
-                             {number("t", "time"), count("n", "site", "site"),
-                              number("e_lattice", "energy density of the chain"),
-                              number("e_dps", "energy density of the DpS approximation")});
+  Table& maps = report.table("impact_density_maps");
   const std::size_t samples = (dps.fine.A.size() - 1) / (fine.e.size() - 1);  // of each row
   TwoRuns<double> all{}, single{};
   for (std::size_t row = 0; row < fine.e.size(); ++row) {
     const double tau = dps.fine.tau[samples * row], t = tau / std::sqrt(impact.eps);
     const auto e =
         energy_density(impact.chain(), dps_state(dps.fine.A[samples * row], impact.eps, t));
-    for (std::size_t n = 0; n < impact.sites; ++n) maps.add({t, n + 1, fine.e[row][n], e[n]});
+    for (std::size_t n = 0; n < impact.sites; ++n)
+      maps.add({{"t", t}, {"n", n + 1}, {"e_lattice", fine.e[row][n]}, {"e_dps", e[n]}});
     if (tau <= impact.tau / 2) continue;
     all.coarse = std::max(all.coarse, trains_apart(coarse.e[row], e));
     all.fine = std::max(all.fine, trains_apart(fine.e[row], e));
     single.coarse = std::max(single.coarse, sites_apart(coarse.e[row], e));
     single.fine = std::max(single.fine, sites_apart(fine.e[row], e));
   }
-  report.table("train").add(
-      {{"apart", "largest relative difference of the trains' amplitudes",
-        compare(all.coarse, all.fine), "relative"},
-       {"site_by_site",
-        "largest difference of the amplitudes of two sites over the largest of the train",
-        compare(single.coarse, single.fine), "relative"}});
+  report.table("train").add({{"apart", compare(all.coarse, all.fine)},
+                             {"site_by_site", compare(single.coarse, single.fine)}});
 }
 
 /**
@@ -290,23 +277,18 @@ void report_packet(Report& report, const Case& impact, const TwoRuns<DpsRun>& dp
   Table& speeds = report.table("speeds");
   const auto add = [&](const char* model, const Estimate& speed, double per_time,
                        double per_slow_time) {
-    const char* from = "from two resolutions and the fit";
     speeds.add(
-        {{"model", "chain or dps", model},
-         {"per_time", "speed of the packet",
-          Estimate(per_time * speed.value, per_time * speed.error), "site per unit of time", from},
-         {"per_slow_time", "the same in slow time",
-          Estimate(per_slow_time * speed.value, per_slow_time * speed.error), "site per tau",
-          from}});
+        {{"model", model},
+         {"per_time", Estimate(per_time * speed.value, per_time * speed.error)},
+         {"per_slow_time", Estimate(per_slow_time * speed.value, per_slow_time * speed.error)}});
   };
   const double rate = std::sqrt(impact.eps);
   add("chain", chain.of([](const ChainRun& run) { return packet_speed(run.path); }), 1, 1 / rate);
   add("dps", dps.of([](const DpsRun& run) { return packet_speed(run.path); }), rate, 1);
   report.table("chain_packet")
-      .add({{"energy_change", "change from the first half of the way to the second, relative",
+      .add({{"energy_change",
              chain.of([](const ChainRun& run) { return std::abs(energy_change(run.path)); })},
-            {"narrowness_change", "the same of the largest density over the energy",
-             chain.of(narrowness_change), "", "difference of two resolutions, relative"}});
+            {"narrowness_change", chain.of(narrowness_change)}});
 }
 
 /**
@@ -370,12 +352,12 @@ void report_discrepancy(Report& report, const Case& impact, const TwoRuns<DpsRun
     const Discrepancy found = discrepancy(other, dps,
                                           times == 1 ? chain : chain_from(other, other.start())),
                       same = discrepancy(other, dps, chain_from(other, same_start(other)));
-    return Row{{"eps", "size of the impact", other.eps},
-               {"root", "its square root", std::sqrt(other.eps)},
-               {"speed", "speed of the DpS packet over that of the chain, less one", found.speed},
-               {"amplitude", "the same of the largest displacement", found.amplitude},
-               {"speed_same_start", "speed, if the chain starts as the approximation", same.speed},
-               {"amplitude_same_start", "amplitude, likewise", same.amplitude}};
+    return Row{{"eps", other.eps},
+               {"root", std::sqrt(other.eps)},
+               {"speed", found.speed},
+               {"amplitude", found.amplitude},
+               {"speed_same_start", same.speed},
+               {"amplitude_same_start", same.amplitude}};
   };
   const std::vector<double> sizes =
       report.quick ? std::vector{64.0} : std::vector{64.0, 16.0, 4.0, 1.0};
@@ -402,9 +384,7 @@ void report_readings(Report& report, const Case& impact, const Resolution& resol
                      const TwoRuns<DpsRun>& dps, const TwoRuns<ChainRun>& chain) {
   Table& readings = report.table("readings");
   const auto add = [&](const char* reading, const Estimate& in_chain, const Estimate& in_dps) {
-    readings.add({{"reading", "which amplitude of the packet", reading},
-                  {"chain", "in the chain", in_chain},
-                  {"dps", "in the DpS approximation", in_dps}});
+    readings.add({{"reading", reading}, {"chain", in_chain}, {"dps", in_dps}});
   };
 
   add("height_at_the_end",
@@ -425,11 +405,9 @@ void report_readings(Report& report, const Case& impact, const Resolution& resol
   const std::size_t middle = instants / 2;  // t = 8090
   add("printed_time", runs.of([middle](const Heights& h) { return h.chain[middle]; }),
       runs.of([middle](const Heights& h) { return h.dps[middle]; }));
-  Table& drawn =
-      report.table("heights", {number("t", "time"), number("chain", "height in the chain"),
-                               number("dps", "height in the DpS approximation")});
+  Table& drawn = report.table("heights");
   for (std::size_t k = 0; k < instants; ++k)
-    drawn.add({runs.fine.t[k], runs.fine.chain[k], runs.fine.dps[k]});
+    drawn.add({{"t", runs.fine.t[k]}, {"chain", runs.fine.chain[k]}, {"dps", runs.fine.dps[k]}});
 
   // While the packet moves over its last site
   add("largest_displacement", chain.of(largest_displacement),

@@ -146,27 +146,18 @@ Row sweep_row(double s, SweepPoint& p, bool ending) {
   };
   const auto peak = [](const ImpactRun& f) { return f.path.largest_peak(fit_from, fit_to).value; };
 
-  const char *fit = "from two resolutions and the fit",
-             *known = "difference of two resolutions, known to 5 per cent",
-             *soft = "from two resolutions, known to 5 per cent; nan for s = 0";
-  return {
-      {"s", "anharmonicity of the well", s},
-      {"velocity", "impact velocity", p.velocity},
-      {"chi", "|s| v0^(3/2)", chi},
-      {"speed", "speed of the packet's centre between sites 20 and 60",
-       runs.of([](const ImpactRun& f) { return packet_speed(f.path, fit_to); }),
-       "site per unit of time", fit},
-      {"beyond_site_40", "the same between sites 40 and 60", runs.of(late), "site per unit of time",
-       fit},
-      {"peak", "largest maximum in time of e_n between these sites", runs.of(peak)},
-      {"packet", "fraction of the energy in the packet when it passes site 60", p.packet},
-      {"first_five", "the same on the first five sites at the end of the run, just beyond",
-       runs.of([](const ImpactRun& f) { return boundary_share(f.density, 5); }), "", known},
-      {"first_ten", "the same of ten sites",
-       runs.of([](const ImpactRun& f) { return boundary_share(f.density, 10); }), "", known},
-      {"ending", "1 in the last 0.05 of a curve that ends in a blow-up", ending},
-      {"deficit", "fraction of the packet's energy that linear wells have more", lost, "", soft},
-      {"per_chi", "the same over chi", Estimate(lost.value / chi, lost.error / chi), "", soft}};
+  return {{"s", s},
+          {"velocity", p.velocity},
+          {"chi", chi},
+          {"speed", runs.of([](const ImpactRun& f) { return packet_speed(f.path, fit_to); })},
+          {"beyond_site_40", runs.of(late)},
+          {"peak", runs.of(peak)},
+          {"packet", p.packet},
+          {"first_five", runs.of([](const ImpactRun& f) { return boundary_share(f.density, 5); })},
+          {"first_ten", runs.of([](const ImpactRun& f) { return boundary_share(f.density, 10); })},
+          {"ending", ending},
+          {"deficit", lost},
+          {"per_chi", Estimate(lost.value / chi, lost.error / chi)}};
 }
 
 // In soft wells up to the first escape, `ends`
@@ -221,10 +212,10 @@ void report_convergence(Report& report) {
   const Numbers best = with(shortest);
   for (int halvings = 0; halvings < shortest; ++halvings) {
     const Numbers here = with(halvings);
-    table.add({{"step", "time step", largest_step * std::pow(0.5, halvings)},
-               {"speed", "relative error of the speed", std::abs(here.speed / best.speed - 1)},
-               {"energy", "of its energy at site 60", std::abs(here.energy / best.energy - 1)},
-               {"peak", "of its largest density", std::abs(here.peak / best.peak - 1)}});
+    table.add({{"step", largest_step * std::pow(0.5, halvings)},
+               {"speed", std::abs(here.speed / best.speed - 1)},
+               {"energy", std::abs(here.energy / best.energy - 1)},
+               {"peak", std::abs(here.peak / best.peak - 1)}});
   }
 }
 
@@ -238,10 +229,7 @@ leaves waves behind. In the very soft ones the first contacts are pressed again 
 ![Contact forces for a linear and a very soft well. Drawn by fig20_surface_mode.py: `force` over `n` and `t`, from the
 table `surface_mode_forces`.](fig:20) */
 void report_forces(Report& report) {
-  Table& forces = report.table("surface_mode_forces",
-                               {number("s", "anharmonicity of the well"), number("t", "time"),
-                                count("n", "contact between sites n and n + 1", "site"),
-                                number("force", "contact force, negative where the beads touch")});
+  Table& forces = report.table("surface_mode_forces");
   const EventCorrected method = method_for(tolerance, largest_step, 2);  // steps of 0.05
   for (double s : {0.0, very_soft}) {
     const Impact impact{.velocity = figure_20,
@@ -252,7 +240,10 @@ void report_forces(Report& report) {
     const auto look = [&](const State<double>& now, const std::vector<double>&) {
       const auto force = contact_forces(impact.chain, now.y);
       for (std::size_t n = 0; n < 60; ++n)
-        forces.add({s, now.t, n + 1, 0.0 - force[n]});  // not -0 where the beads are apart
+        forces.add({{"s", s},
+                    {"t", now.t},
+                    {"n", n + 1},
+                    {"force", 0.0 - force[n]}});  // not -0 where the beads are apart
     };
     if (strike(method, impact, look).run.escaped()) throw Failure("a bead escapes in figure 20");
   }
@@ -375,36 +366,30 @@ void report_mode(Report& report) {
   const auto runs =
       refined(tolerance, [&](const EventCorrected& method) { return watch_beads(method, impact); });
   const TwoRuns<SurfaceMode> modes{surface_mode(runs.coarse), surface_mode(runs.fine)};
-  const char *radian = "radian per unit of time",
-             *largest = "against the largest: difference of two resolutions";
   Table& table = report.table("surface_mode");
   for (std::size_t n = 0; n < watched; ++n) {
     const auto alone = [n](const WatchedBeads& w) {
       return free_frequency(very_soft, w.beads[n].amplitude());
     };
-    table.add({{"n", "site", n + 1, "site"},
-               {"frequency", "mean frequency of the bead, t = 150 to 300",
-                runs.of([n](const WatchedBeads& w) { return w.beads[n].frequency(); }), radian},
-               {"alone", "of a free bead with its largest displacement", runs.of(alone), radian},
-               {"run", "displacement, mean over the moments when bead 1 turns towards the end",
-                runs.of([n](const WatchedBeads& w) { return w.mean_at_turns(n); }), "", largest},
-               {"orbit", "of the periodic orbit that begins at rest",
-                modes.of([n](const SurfaceMode& m) { return m.y[n]; }), "", largest}});
+    table.add(
+        {{"n", n + 1},
+         {"frequency", runs.of([n](const WatchedBeads& w) { return w.beads[n].frequency(); })},
+         {"alone", runs.of(alone)},
+         {"run", runs.of([n](const WatchedBeads& w) { return w.mean_at_turns(n); })},
+         {"orbit", modes.of([n](const SurfaceMode& m) { return m.y[n]; })}});
   }
   Table& turnings = report.table("turnings");
   for (std::size_t i = 0; i < runs.coarse.turns.size(); ++i)
-    turnings.add({{"turn", "towards the end, of bead 1", i + 1},
-                  {"y", "its displacement there",
-                   runs.of([i](const WatchedBeads& w) { return w.turns[i][0]; }), "", largest}});
+    turnings.add(
+        {{"turn", i + 1}, {"y", runs.of([i](const WatchedBeads& w) { return w.turns[i][0]; })}});
   const auto trapped = [](const WatchedBeads& w) {
     return boundary_share(w.density) * total(w.density);
   };
   report.table("surface_orbit")
-      .add({{"energy", "of the orbit", modes.of([](const SurfaceMode& m) { return m.energy; })},
-            {"trapped", "energy of the first five sites at the end of the run", runs.of(trapped)},
-            {"unstable", "Floquet multipliers outside the unit circle", modes.fine.unstable},
-            {"multiplier", "real part of the Floquet multiplier of largest modulus",
-             modes.of([](const SurfaceMode& m) { return m.multiplier.real(); })}});
+      .add({{"energy", modes.of([](const SurfaceMode& m) { return m.energy; })},
+            {"trapped", runs.of(trapped)},
+            {"unstable", modes.fine.unstable},
+            {"multiplier", modes.of([](const SurfaceMode& m) { return m.multiplier.real(); })}});
 }
 
 /**
@@ -417,22 +402,17 @@ lower of the two is [1.34](cell:snapshot/prominence) times as high as the highes
 ![Surface mode and packet side by side. Drawn by fig21_snapshot.gp: `v` against `n`, from the table
 `surface_mode_snapshot`.](fig:21) */
 void report_snapshot(Report& report) {
-  Table& profile = report.table("surface_mode_snapshot",
-                                {count("n", "site", "site"), estimate("v", "velocity")});
+  Table& profile = report.table("surface_mode_snapshot");
   const Impact impact{
       .velocity = figure_21, .chain = {160, Quartic{mildly_soft}}, .time = 587, .every = 1};
   const auto runs =
       refined(tolerance, [&](const EventCorrected& method) { return strike(method, impact); });
   for (std::size_t n = 0; n < impact.chain.sites; ++n)
-    profile.add({n + 1, compare(runs.coarse.end.v[n], runs.fine.end.v[n])});
+    profile.add({{"n", n + 1}, {"v", compare(runs.coarse.end.v[n], runs.fine.end.v[n])}});
   const auto visible = [](const ImpactRun& run) {
     return prominence(run.end.v, *front_packet(run.density));
   };
-  report.table("snapshot")
-      .add(Row{
-          {"prominence",
-           "height of the lower of surface mode and packet over that of the highest wave between",
-           runs.of(visible)}});
+  report.table("snapshot").add(Row{{"prominence", runs.of(visible)}});
 }
 
 /**
@@ -482,22 +462,15 @@ void report_shape(Report& report) {
   });
   for (std::size_t i = 0; i < velocities.size(); ++i) {
     const TwoRuns<Front>& front = fronts[i];
-    shape.add({{"velocity", "impact velocity", velocities[i]},
-               {"width", "number of sites that exceed a hundredth of the packet's peak",
-                front.of([](const Front& f) { return f.width(); }), "site",
-                "two resolutions agree: exact"},
-               {"seven", "fraction of the energy of eleven sites on seven of them, at least",
-                front.of([](const Front& f) { return f.seven(); })},
-               {"tail", "amplitude behind the packet divided by that of its peak",
-                front.of([](const Front& f) { return f.tail(); })}});
-    const char* known = "difference of two resolutions, known to 50 per cent";
+    shape.add({{"velocity", velocities[i]},
+               {"width", front.of([](const Front& f) { return f.width(); })},
+               {"seven", front.of([](const Front& f) { return f.seven(); })},
+               {"tail", front.of([](const Front& f) { return f.tail(); })}});
     for (std::size_t k = 1; k <= 6; ++k)
-      decay.add({{"velocity", "impact velocity", velocities[i]},
-                 {"distance", "from the packet, ahead of it", k, "site"},
-                 {"amplitude", "largest at this distance from the centre over that of the peak",
-                  front.of([k](const Front& f) { return f.from_centre(k); }), "", known},
-                 {"from_peak", "the same at this distance from the peak's site",
-                  front.of([k](const Front& f) { return f.amplitude(k); }), "", known}});
+      decay.add({{"velocity", velocities[i]},
+                 {"distance", k},
+                 {"amplitude", front.of([k](const Front& f) { return f.from_centre(k); })},
+                 {"from_peak", front.of([k](const Front& f) { return f.amplitude(k); })}});
   }
 }
 
@@ -553,14 +526,11 @@ double add_band(Table& bands, double s, const std::vector<Trial>& trials) {
   if (!(last_survivor > 0 && first_escape < far_away))
     throw Failure("all impacts of a scan have the same outcome: choose another range");
   const double spacing = trials[1].velocity - trials[0].velocity;
-  bands.add({{"s", "anharmonicity of the well", s},
-             {"first_escape", "lowest velocity at which a bead escapes",
-              Estimate(first_escape, spacing), "", "spacing of the scan"},
-             {"last_survivor", "highest velocity at which none does",
-              Estimate(last_survivor, spacing), "", "spacing of the scan"},
-             {"disputed", "velocities at which two resolutions disagree on the outcome", disputed},
-             {"latest", "time at which the latest escape is seen", Estimate(latest, seen_every), "",
-              "time between two samples, known to 6 per cent"}});
+  bands.add({{"s", s},
+             {"first_escape", Estimate(first_escape, spacing)},
+             {"last_survivor", Estimate(last_survivor, spacing)},
+             {"disputed", disputed},
+             {"latest", Estimate(latest, seen_every)}});
   return first_escape - spacing;
 }
 
@@ -586,10 +556,10 @@ std::vector<std::optional<double>> report_blowup(Report& report) {
       };
       trial.coarse = escape(0);
       trial.fine = escape(1);
-      return {{"s", "anharmonicity of the well", well.s},
-              {"velocity", "impact velocity", trial.velocity},
-              {"escaped", "1 if a bead escapes", trial.escaped()},
-              {"agree", "1 where both resolutions agree on the outcome", trial.agreed()}};
+      return {{"s", well.s},
+              {"velocity", trial.velocity},
+              {"escaped", trial.escaped()},
+              {"agree", trial.agreed()}};
     };
     scan.fill(trials, row, "blow-up band");
     ends.back() = add_band(bands, well.s, trials);

@@ -141,24 +141,21 @@ void report_transition(Report& report) {
     velocities.push_back(scan_from + spacing * double(k));
   const auto row = [&](double v0) {
     const Outcome found = decided(v0, beads);
-    return Row{
-        {"velocity", "velocity of the impact on the first bead", v0},
-        {"advanced", "number of beads that advanced by at least one well", found.counts.advanced},
-        {"ejected_far", "number of beads ejected at the far end", found.counts.ejected_far},
-        {"ejected_near", "number of beads ejected at the struck end", found.counts.ejected_near},
-        {"decided", "1 where the counts have settled and agree for two time steps", found.settled}};
+    return Row{{"velocity", v0},
+               {"advanced", found.counts.advanced},
+               {"ejected_far", found.counts.ejected_far},
+               {"ejected_near", found.counts.ejected_near},
+               {"decided", found.settled}};
   };
   report.table("kink_transition").fill(velocities, row, "impact velocities");
 
   // One impact below the transition and one above
-  Table& examples =
-      report.table("kink_examples", {number("velocity", "velocity of the impact on the first bead"),
-                                     number("t", "time"), count("n", "site", "site"),
-                                     number("wells", "displacement in units of 2 pi")});
+  Table& examples = report.table("kink_examples");
   for (double v0 : {2.0, 5.0}) {
     State<double> state = struck(beads, v0);
     const auto sample = [&](const State<double>& now) {
-      for (std::size_t n = 0; n < beads; ++n) examples.add({v0, now.t, n + 1, now.y[n] / period});
+      for (std::size_t n = 0; n < beads; ++n)
+        examples.add({{"velocity", v0}, {"t", now.t}, {"n", n + 1}, {"wells", now.y[n] / period}});
     };
     evolve(EventCorrected{coarse_step}, Chain{beads, on_site}, state, 100, 0.5, sample);
   }
@@ -191,9 +188,8 @@ void report_least_energy(Report& report) {
   const Estimate potential = compare(least(4), least(8));
   const double velocity = std::sqrt(2 * potential.value);
   report.table("least_energy")
-      .add({{"potential", "least potential energy with a bead on its maximum", potential},
-            {"velocity", "impact velocity with this energy",
-             Estimate(velocity, potential.error / velocity)}});
+      .add(
+          {{"potential", potential}, {"velocity", Estimate(velocity, potential.error / velocity)}});
 }
 
 /**
@@ -299,10 +295,7 @@ void report_shape(Report& report) {
   const TwoRuns<Passage> pulse = twice(None{}, 5);
   const auto d = [](const Passage& p) { return p.way / std::pow(p.largest, 0.8); };
   const auto b = [](const Passage& p) { return p.later / std::pow(p.largest, 0.2); };
-  report.table("pulse").add(
-      {{"d", "displacement of a bead over its largest velocity to the power 4/5", pulse.of(d)},
-       {"b", "speed over the fifth root of the largest velocity", pulse.of(b)},
-       {"length", "at half of the largest velocity", pulse.of(length), "site"}});
+  report.table("pulse").add({{"d", pulse.of(d)}, {"b", pulse.of(b)}, {"length", pulse.of(length)}});
 
   // The kinks
   const auto row = [&](double v0) -> Row {
@@ -310,21 +303,15 @@ void report_shape(Report& report) {
     const auto wells = [](const Passage& p) { return std::lround(p.way / period); };
     const double D = period * double(wells(kink.fine));
     const auto V = [&](const Passage& p) { return std::pow(D / d(p), 1.25); };
-    return {{"velocity", "velocity of the impact on the first bead", v0},
-            {"wells", "by which the kink moves bead 121 on", kink.of(wells), "", "exact"},
-            {"largest", "largest velocity of a bead, mean over beads 121 to 135",
-             kink.of([](const Passage& p) { return p.largest; })},
-            {"pulse_largest", "of the pulse that moves a bead by as many wells", pulse.of(V)},
-            {"speed", "of the kink, beads 21 to 35",
-             kink.of([](const Passage& p) { return p.speed; }), "site per unit of time"},
-            {"later", "of the kink, beads 121 to 135",
-             kink.of([](const Passage& p) { return p.later; }), "site per unit of time"},
-            {"pulse_speed", "of the pulse that moves a bead by as many wells",
-             pulse.of([&](const Passage& p) { return b(p) * std::pow(V(p), 0.2); }),
-             "site per unit of time"},
-            {"length", "of the kink, at half of the largest velocity", kink.of(length), "site"},
-            {"energy", "from three beads behind bead 145 on, when it passes its maximum",
-             kink.of([](const Passage& p) { return p.energy; })}};
+    return {{"velocity", v0},
+            {"wells", kink.of(wells)},
+            {"largest", kink.of([](const Passage& p) { return p.largest; })},
+            {"pulse_largest", pulse.of(V)},
+            {"speed", kink.of([](const Passage& p) { return p.speed; })},
+            {"later", kink.of([](const Passage& p) { return p.later; })},
+            {"pulse_speed", pulse.of([&](const Passage& p) { return b(p) * std::pow(V(p), 0.2); })},
+            {"length", kink.of(length)},
+            {"energy", kink.of([](const Passage& p) { return p.energy; })}};
   };
   const std::vector<double> velocities{4.8, 5, 5.5, 6, 8, 12, 16, 32, 64};
   report.table("kink_shape").fill(velocities, row, "kinks");
@@ -365,14 +352,10 @@ void report_checks(Report& report) {
   const double time = report.quick ? 200 : 2000;
   const auto bounds = [time](double v0) -> Row {
     const TwoRuns<Excursion> runs{excursion(v0, time, 0.1), excursion(v0, time, 0.05)};
-    return {{"velocity", "velocity of the impact on the first bead", v0},
-            {"speed", "largest speed of a bead, in units of the impact's",
-             runs.of([](const Excursion& x) { return x.speed; })},
-            {"way", "largest |y| / (v0 t) of a bead at any time",
-             runs.of([](const Excursion& x) { return x.way; })},
-            {"drift", "drift of the energy, relative",
-             runs.of([](const Excursion& x) { return x.drift; }), "",
-             "difference of two resolutions, relative"}};
+    return {{"velocity", v0},
+            {"speed", runs.of([](const Excursion& x) { return x.speed; })},
+            {"way", runs.of([](const Excursion& x) { return x.way; })},
+            {"drift", runs.of([](const Excursion& x) { return x.drift; })}};
   };
   report.table("confinement").fill(std::array{2.0, 4.0, 6.0}, bounds, "strong impacts");
 
@@ -380,9 +363,9 @@ void report_checks(Report& report) {
   const Passage best = passage(on_site, 6, kink_fine / 2);
   const auto row = [&](double step) {
     const Passage at = passage(on_site, 6, step);
-    return Row{{"step", "largest step, and time between samples", step},
-               {"speed", "error, relative", std::abs(at.later / best.later - 1)},
-               {"length", "error, relative", std::abs(at.length / best.length - 1)}};
+    return Row{{"step", step},
+               {"speed", std::abs(at.later / best.later - 1)},
+               {"length", std::abs(at.length / best.length - 1)}};
   };
   report.table("kink_convergence").fill(std::array{0.16, 0.08, 0.04, kink_coarse}, row, "steps");
 

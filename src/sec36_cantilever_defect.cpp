@@ -174,20 +174,18 @@ void report_packet(Report& report, const TwoRuns<WatchedRun>& runs) {
   const Estimate arrival =
       runs.of([](const WatchedRun& run) { return mean_speed(run, article, watched_site); });
   report.table("packet").add(
-      {{"velocity", "largest velocity", compare(coarse.velocity, fine.velocity), "m/s"},
-       {"deflection", "largest deflection", compare(coarse.deflection * 1e6, fine.deflection * 1e6),
-        "um"},
-       {"force", "largest contact force", compare(coarse.force, fine.force), "N"},
-       {"period", "internal period", compare(coarse.period * 1e3, fine.period * 1e3), "ms"},
-       {"frequency", "linear period over internal one", runs.of(frequency_of)},
-       {"small_period", "period of a beam alone",
-        exact(2 * std::numbers::pi * scales.tau_c() * 1e3), "ms", "exact"},
-       {"speed", "slope of X(t) between sites 20 and 60", slope(20, 60), "sites/s"},
-       {"speed_arrival", "80 sites over the time of the largest force", arrival, "sites/s"},
-       {"speed_there", "slope of X(t) between sites 75 and 85", slope(75, 85), "sites/s"},
-       {"duration", "with a force above a hundredth of the largest", above(0.01), "ms"},
-       {"duration_thousandth", "above a thousandth of it", above(1e-3), "ms"},
-       {"duration_half", "above half of it", above(0.5), "ms"}});
+      {{"velocity", compare(coarse.velocity, fine.velocity)},
+       {"deflection", compare(coarse.deflection * 1e6, fine.deflection * 1e6)},
+       {"force", compare(coarse.force, fine.force)},
+       {"period", compare(coarse.period * 1e3, fine.period * 1e3)},
+       {"frequency", runs.of(frequency_of)},
+       {"small_period", exact(2 * std::numbers::pi * scales.tau_c() * 1e3)},
+       {"speed", slope(20, 60)},
+       {"speed_arrival", arrival},
+       {"speed_there", slope(75, 85)},
+       {"duration", above(0.01)},
+       {"duration_thousandth", above(1e-3)},
+       {"duration_half", above(0.5)}});
 }
 
 /**
@@ -219,13 +217,10 @@ Train wave_train(double step) {
 void report_wave_train(Report& report, const TwoSteps& steps) {
   const TwoRuns<Train> both{wave_train(steps.coarse), wave_train(steps.fine)};
   report.table("wave_train")
-      .add({{"sites", "participation number", both.of([](const Train& t) { return t.sites; }),
-             "site"},
-            {"first", "site up to which 5 per cent of its energy lie",
-             both.of([](const Train& t) { return t.first; }), "site", "exact"},
-            {"share", "of the energy", both.of([](const Train& t) { return t.share; })},
-            {"packet", "participation number of the packet",
-             both.of([](const Train& t) { return t.packet; }), "site"}});
+      .add({{"sites", both.of([](const Train& t) { return t.sites; })},
+            {"first", both.of([](const Train& t) { return t.first; })},
+            {"share", both.of([](const Train& t) { return t.share; })},
+            {"packet", both.of([](const Train& t) { return t.packet; })}});
 }
 
 /**
@@ -260,11 +255,11 @@ void report_law(Report& report, const TwoSteps& steps) {
     const auto row = [&](double ratio) {
       const double detuning = setup.array.linear_frequency(ratio) - 1;
       return Row{
-          {"velocity", "of the impact", velocity, "m/s"},
-          {"ratio", "radius of the defect's beads divided by that of the others", ratio},
-          {"scaled", "detuning of the defect over the frequency shift of the packet",
+          {"velocity", velocity},
+          {"ratio", ratio},
+          {"scaled",
            packet.of([&](const WatchedRun& run) { return detuning / (frequency_of(run) - 1); })},
-          {"transmitted", "fraction of the arriving energy",
+          {"transmitted",
            net(defect(ratio), without).of([](const Scattering& s) { return s.transmitted; })}};
     };
     table.fill(radii, row, "impacts");
@@ -309,12 +304,7 @@ ms more. At 1.6 there is less, 0.00786 on the 21 sites that end at the defect, t
 ![Reflected, remaining and transmitted energy against the radius of the defect. Drawn by x09_defect_map.py: the net
 fractions over `ratio`, from `defect_map`.](fig:x09) */
 void report_forces(Report& report) {
-  Table& table =
-      report.table("contact_forces",
-                   {number("ratio", "radius of the defect's beads divided by that of the others"),
-                    number("t", "middle of the time interval", "ms"),
-                    count("n", "contact between cantilevers n and n + 1", "site"),
-                    number("force", "strongest contact force in the interval (negative)", "N")});
+  Table& table = report.table("contact_forces", {"ratio", "t", "n", "force"});
   const std::size_t contacts = article.array.sites - 1, bins = report.quick ? 50 : 250;
   for (double ratio : {1.6, 1.1}) {
     const std::vector<double> map = strongest_forces(article, ratio, run_end, bins);
@@ -332,20 +322,13 @@ void report_map(Report& report, const TwoSteps& steps) {
   const auto row = [&](double ratio) {
     const TwoRuns<Energies> with = defect(ratio);
     const TwoRuns<Scattering> at = net(with, without);
-    const char* const from = "difference of two resolutions, against the largest";
-    return Row{{"ratio", "radius of the defect's beads divided by that of the others", ratio},
-               {"linear_frequency", "frequency of the defect alone over that of the others",
-                exact(article.array.linear_frequency(ratio)), "", "exact"},
-               {"near", "of all energy, on the nine sites",
-                with.of([](const Energies& e) { return e.near; }), "", from},
-               {"on_defect", "of all energy, on the defect itself",
-                with.of([](const Energies& e) { return e.on_defect; }), "", from},
-               {"net_reflected", "of the arriving energy",
-                at.of([](const Scattering& s) { return s.reflected; }), "", from},
-               {"net_near", "of the arriving energy",
-                at.of([](const Scattering& s) { return s.near; }), "", from},
-               {"net_transmitted", "of the arriving energy",
-                at.of([](const Scattering& s) { return s.transmitted; }), "", from}};
+    return Row{{"ratio", ratio},
+               {"linear_frequency", exact(article.array.linear_frequency(ratio))},
+               {"near", with.of([](const Energies& e) { return e.near; })},
+               {"on_defect", with.of([](const Energies& e) { return e.on_defect; })},
+               {"net_reflected", at.of([](const Scattering& s) { return s.reflected; })},
+               {"net_near", at.of([](const Scattering& s) { return s.near; })},
+               {"net_transmitted", at.of([](const Scattering& s) { return s.transmitted; })}};
   };
   // Radii in eightieths, fewer of them far from one, and very large ones
   std::vector<double> radii;
@@ -423,24 +406,21 @@ void report_trapped(Report& report, const TwoSteps& steps) {
     // What is left at each of the times
     const std::size_t from = defect - near_sites, to = defect + near_sites;
     for (const std::size_t k : {0U, 1U}) {
-      table.add({{"ratio", "radius of the defect's beads divided by that of the others", ratio},
-                 {"t", "time after the impact", k == 0 ? run_end : later, "ms"},
-                 {"before", "fraction of the energy, on the 21 sites that end at the defect",
-                  on(k, defect - trap_sites, defect)},
-                 {"near", "the same, on the nine sites around the defect", on(k, from, to)},
-                 {"near_left", "part of this that is left of the one at the first time",
-                  quotient(on(k, from, to), on(0, from, to))}});
+      table.add({{"ratio", ratio},
+                 {"t", k == 0 ? run_end : later},
+                 {"before", on(k, defect - trap_sites, defect)},
+                 {"near", on(k, from, to)},
+                 {"near_left", quotient(on(k, from, to), on(0, from, to))}});
       for (std::size_t n = defect / 2; n <= defect; ++n)
-        profiles.add(
-            {{"ratio", "radius of the defect's beads divided by that of the others", ratio},
-             {"t", "time after the impact", k == 0 ? run_end : later, "ms"},
-             {"n", "site", n, "site"},
-             {"energy", "fraction of the energy", part(setup, runs.fine.density[k], n, n)}});
+        profiles.add({{"ratio", ratio},
+                      {"t", k == 0 ? run_end : later},
+                      {"n", n},
+                      {"energy", part(setup, runs.fine.density[k], n, n)}});
     }
     if (ratio < 1)
-      report.table("light_defect")
-          .add(Row{{"in_run", "its mean frequency between both times",
-                    runs.of([](const Trapped& run) { return run.frequency; }), "1 / tau_c"}});
+      report.table("light_defect").add(Row{{"in_run", runs.of([](const Trapped& run) {
+                                              return run.frequency;
+                                            })}});
   }
 }
 
@@ -464,11 +444,9 @@ void report_convergence(Report& report) {
   const auto light = [](double step) { return scatter(article, {.ratio = 0.925}, step).near; };
   const double best_heavy = heavy(full.fine), best_light = light(full.fine);
   const auto row = [&](double step) {
-    return Row{{"step", "largest step of the integration", step, "tau_c"},
-               {"reflected", "error of the energy before 1.1 radii, relative",
-                std::abs(heavy(step) / best_heavy - 1)},
-               {"near", "error of the energy near 0.925 radii, relative",
-                std::abs(light(step) / best_light - 1)}};
+    return Row{{"step", step},
+               {"reflected", std::abs(heavy(step) / best_heavy - 1)},
+               {"near", std::abs(light(step) / best_light - 1)}};
   };
   report.table("convergence").fill(steps, row, "steps");
 }

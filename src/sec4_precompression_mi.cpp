@@ -281,33 +281,25 @@ void report_modulated_ring(Report& report) {
   const State<double> start = soft_ring.start();
   const Snapshot &coarse = runs[0].coarse.end, &fine = runs[0].fine.end;
   for (std::size_t n = 0; n < soft_ring.N; ++n)
-    table.add({{"n", "site", n + 1, "site"},
-               {"y_start", "displacement at t = 0", start.y[n]},
-               {"y", "displacement at the end", compare(coarse.state.y[n], fine.state.y[n])},
-               {"amplitude", "envelope of the displacements at the end",
-                fine.envelope.amplitude[n] / fine.envelope.omega}});
+    table.add({{"n", n + 1},
+               {"y_start", start.y[n]},
+               {"y", compare(coarse.state.y[n], fine.state.y[n])},
+               {"amplitude", fine.envelope.amplitude[n] / fine.envelope.omega}});
 
   // Whether the energy is localized, and the sech of the packet
   Table& end = report.table("ring_end");
   for (std::size_t i = 0; i < 2; ++i) {
     const Packet energy = packet_of(runs[i]);
-    end.add({{"s", "anharmonicity of the well", rings[i].s},
-             {"peak_over_mean", "largest energy density at the end over the mean",
-              energy.peak_over_mean},
-             {"share_of_sites", "participation number of the energy then over all sites",
-              energy.share_of_sites}});
+    end.add({{"s", rings[i].s},
+             {"peak_over_mean", energy.peak_over_mean},
+             {"share_of_sites", energy.share_of_sites}});
   }
   const TwoRuns<Sech> sech{coarse.sech, fine.sech};
   report.table("ring_breather")
-      .add({{"speed", "slope of the centre's path in the last 60 units of time",
-             packet_of(runs[0]).speed, "site per unit of time", "from two steps and the fit"},
-            {"sech_width", "width of the sech that fits its envelope best",
-             sech.of([](const Sech& fit) { return fit.width; }), "site"},
-            {"sech_misfit", "root mean square misfit of this sech over its height",
-             sech.of([](const Sech& fit) { return fit.residual; })},
-            {"apart", "relative distance of the states at the end from two steps",
-             compare(0.0, distance(coarse.state, fine.state)), "",
-             "the distance itself, known to 100 per cent"}});
+      .add({{"speed", packet_of(runs[0]).speed},
+            {"sech_width", sech.of([](const Sech& fit) { return fit.width; })},
+            {"sech_misfit", sech.of([](const Sech& fit) { return fit.residual; })},
+            {"apart", compare(0.0, distance(coarse.state, fine.state))}});
 }
 
 /**
@@ -352,14 +344,11 @@ split at the end of a long transient and prints no time. */
 void report_splitting(Report& report, const Ring& ring, const RingPair& pair) {
   const double round = double(ring.N) / ring.nls().group_velocity;
   const PulseSplits splits = pulse_splits(pair, round);
-  const char* how = "difference of two resolutions; nan in a quick run";
   report.table("splitting")
-      .add({{"round", "time in which a phonon goes round the ring", exact(round), "", "exact"},
-            {"one_pulse_for", "from localization until a second pulse is half as high",
-             splits.one_pulse_for, "",
-             "interval of the samples, known to 7 per cent; nan in a quick run"},
-            {"second", "largest height of a second pulse over the first", splits.second, "", how},
-            {"kept", "the largest that persists once round the ring", splits.kept, "", how}});
+      .add({{"round", exact(round)},
+            {"one_pulse_for", splits.one_pulse_for},
+            {"second", splits.second},
+            {"kept", splits.kept}});
 }
 void report_rings(Report& report) {
   Ring soft = soft_ring;
@@ -390,32 +379,20 @@ void report_rings(Report& report) {
     const double rho = by_nls(ring).rho;
     const bool localizes = pair.localized.value > 0;
     const Packet packet = pair.packet();
-    const char* how = "two resolutions, known to 2 per cent; nan where none localizes";
-    breathers.add(
-        {{"s", "anharmonicity of the well", ring.s},
-         {"amplitude", "of the phonon", ring.amplitude},
-         {"waves", "wavelengths of the phonon on the ring", ring.waves},
-         {"by_nls", "when the Akhmediev breather of the NLS equation is localized", nls_time(ring),
-          "", "step of the search; nan where it never is"},
-         {"modulations", "how many modulations mQ, m = 1, 2, ..., are unstable by the NLS equation",
-          rho > 0 ? int(std::ceil(2 / rho)) - 1 : 0},
-         {"localizes", "1 if the energy localizes", localizes},
-         {"localized", "when the energy has localized", pair.localized, "",
-          "interval of the samples, against the largest; nan where none localizes"},
-         {"over_nls", "localized over by_nls", quotient(pair.localized, nls_time(ring)), "",
-          "from the errors of both, known to 5 per cent; nan where one of them is"},
-         {"least_width", "least width of the packet at half height afterwards", pair.width(),
-          "site", how},
-         {"peak_over_mean", "largest energy density over the mean, 60 units of time later",
-          packet.peak_over_mean, "", how},
-         {"share_of_sites", "participation number of the energy then over all sites",
-          packet.share_of_sites, "", how},
-         {"width", "width of the packet at half height then", packet.width, "site", how},
-         {"speed", "speed of its centre in this time", packet.speed, "site per unit of time",
-          "from two steps and the fit, known to 200 per cent where it jumps; nan where none "
-          "localizes"},
-         {"agree", "time up to which the runs with two steps agree", pair.agree, "",
-          "interval of the samples, known to 2 per cent; exact at the end of a run"}});
+    breathers.add({{"s", ring.s},
+                   {"amplitude", ring.amplitude},
+                   {"waves", ring.waves},
+                   {"by_nls", nls_time(ring)},
+                   {"modulations", rho > 0 ? int(std::ceil(2 / rho)) - 1 : 0},
+                   {"localizes", localizes},
+                   {"localized", pair.localized},
+                   {"over_nls", quotient(pair.localized, nls_time(ring))},
+                   {"least_width", pair.width()},
+                   {"peak_over_mean", packet.peak_over_mean},
+                   {"share_of_sites", packet.share_of_sites},
+                   {"width", packet.width},
+                   {"speed", packet.speed},
+                   {"agree", pair.agree}});
   }
   report_splitting(report, soft, pairs[2]);
 }
@@ -456,18 +433,13 @@ void report_traits(Report& report, const std::vector<Blow>& all) {
       };
       return compare(from(0.5), from(0.25));
     };
-    const char* how =
-        "two resolutions and two stretches of the run, against the largest, known to 110 per cent "
-        "without compression";
-    table.add({{"s", "anharmonicity of the well", blow.s},
-               {"compression", "of the contacts, d", blow.compression},
-               {"velocity", "of the impact", blow.velocity},
-               {"share_exponent", "exponent in time of the packet's fraction of the energy",
-                later([](const Traits& its) { return its.share_exponent; }), "", how},
-               {"boundary_exponent", "exponent of the fraction of the first five sites",
-                later([](const Traits& its) { return its.boundary_exponent; }), "", how},
-               {"steadiness", "least advance in 100 units of time over the mean one",
-                later([](const Traits& its) { return its.steadiness; }), "", how}});
+    table.add(
+        {{"s", blow.s},
+         {"compression", blow.compression},
+         {"velocity", blow.velocity},
+         {"share_exponent", later([](const Traits& its) { return its.share_exponent; })},
+         {"boundary_exponent", later([](const Traits& its) { return its.boundary_exponent; })},
+         {"steadiness", later([](const Traits& its) { return its.steadiness; })}});
   }
 }
 void report_trains(Report& report, const std::vector<Blow>& all) {
@@ -476,14 +448,11 @@ void report_trains(Report& report, const std::vector<Blow>& all) {
     const auto& [coarse, fine] = blow.runs;
     if (blow.velocity < v_0) continue;
     for (std::size_t k = 10; k < fine.samples.size(); k += 10)
-      history.add({{"s", "anharmonicity of the well", blow.s},
-                   {"d", "compression of the contacts", blow.compression},
-                   {"t", "time", fine.samples[k].t},
-                   {"centre", "centre of the packet",
-                    compare(coarse.samples[k].centre, fine.samples[k].centre), "site",
-                    "difference of two steps, against the largest"},
-                   {"share", "fraction of the energy within 20 sites of the packet",
-                    fine.samples[k].share}});
+      history.add({{"s", blow.s},
+                   {"d", blow.compression},
+                   {"t", fine.samples[k].t},
+                   {"centre", compare(coarse.samples[k].centre, fine.samples[k].centre)},
+                   {"share", fine.samples[k].share}});
     if (blow.compression < d) continue;
     // Velocities and the sech, at the times of the figures
     for (std::size_t k = 0; k < fine.shown.size(); ++k) {
@@ -491,14 +460,11 @@ void report_trains(Report& report, const std::vector<Blow>& all) {
       for (std::size_t n = 0; n < shot.state.v.size(); ++n) {
         const double site = double(n + 1);
         const bool near = std::abs(site - shot.sech.centre) < 20;
-        profiles.add({{"s", "anharmonicity of the well", blow.s},
-                      {"t", "time", shot.state.t},
-                      {"n", "site", n + 1, "site"},
-                      {"v", "velocity", compare(coarse.shown[k].state.v[n], shot.state.v[n]), "",
-                       "difference of two resolutions, against the largest of the column: ahead "
-                       "of the front there is only rounding"},
-                      {"sech", "fitted envelope; nan beyond 20 sites from its centre",
-                       near ? shot.sech.at(site) : std::nan("")}});
+        profiles.add({{"s", blow.s},
+                      {"t", shot.state.t},
+                      {"n", n + 1},
+                      {"v", compare(coarse.shown[k].state.v[n], shot.state.v[n])},
+                      {"sech", near ? shot.sech.at(site) : std::nan("")}});
       }
     }
   }
@@ -537,26 +503,20 @@ void report_breather(Report& report, const std::vector<Blow>& all) {
       const auto of_density = [&](auto of) {
         return shot.of([of](const Snapshot& at) { return of(at.density); });
       };
-      sites.add({{"compression", "of the contacts, d", blow.compression},
-                 {"t", "time", blow.shown[k]},
-                 {"sites", "participation number of the packet, within 20 sites",
-                  of_density(packet_participation), "site"},
-                 {"width", "width of its energy density at half height", of_density(packet_width),
-                  "site"}});
+      sites.add({{"compression", blow.compression},
+                 {"t", blow.shown[k]},
+                 {"sites", of_density(packet_participation)},
+                 {"width", of_density(packet_width)}});
       if (blow.compression < d) continue;
       const auto tail = [&](int side) {
         return shot.of([side](const Snapshot& at) { return tail_amplitude(at, side); });
       };
-      fits.add({{"t", "time", blow.shown[k]},
-                {"reach", "larger one of its width and its distance from the 21 sites' middle",
-                 shot.of([](const Snapshot& at) { return at.reach(); }), "site"},
-                {"residual", "root mean square misfit of the sech over its height",
-                 shot.of([](const Snapshot& at) { return at.sech.residual; })},
-                {"train", "highest wave more than 30 sites behind it over its height",
-                 shot.of(train_amplitude)},
-                {"behind", "root mean square of the envelope 40 to 80 sites behind over its height",
-                 tail(-1)},
-                {"ahead", "the same ahead of it", tail(1)}});
+      fits.add({{"t", blow.shown[k]},
+                {"reach", shot.of([](const Snapshot& at) { return at.reach(); })},
+                {"residual", shot.of([](const Snapshot& at) { return at.sech.residual; })},
+                {"train", shot.of(train_amplitude)},
+                {"behind", tail(-1)},
+                {"ahead", tail(1)}});
     }
   }
 }

@@ -157,7 +157,6 @@ double passage_error(const EventCorrected& method, const std::vector<Passage>& p
 }
 
 void report_events(Report& report) {
-  const char* from = "fit, and two steps less; the power is known to 10 per cent";
   const std::vector<double> steps = step_lengths(report.quick ? 5 : 6);
   const double least = 5e-15;  // ten times the rounding
   Table& orders = report.table("event_orders");
@@ -173,14 +172,11 @@ void report_events(Report& report) {
       two.push_back(passage_error({.step = h}, passages));
       six.push_back(passage_error({.step = h, .reach = far_reach}, passages));
     }
-    orders.add(
-        {{"event", "closing, opening or grazing", event.name},
-         {"plain", "power of the step, not corrected", order(steps, plain, {least}), "", from},
-         {"two_long", "corrected up to two steps, steps from 0.2 to 0.05",
-          order(steps, two, {.least = least, .shortest = 0.049}), "", from},
-         {"two_short", "the same, steps of 0.0125 and less",
-          order(steps, two, {.least = least, .longest = 0.013}), "", from},
-         {"six", "corrected up to six steps", order(steps, six, {least}), "", from}});
+    orders.add({{"event", event.name},
+                {"plain", order(steps, plain, {least})},
+                {"two_long", order(steps, two, {.least = least, .shortest = 0.049})},
+                {"two_short", order(steps, two, {.least = least, .longest = 0.013})},
+                {"six", order(steps, six, {least})}});
   }
 }
 
@@ -245,7 +241,6 @@ needs the energy $\frac35\delta_0^{5/2} = 33.5$, and no impact brings more than 
 [4.0](cell:orders/method=blanes_moan_4/contacts=closed/order) and order six
 [6.00](cell:orders/method=blanes_moan_6/contacts=closed/order). */
 void report_orders(Report& report) {
-  const char* from = "fit, and two steps less; the order is known to 10 per cent";
   const References open = references_of(hard_chain), closed = references_of(compressed_chain);
   const std::vector<double> steps = step_lengths(report.quick ? 2 : 6);
   Table &errors = report.table("error_orbit"), &orders = report.table("orders");
@@ -257,19 +252,16 @@ void report_orders(Report& report) {
   };
   const auto add = [&](const Tested& method, const char* contacts, const References& references,
                        const std::vector<double>& error) {
-    orders.add({{"method", "integrator", method.name},
-                {"contacts", "open if contacts open and close, closed if none opens", contacts},
-                {"order", "power of the step with which the error falls",
-                 order(steps, error, {.least = 10 * references.error}), "", from}});
+    orders.add({{"method", method.name},
+                {"contacts", contacts},
+                {"order", order(steps, error, {.least = 10 * references.error})}});
   };
 
   // Two steps follow two powers, so they have no order
   for (const Tested& method : {verlet_2, order_4, order_6, two_steps, six_steps}) {
     const std::vector<double> error = errors_of(method, open);
     for (std::size_t k = 0; k < steps.size(); ++k)
-      errors.add({{"method", "integrator", method.name},
-                  {"step", "time step", steps[k]},
-                  {"error", "root mean square over the impacts, of the largest error", error[k]}});
+      errors.add({{"method", method.name}, {"step", steps[k]}, {"error", error[k]}});
     if (method.name != two_steps.name) add(method, "open", open, error);
   }
   for (const Tested& method : {order_4, order_6})
@@ -334,10 +326,7 @@ void report_segment(Report& report) {
       const double x = extrapolated(levels, power);
       return compare(std::abs(x - nearly), std::abs(x - exact));
     };
-    segment.add(
-        {{"levels", "of the extrapolation", levels},
-         {"in_t", "error with steps that are equal in t", error(1), "", "of two references"},
-         {"in_u", "error with steps that are equal in u", error(2), "", "of two references"}});
+    segment.add({{"levels", levels}, {"in_t", error(1)}, {"in_u", error(2)}});
   }
 }
 
@@ -398,10 +387,9 @@ void report_tangents(Report& report) {
   double evaluations = 0;
   const auto exact = tangent_by_flow(breather, EventTolerance<long double>{}, evaluations);
   const auto add = [&](const std::string& method, const std::vector<double>& tangent) {
-    table.add(
-        {{"method", "integrator", method},
-         {"evaluations", "force evaluations", evaluations},
-         {"tangent", "largest error in the tangent vector", largest_difference(tangent, exact)}});
+    table.add({{"method", method},
+               {"evaluations", evaluations},
+               {"tangent", largest_difference(tangent, exact)}});
   };
 
   // Splittings, with twice as many steps each time; flow, with a tenth of the tolerance

@@ -29,18 +29,16 @@ ApproximateStart approximate_start(std::size_t sites, double eps) {
 // Both tables need no run
 void report_start(Report& report, std::size_t sites, double tau) {
   const double eps_101 = breather_eps(1.01);
-  report.table("scales").add(
-      {{"eps", "size at which breathers have the frequency 1.01", exact(eps_101), "", "exact"},
-       {"end", "time at the slow time 250", exact(tau / std::sqrt(eps_101)), "", "exact"}});
+  report.table("scales").add({{"eps", exact(eps_101)}, {"end", exact(tau / std::sqrt(eps_101))}});
   Table& start = report.table("start");
   for (double eps : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2}) {
     const ApproximateStart at = approximate_start(sites, eps);
     const auto of = [eps](double v) { return Estimate(v, 1e-15 * eps); };
-    start.add({{"eps", "size of the impact", eps},
-               {"place", "largest displacement of a bead", exact(at.place), "", "exact"},
-               {"first", "velocity of the first bead beyond 2 eps", of(at.first), "", "rounding"},
-               {"second", "velocity of the second bead", of(at.second), "", "rounding"},
-               {"others", "largest velocity of another bead", exact(at.others), "", "exact"}});
+    start.add({{"eps", eps},
+               {"place", exact(at.place)},
+               {"first", of(at.first)},
+               {"second", of(at.second)},
+               {"others", exact(at.others)}});
   }
 }
 

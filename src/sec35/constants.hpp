@@ -24,14 +24,10 @@ inline void report_beam(Report& report, const CantileverArray& array) {
   };
   const Estimate stiffness = compare(ClampedBeam{200}.stiffness(0), ClampedBeam{400}.stiffness(0)),
                  model = compare(model_over_beam(200), model_over_beam(400));
-  const char* from = "shooting against cos x cosh x = 1";
-  report.table("beam").add(
-      {{"stiffness", "force at the middle over its deflection", stiffness, "E I/l^3"},
-       {"frequency", "lowest frequency, the square of the wavenumber",
-        compare(shooting * shooting, root * root), "(E I/(rho A))^(1/2)/l^2", from},
-       {"mass", "mass with which the spring has this frequency",
-        compare(mass(shooting), mass(root)), "mass of the beam", from},
-       {"model", "frequency of spring and mass over that of the beam with two beads", model}});
+  report.table("beam").add({{"stiffness", stiffness},
+                            {"frequency", compare(shooting * shooting, root * root)},
+                            {"mass", compare(mass(shooting), mass(root))},
+                            {"model", model}});
 }
 
 /**
@@ -82,27 +78,30 @@ inline void report_hertz(Report& report, const CantileverArray& array) {
       const auto over = [&](double modulus) {
         return quotient(exact(array.gamma(modulus) * eta), ours);
       };
-      table.add({{"first", "radius of a bead over the usual one", first},
-                 {"second", "that of the bead which it touches", second},
-                 {"printed", "the article's coefficient over Hertz's, with the beads' modulus",
-                  over(array.bead_modulus)},
-                 {"with_beam", "the same with the beams' modulus", over(array.beam_modulus)}});
+      table.add({{"first", first},
+                 {"second", second},
+                 {"printed", over(array.bead_modulus)},
+                 {"with_beam", over(array.beam_modulus)}});
     }
 }
 
 /// Table `schematic`: what figure 1 needs.
 inline void report_schematic(Report& report, const CantileverArray& array, double string_length) {
-  Table& drawn = report.table(
-      "schematic", {label("id", "part of the figure"), label("parameter", "name of the dimension"),
-                    number("value", "value of the dimension"), label("unit", "unit of the value")});
-  drawn.add({"cradle", "string_length", string_length, "m"});
-  drawn.add({"cradle", "beads_drawn", 5.0, ""});
-  drawn.add({"cradle", "bead_radius_drawn", 0.04, "m"});
+  Table& drawn = report.table("schematic");
+  drawn.add(
+      {{"id", "cradle"}, {"parameter", "string_length"}, {"value", string_length}, {"unit", "m"}});
+  drawn.add({{"id", "cradle"}, {"parameter", "beads_drawn"}, {"value", 5.0}, {"unit", ""}});
+  drawn.add({{"id", "cradle"}, {"parameter", "bead_radius_drawn"}, {"value", 0.04}, {"unit", "m"}});
   for (const auto& [name, unit, value] : given_scales(array))
-    drawn.add({"cantilever", name, value, unit});
-  drawn.add({"cantilever", "beads_per_cantilever", 2.0, ""});
-  drawn.add({"cantilever", "pitch", array.thickness + 4 * array.radius, "m"});
-  drawn.add({"cantilever", "cantilevers_drawn", 5.0, ""});
+    drawn.add({{"id", "cantilever"}, {"parameter", name}, {"value", value}, {"unit", unit}});
+  drawn.add(
+      {{"id", "cantilever"}, {"parameter", "beads_per_cantilever"}, {"value", 2.0}, {"unit", ""}});
+  drawn.add({{"id", "cantilever"},
+             {"parameter", "pitch"},
+             {"value", array.thickness + 4 * array.radius},
+             {"unit", "m"}});
+  drawn.add(
+      {{"id", "cantilever"}, {"parameter", "cantilevers_drawn"}, {"value", 5.0}, {"unit", ""}});
 }
 
 }  // namespace lattice

@@ -17,12 +17,6 @@ namespace lattice {
 
 using std::numbers::pi;
 
-static constexpr const char *by_precisions = "difference of two precisions",
-                            *of_largest = "difference of two precisions, against the largest",
-                            *by_amplitudes =
-                                "from two pairs of amplitudes, against the largest; "
-                                "nan where there is none";
-
 // Formulas in both precisions
 template <class Of>
 static Estimate of_contact(Of of, double d) {
@@ -56,21 +50,17 @@ static void report_compressions(Report& report, std::span<const double> wells) {
     const Estimate q_c = of_contact([](const auto& v) { return inflection(v.v1); }, d);
     Estimate order = undefined;
     if (last > 0) order = order_between(last, of_contact(width, last), d, of_contact(width, d));
-    table.add({{"d", "compression of the contacts", d},
-               {"v1", "coefficient of r", of_contact(v_1, d), "", by_precisions},
-               {"q_c", "inflection of the frequency", q_c, "1/site", by_precisions},
-               {"sign_changes", "of the curvature between 10000 wavenumbers from 0 to pi",
-                sign_changes(contact_series(d).v1)},
-               {"order", "power of d with which the band's width grows from the row before", order,
-                "", "from the errors of both; nan in the first row"}});
+    table.add({{"d", d},
+               {"v1", of_contact(v_1, d)},
+               {"q_c", q_c},
+               {"sign_changes", sign_changes(contact_series(d).v1)},
+               {"order", order}});
     last = d;
     for (double s : wells)
-      signs.add({{"d", "compression of the contacts", d},
-                 {"s", "anharmonicity of the well", s},
-                 {"phi_below", "Phi at q_c (1 - 1e-8)", phi(q_c.value * (1 - 1e-8), d, s), "",
-                  by_precisions},
-                 {"phi_above", "Phi at q_c (1 + 1e-8)", phi(q_c.value * (1 + 1e-8), d, s), "",
-                  by_precisions}});
+      signs.add({{"d", d},
+                 {"s", s},
+                 {"phi_below", phi(q_c.value * (1 - 1e-8), d, s)},
+                 {"phi_above", phi(q_c.value * (1 + 1e-8), d, s)}});
   }
 }
 
@@ -89,12 +79,12 @@ static void report_sides(Report& report) {
         beside += is_inflection(from) + is_inflection(to);
         reach += (from == 0) + (to == pi);
       }
-      table.add({{"d", "compression of the contacts", d},
-                 {"s", "anharmonicity of the well", s},
-                 {"below", "intervals of unstable wavenumbers below q_c", below},
-                 {"above", "those above q_c", above},
-                 {"beside", "those that begin or end at q_c", beside},
-                 {"reach", "edges of the band that unstable wavenumbers reach", reach}});
+      table.add({{"d", d},
+                 {"s", s},
+                 {"below", below},
+                 {"above", above},
+                 {"beside", beside},
+                 {"reach", reach}});
     }
 }
 
@@ -105,11 +95,11 @@ static void report_edges(Report& report, double chosen) {
     for (double part : {-1.0, -0.01, 0.0, 0.01, 0.5, 0.99, 1.01, 2.0})  // of the threshold at pi
       for (double q : {0.0, pi}) {
         const double s = part * -16 * contact_series(d).v3;
-        edges.add({{"d", "compression of the contacts", d},
-                   {"q", "wavenumber", q, "1/site"},
-                   {"s", "anharmonicity of the well", s},
-                   {"v3", "coefficient of r^3", of_contact([](const auto& v) { return v.v3; }, d)},
-                   {"phi", "modulation coefficient Phi", phi(q, d, s), "", of_largest}});
+        edges.add({{"d", d},
+                   {"q", q},
+                   {"s", s},
+                   {"v3", of_contact([](const auto& v) { return v.v3; }, d)},
+                   {"phi", phi(q, d, s)}});
       }
 }
 
@@ -118,29 +108,22 @@ static void report_instability(Report& report, double d, std::span<const double>
   Table &table = report.table("instability"), &in_wells = report.table("inflection");
   for (double s : wells) {
     for (int k = 0; k <= 200; ++k)
-      table.add({{"q", "wavenumber", pi * k / 200, "1/site"},
-                 {"s", "anharmonicity of the well", s},
-                 {"phi", "modulation coefficient Phi; unstable where positive",
-                  phi(pi * k / 200, d, s), "", of_largest}});
+      table.add({{"q", pi * k / 200}, {"s", s}, {"phi", phi(pi * k / 200, d, s)}});
     const auto largest = [&](int points) {
       double top = 0;
       for (int k = 0; k <= points; ++k)
         top = std::max(top, coefficients(pi * k / points, d, s).phi);
       return top;
     };
-    in_wells.add({{"s", "anharmonicity of the well", s},
-                  {"largest_phi", "largest Phi of all wavenumbers",
-                   compare(largest(2000), largest(4000)), "", "two grids of wavenumbers"}});
+    in_wells.add({{"s", s}, {"largest_phi", compare(largest(2000), largest(4000))}});
   }
 }
 
 void report_band(Report& report, double d, std::span<const double> wells) {
   report.table("contact_series")
-      .add({{"v1", "coefficient of r", of_contact(v_1, d), "", by_precisions},
-            {"v2", "coefficient of r^2", of_contact([](const auto& v) { return v.v2; }, d), "",
-             by_precisions},
-            {"v3", "coefficient of r^3", of_contact([](const auto& v) { return v.v3; }, d), "",
-             by_precisions}});
+      .add({{"v1", of_contact(v_1, d)},
+            {"v2", of_contact([](const auto& v) { return v.v2; }, d)},
+            {"v3", of_contact([](const auto& v) { return v.v3; }, d)}});
   report_compressions(report, wells);
   report_sides(report);
   report_edges(report, d);
@@ -171,8 +154,6 @@ static double slow_growth(const Carrier& wave, std::size_t harmonics) {
 static void report_edge_waves(Report& report, double d) {
   Table& waves = report.table("edge_waves");
   const double threshold = -16 * contact_series(d).v3;
-  const char* harmonics =
-      "6 and 12 harmonics, against the largest: stable waves have only rounding";
   for (const auto& [q, s, side] : {std::tuple{0.0, -0.05, "unstable"},
                                    {0.0, 0.05, "stable"},
                                    {pi, threshold + 0.05, "unstable"},
@@ -180,14 +161,12 @@ static void report_edge_waves(Report& report, double d) {
     const Carrier wave{s, q, d, 0.005};
     const double six = slow_growth(wave, 6), twelve = slow_growth(wave, 12),
                  by_nls = wave.growth_by_nls();
-    waves.add({{"q", "wavenumber", q, "1/site"},
-               {"s", "anharmonicity of the well", s},
-               {"edge", "zero or pi", q > 0 ? "pi" : "zero"},
-               {"side", "of the threshold of s", side},
-               {"growth", "largest growth rate of slow modulations of the exact wave",
-                compare(six, twelve), "", harmonics},
-               {"growth_over_nls", "the same over that of the NLS equation if it is focusing",
-                compare(six / by_nls, twelve / by_nls), "", harmonics}});
+    waves.add({{"q", q},
+               {"s", s},
+               {"edge", q > 0 ? "pi" : "zero"},
+               {"side", side},
+               {"growth", compare(six, twelve)},
+               {"growth_over_nls", compare(six / by_nls, twelve / by_nls)}});
   }
 }
 
@@ -220,26 +199,20 @@ static void report_coefficient(Report& report, double chosen, std::span<const do
     const auto& [s, q, d, a] = at;
     const bool slow = d == chosen && at.nls().phi > 0 && std::abs(q - pi / 2) >= 1e-9 &&
                       std::abs(q - inflection(contact_series(d).v1)) > 0.05;
-    return Row{{"d", "compression of the contacts", d},
-               {"s", "anharmonicity of the well", s},
-               {"q", "wavenumber", q, "1/site"},
-               {"beta", "NLS coefficient from its formula",
-                of_phonon([](const auto& nls) { return nls.beta; }, q, d, s), "", of_largest},
-               {"measured_beta", "NLS coefficient from the frequency of exact waves",
-                measured_beta(q, d, s), "", by_amplitudes},
-               {"phi", "modulation coefficient from its formula", phi(q, d, s), "", of_largest},
-               {"slow", "1 where the fastest modulation is slow, at d = 1/2", slow},
-               {"growth_phi", "modulation coefficient from the measured growth; nan unless slow",
-                slow ? measured_phi(q, d, s) : undefined, "", by_amplitudes}};
+    return Row{{"d", d},
+               {"s", s},
+               {"q", q},
+               {"beta", of_phonon([](const auto& nls) { return nls.beta; }, q, d, s)},
+               {"measured_beta", measured_beta(q, d, s)},
+               {"phi", phi(q, d, s)},
+               {"slow", slow},
+               {"growth_phi", slow ? measured_phi(q, d, s) : undefined}};
   });
   const auto umklapp = [chosen](double a) {
     const Carrier wave{1, pi / 2, chosen, a};
     return growth_rate(wave.exact(), pi) / wave.growth_by_nls();
   };
-  report.table("umklapp").add(
-      {{"s", "anharmonicity of the well", 1.0},
-       {"growth_over_nls", "at q = pi/2, over the growth of slow modulations",
-        at_zero_amplitude(0.04, umklapp), "", by_amplitudes}});
+  report.table("umklapp").add({{"s", 1.0}, {"growth_over_nls", at_zero_amplitude(0.04, umklapp)}});
 }
 
 // The moving breather of the NLS equation, Eq. (38)
@@ -304,13 +277,11 @@ static void report_ansatz(Report& report, double d) {
     };
     const auto l2 = [](const AnsatzError& error) { return error.l2; };
     const auto largest = [](const AnsatzError& error) { return error.largest; };
-    const char* how = "from the errors of both; nan in the first row";
-    table.add(
-        {{"eps", "amplitude scale epsilon of the ansatz", eps[k]},
-         {"l2", "error in l2, of displacements and velocities together", runs[k].of(l2)},
-         {"largest", "largest error of any displacement or velocity", runs[k].of(largest)},
-         {"order_l2", "power of eps with which l2 falls from the row before", order(l2), "", how},
-         {"order_largest", "the same of the largest error", order(largest), "", how}});
+    table.add({{"eps", eps[k]},
+               {"l2", runs[k].of(l2)},
+               {"largest", runs[k].of(largest)},
+               {"order_l2", order(l2)},
+               {"order_largest", order(largest)}});
   }
 }
 
