@@ -18,7 +18,7 @@ and one has to say what is held fixed. The depinning kick, from which the articl
 subject of `sec33_mobility`.
 
 <!-- head -->
-`build/bin/sec32_barrier` computes this chapter in 7 s on two cores and writes 5 tables to `build/data/sec32_barrier`.
+`build/bin/sec32_barrier` computes this chapter in 8 s on two cores and writes 5 tables to `build/data/sec32_barrier`.
 Its figures: `make fig07`. With your parameters: `barrier`, Peierls-Nabarro barrier: the energy difference E_site -
 E_bond of the two breathers.
 <!-- /head -->

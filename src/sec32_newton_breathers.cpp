@@ -381,8 +381,7 @@ shrink to a third. So the statement holds up to 1.01 if *nearly* means 1 per cen
 
 For $s \in [-1, 1]$ the article finds that both families bifurcate from rest. There the force $s\,y^3$ is negligible:
 between 1.0005 and 1.001, where the amplitude is below $10^{-6}$, it grows like $(\omega_b-1)^2$, as in Eq. (20), with
-one exponent to nine digits at $s = -1$, 0 and 1. Around a site the exponent is [2.001 ±
-0.004](cell:other_wells/s=1/centre=site/exponent), its error the change to the next pair of frequencies. */
+one exponent to nine digits at $s = -1$, 0 and 1. Around a site the exponent is [2.001 ± 0.004](cell:other_wells/s=1/centre=site/exponent), its error the change to the next pair of frequencies. */
 void report_small_amplitude(Report& report) {
   Table &widths = report.table("widths"), &others = report.table("other_wells");
   for (Centre centre : both_centres) {
