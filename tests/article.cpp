@@ -937,7 +937,7 @@ TEST_CASE(
     evolve(method, ring, state, 6559, 6559);
     return watch_packet(method, ring, state);
   };
-  const Packet wave = packet_of(run(0.4), run(0.2));
+  const Packet wave = packet_of({run(0.4), run(0.2)});
   CHECK(stands("a travelling breather moving right",
                {above("peak over mean", wave.peak_over_mean, 5),
                 below("share of sites", wave.share_of_sites, 0.5), above("speed", wave.speed, 0)}));

@@ -13,6 +13,7 @@ derivative is the mean acceleration, and its distance from the path shows how co
 
 namespace lattice {
 
+/// A parabola through a path.
 struct PathFit {
   double acceleration;  ///< site per squared unit of time
   double deviation;     ///< root mean square of the distance, over the range of the path
