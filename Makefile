@@ -222,7 +222,8 @@ examples: programs
 
 ## chapter: compute, draw and judge a chapter of one's own, a copy C=... of examples/chapter
 C := examples/chapter
-chapter: programs
+chapter: configure
+	@sh tools/build.sh $(B) $(JOBS) report $(shell grep -qs lattice::lattice "$(C)/CMakeLists.txt" && echo lattice)
 	@cmake -S "$(C)" -B "$(C)/build" -D CMAKE_PREFIX_PATH="$(abspath $(B))" -D CMAKE_BUILD_TYPE=Release > /dev/null
 	@cmake --build "$(C)/build"
 

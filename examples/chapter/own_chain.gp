@@ -14,4 +14,6 @@ set logscale xy
 set xlabel 'time step'
 set ylabel 'error of the speed from the step'
 set format y '10^{%T}'
-plot [0.02:0.25] data.'/convergence.ecsv' using 'step':'error' with linespoints pt 7 notitle
+set key bottom right
+plot [0.02:0.25] data.'/convergence.ecsv' using 'step':'error' with linespoints pt 7 notitle, \
+     1e-3*x**5 with lines lc rgb 'gray' title '(time step)^5'

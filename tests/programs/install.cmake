@@ -27,6 +27,7 @@ set(says
     "barrier" "^at equal frequency 1\\.62[0-9]+e-11, at equal area -2\\.3[0-9]+e-13\n$"
     "own_well" "^energy drift [0-9.]+e-(0[89]|1[0-9])\n$"
     "own_contact" "^energy drift [0-9.]+e-(0[89]|1[0-9])\n$"
+    "own_start" "^the light bead is at 0\\.037553[0-9]* \\+- [0-9.]+e-(09|1[0-9])\n$"
     "limit" "^speed 0\\.3748[0-9]+ sites per unit of slow time, norm drift [0-9.]+e-1[0-9]\n$"
     "array" "^force 2\\.864[0-9]+ N, velocity 0\\.493[0-9]+ m/s, arrival 39\\.41[0-9]+ ms\n$"
     "sweep" "^0\\.230[0-9]+\n0\\.188[0-9]+\n0\\.171[0-9]+\n(0\\.[0-9]+\n)+$"
