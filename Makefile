@@ -217,8 +217,9 @@ test-lineage:
 # Folders that have the name of something that can be made.
 tests: test
 ## examples: build the programs of examples/ against the installed library and run them
-examples: programs
-	@ctest -R '^install$$' $(CTEST_ARGS)
+examples: configure
+	@sh tools/build.sh $(B) $(JOBS) lattice report
+	@ctest -R '^programs/install$$' $(CTEST_ARGS)
 
 ## chapter: compute, draw and judge a chapter of one's own, a copy C=... of examples/chapter
 C := examples/chapter
