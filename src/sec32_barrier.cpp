@@ -313,7 +313,7 @@ the residual of the article's breather, $1.5\cdot10^{-9}$, is a detuning along t
 [1.60e-12](cell:accuracy/energy) off, so that it allows the difference (`pn.omega11`). Whether it is the cause we do not
 know: our two runs of the article's equations (previous chapter) disagree. With all directions the energy is
 [3.66e-13](cell:sec32_newton_breathers/convergence/equations=whole_period/steps=5/energy_excess) too high, in proportion
-to the residual as much as by a detuning, but the last step is three million times the printed one. Without the pinning
+to the residual nearly as by a detuning, but the last step is three million times the printed one. Without the pinning
 mode both numbers are more like the article's, and the energy is off by
 [-8.4e-14](cell:sec32_newton_breathers/convergence/equations=without_pinning_mode/energy_excess), 17 times too little
 and with the other sign. The printed last step allows [7.6e-15](cell:accuracy/energy_of_variation). */
