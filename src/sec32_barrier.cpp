@@ -4,8 +4,8 @@
 How much energy separates a breather around a site from one around a bond? The difference, the *Peierls-Nabarro
 barrier*, is what a breather has to overcome on its way along the chain. Section 3.2 of James, Kevrekidis and Cuevas
 (Physica D 251, 2013) finds it very small, $1.77\cdot10^{-11}$ at the frequency $\omega_b = 1.1$ in the linear well. We
-find $1.62\cdot10^{-11}$, and a sign: the barrier vanishes at several frequencies, 7 times in the linear well alone. The
-barrier that a moving breather meets, at equal action, is at 1.1 seventy times smaller and of opposite sign.
+find $1.62\cdot10^{-11}$ and a sign, positive if the breather around a site has more energy: the barrier vanishes
+7 times in the linear well alone. What a moving breather meets, at equal action, is 70 times smaller at 1.1, negative.
 
 ![Energy barrier between both families, for three wells, with the prediction of $E_{PN}$ from $\tilde E_{PN}$. Drawn by
 fig07_pn_barrier.gp: `energy_bond`, moduli of `equal_frequency`, `predicted` and `equal_area`, and `relative` of the
@@ -14,8 +14,8 @@ table `barriers` against `omega`, and the zeros in `sign_changes`.](fig:07)
 The notion comes from dislocations and was carried over to discrete solitons (Kivshar and Campbell, Phys. Rev. E 48,
 1993): as a function of the position of its centre the energy of a soliton is the *Peierls-Nabarro potential*, and its
 extrema are the states around a site and around a bond. A breather has another parameter, its frequency or its action,
-and one has to say what is held fixed. The depinning kick, from which the article infers $1.92\cdot10^{-11}$, is the
-subject of `sec33_mobility`.
+and one has to say what is held fixed. The article also infers $1.92\cdot10^{-11}$ from the least kick that moves a
+breather, but only a small fraction of its energy becomes energy of translation (`sec33_mobility`).
 
 <!-- head -->
 `build/bin/sec32_barrier` computes this chapter in 8 s on two cores and writes 5 tables to `build/data/sec32_barrier`.
@@ -63,7 +63,7 @@ constexpr std::size_t sites = 31;  // around a site, and one more around a bond
 constexpr int intervals = 60;      // of the frequency from 1 to 2 in figure 7
 constexpr double printed_omega = 1.1, printed_barrier = 1.77e-11;  // in the linear well
 constexpr double printed_residual = 1.5e-9, printed_variation = 1.7e-11;
-constexpr double near_zero = 1.3, beside = 1.0 / 60;  // a zero of the linear barrier is near
+constexpr double near_zero = 1.3, beside = 1.0 / 60;  // next to a zero of the linear barrier
 
 /// The conditions on a breather, with its chain.
 Shooting<double> conditions(Centre centre, double omega, double s) {
@@ -95,7 +95,7 @@ is the difference, which may be small by chance, plus 2048 machine epsilons of t
 the linear well double precision gives [1.6242e-11](cell:barriers/s=0/omega=1.1/equal_frequency), and 64 bits
 [1.62422e-11](cell:key_pairs/s=0/omega=1.1/equal_frequency). A run with 113 bits lies within both errors
 (tests/lattice/orbits/breather.cpp); an independent program with another integrator (`tests/second`) finds both barriers
-to its own accuracy, six and nearly four digits.
+to its own accuracy.
 
 ## Two predictions
 
@@ -135,17 +135,14 @@ Estimate modulus(const Estimate& barrier) {
   return {std::abs(barrier.value), barrier.error};
 }
 
-/// Pairs of one well, in extended precision but in a quick run.
+/// Pairs of one well, in extended precision except in a quick run.
 BreatherPairs key_pairs(double s, bool quick) {
   std::vector<double> omegas(key_frequencies.begin(), key_frequencies.end());
   if (s == linear) omegas.insert(omegas.end(), small_amplitude.begin(), small_amplitude.end());
   BreatherPairs pairs(omegas.size());
   parallel_for(pairs.size(), [&](std::size_t i) {
     pairs[i] = find_pair(s, omegas[i]);
-    if (quick)
-      measure_in<double>(pairs[i]);
-    else
-      measure_in<Wide>(pairs[i]);
+    (quick ? measure_in<double> : measure_in<Wide>)(pairs[i]);
   });
   return pairs;
 }
@@ -158,7 +155,7 @@ void report_key(Report& report) {
     const BreatherPairs pairs = s == linear ? of_linear : key_pairs(s, report.quick);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const BreatherPair& pair = pairs[i];
-      const double law = -(pair.omega - 1) / 5;
+      const double law = (pair.omega - 1) / 5;  // times -1
       const Estimate ratio = quotient(pair.equal_area, pair.equal_frequency);
       table.add({{"s", s},
                  {"omega", pair.omega},
@@ -166,7 +163,7 @@ void report_key(Report& report) {
                  {"equal_area", pair.equal_area},
                  {"energy_site", pair.energy[0]},
                  {"energy_bond", pair.energy[1]},
-                 {"over_law", Estimate{ratio.value / law, ratio.error / -law}},
+                 {"over_law", Estimate{-ratio.value / law, ratio.error / law}},
                  {"over_linear",
                   quotient(modulus(pair.equal_frequency), modulus(of_linear[i].equal_frequency))}});
     }
@@ -176,10 +173,11 @@ void report_key(Report& report) {
 /**
 ## The barrier against frequency (figure 7)
 
-Both families are continued by arclength from $\omega_b = 1.005$ to 2 in steps of a sixtieth, in the soft well to 1.9,
-in steps a fifth as long from 1.8 on. Both soft branches turn back soon after, near 1.912
+Both families are continued by arclength from $\omega_b = 1.005$ to 2 in steps of a sixtieth. In the soft well they end
+at 1.9, with steps a fifth as long from 1.8 on; its branches turn back near 1.912
 (`build/bin/sec32_newton_breathers breather --omega 1.95 --s -0.1666667` says where). Each dip of the figure is a change
-of sign.
+of sign. From the fourth soft zero on each distance is 0.65 to 0.74 of the one before, so that their number
+depends on where we stop.
 
 <!-- barrier.signs -->
 The energy barrier between the site- and bond-centred breathers has no fixed sign. At equal frequency it vanishes 7
@@ -190,10 +188,10 @@ well, $s = -\frac16$, for $\omega_b$ up to 1.9. (computed)
 $E_{PN}$ is as predicted (circles): in the soft and the linear well the two values differ by 3 parts in $10^5$ at most,
 next to the zeros too. In the hard well, where the barriers are no longer small, the second-order terms grow, from 0.1
 per cent at 1.5, [-8.651e-5](cell:barriers/s=1/omega=1.5/predicted) against
-[-8.643e-5](cell:barriers/s=1/omega=1.5/equal_frequency), to 43 per cent at 2. Hence the zeros of the two barriers
-alternate: at equal area there are [13](cell:zeros/s=-1/6/equal_area) in the soft well and
-[6](cell:zeros/s=0/equal_area) in the linear one. `frequency_of_zero` finds those of $E_{PN}$ by Newton's method; two
-within one step would be missed. */
+[-8.643e-5](cell:barriers/s=1/omega=1.5/equal_frequency), to 43 per cent at 2. At equal area there are
+[13](cell:zeros/s=-1/6/equal_area) zeros in the soft well and [6](cell:zeros/s=0/equal_area) in the linear one, one
+fewer than at equal frequency, and one of those before each: they alternate. `frequency_of_zero` finds those of
+$E_{PN}$ by Newton's method; two within one step would be missed. */
 using Families = std::vector<BreatherPairs>;  // the pairs of breathers in each well
 
 Families report_barriers(Report& report) {
@@ -201,10 +199,10 @@ Families report_barriers(Report& report) {
   Families families;
   Table& table = report.table("barriers");
   for (double s : wells) {
-    // Their frequency 1 is replaced by each of the list
-    families.push_back(
-        breather_pairs_at(s, {conditions(Centre::site, 1, s), conditions(Centre::bond, 1, s)},
-                          pair_frequencies(s, report.quick ? intervals / 6 : intervals), measure));
+    const auto omegas = pair_frequencies(s, report.quick ? intervals / 6 : intervals);
+    families.push_back(breather_pairs_at(
+        s, {conditions(Centre::site, omegas[0], s), conditions(Centre::bond, omegas[0], s)}, omegas,
+        measure));
     for (const BreatherPair& pair : families.back()) {
       const auto& [energy_site, energy_bond] = pair.energy;
       const auto& [amplitude_site, amplitude_bond] = pair.amplitude;
@@ -264,7 +262,7 @@ maximum (`pn.grows`).
 
 The article also says that $E_{PN}$ remains very small. So it does relative to the energy in the soft and in the linear
 well, but in the hard one it passes 1 per cent beyond 1.667 and is 18 per cent at 2 (`pn.remains_small`); the article
-does not say how far its curve goes. The linear well's is the smallest relative to the energy at 50 of the 55
+does not say how far its curve goes. Relative to the energy the linear well's barrier is the smallest at 50 of the 55
 frequencies that all three wells have in common (`pn.ratio_smallest`). The exceptions are small amplitude, where the
 wells nearly agree, and two frequencies next to zeros of the soft barrier.
 
@@ -300,8 +298,9 @@ that the effective mass of a moving breather is negative (`sec33_mobility`): it 
 
 At 1.3 the article finds the linear barrier smaller than the others by three to four orders. We find 2.9 and 4.4 orders,
 which agrees within half an order (`pn.harmonic_ratio`), but only next to this frequency: the linear barrier has its
-fifth zero at [1.2997](cell:sign_changes/s=0/zero=5/omega), and a sixtieth away it is one to three orders. Nor is the linear barrier *much smaller* everywhere: from 1.1 on the hard one exceeds it tenfold at
-all frequencies but the first, the soft one at 31 of 49 (`pn.harmonic_smaller`).
+fifth zero at [1.2997](cell:sign_changes/s=0/zero=5/omega), and a sixtieth away it is one to three orders. Nor is the
+linear barrier *much smaller* everywhere. From 1.1 on the soft one exceeds it tenfold at 31 of 49 frequencies only, the
+hard one at all but the first (`pn.harmonic_smaller`).
 
 | barrier over that of the linear well | article | soft well | hard well |
 |---|---|---|---|
@@ -309,15 +308,16 @@ all frequencies but the first, the soft one at 31 of 49 (`pn.harmonic_smaller`).
 | at 1.3 | three to four orders | [858](cell:key_pairs/s=-1/6/omega=1.3/over_linear) | [2.49e4](cell:s=1/over_linear) |
 | a sixtieth above | | [21.3](cell:key_pairs/s=-1/6/omega=79/60/over_linear) | [616](cell:s=1/over_linear) |
 
-How accurate is the printed $1.77\cdot10^{-11}$ at 1.1? It exceeds ours by [1.46e-12](cell:accuracy/excess). The
-article's breather has a residual of $1.5\cdot10^{-9}$. If all of it is a detuning along the family, the energy is
-[1.60e-12](cell:accuracy/energy) off, so that the residual allows the difference (`pn.omega11`). Our iterate of the
-article's equations after five steps, whose residual is
-[3.61e-10](cell:sec32_newton_breathers/convergence/equations=whole_period/steps=5/residual), has an energy
+How accurate is the printed $1.77\cdot10^{-11}$ at 1.1? It exceeds ours by [1.46e-12](cell:accuracy/excess). If all of
+the residual of the article's breather, $1.5\cdot10^{-9}$, is a detuning along the family, the energy is
+[1.60e-12](cell:accuracy/energy) off, so that it allows the difference (`pn.omega11`). Whether it is the cause we do not
+know: our two runs of the article's equations (previous chapter) disagree. With all directions the energy is
 [3.66e-13](cell:sec32_newton_breathers/convergence/equations=whole_period/steps=5/energy_excess) too high, in proportion
-nearly the same. That it was the cause we do not know: the other printed accuracy, $1.7\cdot10^{-11}$ for the last
-change of the positions, allows [7.6e-15](cell:accuracy/energy_of_variation) only. */
-/// How far the energy is off if the printed residual comes from another frequency, by an exact breather of one.
+to the residual nearly as by a detuning, but the last step is three million times the printed one. Without the pinning
+mode both numbers are more like the article's, and the energy is off by
+[-8.4e-14](cell:sec32_newton_breathers/convergence/equations=without_pinning_mode/energy_excess), 17 times too little
+and with the other sign. The printed last step allows [7.6e-15](cell:accuracy/energy_of_variation). */
+/// How far the energy is off if the printed residual is that of the exact breather of a slightly different frequency.
 double energy_of_residual(double detuning) {
   Shooting<double> problem = conditions(Centre::site, printed_omega, linear);
   const Orbit<double> orbit = find_breather(problem);
@@ -329,7 +329,7 @@ double energy_of_residual(double detuning) {
   return std::abs(other.energy - orbit.energy) * printed_residual / residual;
 }
 
-/// How far it is off, to first order, if every bead is off by the printed variation times the amplitude.
+/// At most how far, if every bead is off by the printed variation; at rest the slope of the energy is -acceleration.
 double energy_of_variation(int coarser) {
   const Shooting<double> problem = conditions(Centre::site, printed_omega, linear);
   const Orbit<double> orbit = find_breather(problem, Phase::compressed, rule<double>(coarser));
@@ -381,8 +381,8 @@ void reproduce(Report& report) {
 **To change it.** Other soft and hard wells are `soft` and `hard` (also in the script of figure 7, at the top of the
 statements, and in the addresses of the numbers here); `intervals` is the grid of frequencies. Longer chains, other
 wells and other contacts go into `conditions`, for instance `bare(PowerContact{1.6})` into `problem.chain.contact`: all
-breathers of the run come from there (the command has its own). The factor $-\delta/5$ and the printed numbers then no
-longer apply.
+breathers of the run come from there (the command has its own). This exponent takes two minutes of processor time, a
+quick run 16 s. The factor $-\delta/5$ and the printed numbers then no longer apply.
 
 1. *Easy.* Next to a zero: `build/bin/sec32_barrier barrier --omega 1.01462` gives `equal_area` = -1.86531e-17, some two
    hundred times the modulus of `equal_frequency`. Which of the two decides where the breather rests? Hint: a breather

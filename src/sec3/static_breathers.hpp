@@ -10,6 +10,7 @@ The growth of its family; its symmetry, found without imposing it; its asymmetry
 #include <limits>
 #include <vector>
 
+#include "lattice/algebra/dense.hpp"
 #include "lattice/diagnostics/observe.hpp"
 #include "lattice/gsl/random.hpp"
 #include "lattice/model/sites.hpp"
@@ -25,16 +26,22 @@ inline double growth_exponent(const Orbit<double>& lower, const Orbit<double>& u
          std::log((upper.omega - 1) / (lower.omega - 1));
 }
 
-/// How far the breather of `problem` is from its symmetry (symmetry.hpp), over the amplitude, if Newton's method in
-/// extended precision knows only that it is even in time, and starts with all positions changed by a random part of
-/// themselves, at most `perturbation`.
-inline double broken_symmetry(const Shooting<double>& problem, double perturbation,
-                              unsigned long seed) {
+/// A breather that was found without its symmetry: how far from it, over the amplitude, and the condition number of DR.
+struct FreeBreather {
+  double broken;
+  Estimate condition;  // its error: the difference from that at the symmetric breather
+};
+
+/// Newton's method in extended precision knows only that the breather of `problem` is even in time, and starts with all
+/// positions changed by a random part of themselves, at most `perturbation`. The symmetries: symmetry.hpp.
+inline FreeBreather without_symmetry(const Shooting<double>& problem, double perturbation,
+                                     unsigned long seed) {
   const std::size_t sites = problem.chain.sites;
   Shooting<double> even = problem;
   even.symmetry = even_in_time(sites);
-  State<double> start(sites);
-  start.y = shaken(find_breather(problem).start.y, perturbation, seed);
+  State<double> start = find_breather(problem).start;
+  const auto symmetric = even.evaluate(even.reduce(start), {});
+  start.y = shaken(start.y, perturbation, seed);
   const auto free = in_precision<Wide>(even);
   const Orbit<Wide> orbit = newton(free, newton(even, even.reduce(start)));
   State<Wide> image = orbit.start;
@@ -42,7 +49,8 @@ inline double broken_symmetry(const Shooting<double>& problem, double perturbati
   Wide most = 0;
   for (std::size_t n = 0; n < sites; ++n)
     most = std::max(most, std::abs(orbit.start.y[n] + image.y[sites - 1 - n]));
-  return double(most / orbit.amplitude);
+  return {double(most / orbit.amplitude), compare(condition_of(symmetric.jacobian).condition,
+                                                  condition_of(orbit.jacobian).condition)};
 }
 
 /// The largest |y_n(0) - y_-n(0)|, relative to the largest |y_n(0)|.
@@ -53,25 +61,14 @@ inline double asymmetry(const Orbit<double>& orbit) {
   return most / orbit.amplitude;
 }
 
-/// Participation numbers, in sites: of the displacements at t = 0, (sum y^2)^2 / sum y^4, and of the energy densities,
-/// (sum e)^2 / sum e^2; at two tolerances.
-struct Widths {
-  Estimate displacements, energies;
-};
-inline Widths widths_of(const Shooting<double>& problem) {
-  const auto start = [&](int coarser) {
-    return find_breather(problem, Phase::compressed, rule<double>(coarser)).start;
-  };
-  const TwoRuns<State<double>> starts{start(1), start(0)};
-  const auto of_displacements = [](const State<double>& state) {
-    auto squares = state.y;
+/// Participation number of the displacements at t = 0, (sum y^2)^2 / sum y^4, in sites, at two tolerances.
+inline Estimate width_of(const Shooting<double>& problem) {
+  const auto width = [&](int coarser) {
+    auto squares = find_breather(problem, Phase::compressed, rule<double>(coarser)).start.y;
     for (double& y_n : squares) y_n *= y_n;
     return participation(squares);
   };
-  const auto of_energies = [&](const State<double>& state) {
-    return participation(energy_density(problem.chain, state));
-  };
-  return {starts.of(of_displacements), starts.of(of_energies)};
+  return compare(width(1), width(0));
 }
 
 /// The article's residual of positions x at t = 0: the change of positions and velocities after a whole period, over the
