@@ -276,7 +276,7 @@ void run_seeds(NoiseGroup& group, bool quick) {
 }
 
 /**
-![The perturbed site-centred breather leaves (seed 10 of 16, an early one); without the translational mode it stays long;
+![The perturbed site-centred breather leaves (seed 10, an early one of 16); without the translational mode it stays;
 a bond-centred one stays.](fig:10) */
 constexpr std::size_t map_seed = 10;
 
