@@ -11,8 +11,10 @@ set ylabel 'anharmonicity s' offset 1
 set cblabel 'distance of the fourth from +1' offset 0.5
 unset key
 table = data.'/sec33_floquet/spectra.ecsv'
-bond(name) = strcol('centre') eq 'bond' ? column(name) : NaN
-plot table using (bond("omega")):"s":"fourth" with points pt 5 ps 0.95 lc palette, \
-     table using (column("largest") > 1e-3 && column("others") < 1e-3 ? bond("omega") : NaN):"s" \
-       with points pt 7 ps 0.35 lc rgb vermilion, \
-     table using (column("others") > 1e-3 ? bond("omega") : NaN):"s" with points pt 8 ps 1.1 lc rgb vermilion
+# The wells of the grid; at 1.1 there are more
+on_grid(s) = abs(4*s - floor(4*s + 0.5)) < 1e-9 || abs(s + 1/6.0) < 1e-9
+at(is) = strcol('centre') eq 'bond' && on_grid(column('s')) && is ? column('omega') : NaN
+leave(x) = column(x) > 1e-5
+plot table using (at(1)):"s":"fourth" with points pt 5 ps 0.62 lc palette, \
+     table using (at(leave('largest') && !leave('others'))):"s" with points pt 7 ps 0.3 lc rgb vermilion, \
+     table using (at(leave('others'))):"s" with points pt 8 ps 0.9 lc rgb vermilion

@@ -12,9 +12,9 @@ $s_0^b \approx 0.26$ and the former gains it at $s_0^s \approx 0.05$, where a pa
 ![Arguments and moduli of the four multipliers near one, bond-centred.](fig:11)
 
 We find the same but for the two values of $s_0$: both breathers change their stability at almost the same
-anharmonicity, $s_0 =$ [0.1525](cell:exchange/site). At higher frequencies the instability is no longer weak: in hard
-wells the pinning pair leaves $+1$, and the bond-centred breather becomes strongly unstable; in very soft wells other
-multipliers leave the circle.
+anharmonicity, $s_0 =$ [0.1525](cell:exchange/site). Nearly everywhere one of the two is stable and the other one not:
+in hard wells the site-centred one, but at the lowest frequencies; in the linear and soft wells they take turns. In hard
+wells the instability does not stay weak; in very soft ones other multipliers leave the circle.
 
 The multipliers are hard to compute because two are exactly $+1$ and share one eigenvector: an error $\eta$ of $M$ can
 split such a pair by as much as $\sqrt\eta$. We compute a quantity that has no such pair.
@@ -71,11 +71,9 @@ $s$. `find_breather` solves the conditions on a breather by Newton's method from
 chain of `problem_at`, of 21 or 22 sites (the force on a bead beyond its ends would be below machine precision), and
 `newton_from` starts from a neighbouring breather. `spectrum` (exchange.hpp) integrates $F$, ending a step at every
 contact event, and takes the eigenvalues of $K$ perpendicular to $f$ (`floquet_pairs`), the smallest $|\kappa|$ first.
-It does so twice, the second time with a tolerance sixteen times larger and the breather found again from a point beside
-it. The difference plus the symplectic defect of $F$ is the error of $\kappa$. */
-constexpr double omega_b = 1.1;                             // figures 11 to 13
-constexpr int steps_to_one = 20;                            // values of s between 0 and 1
-constexpr double beside_exchange[] = {0.001, 0.004, 0.01};  // more of them there
+The error of $\kappa$ is the difference from a tolerance 16 times as large, plus the symplectic defect of $F$. */
+constexpr double omega_b = 1.1;   // figures 11 to 13
+constexpr int steps_to_one = 20;  // values of s between 0 and 1
 
 /// A breather at a place of the plane of omega_b and s, with its pairs.
 struct BreatherAt {
@@ -121,7 +119,7 @@ void report_tolerances(Report& report) {
     const double from_K =
         floquet_pairs(problem.chain, breather.start, breather.period(), rule).pinning();
 
-    // The four eigenvalues of M next to +1: how far from where they belong, and kappa from all of them
+    // The four eigenvalues of M next to +1: their error, and kappa from all of them
     auto all = eigenvalues_of(monodromy(problem.chain, breather.start, breather.period(), rule));
     std::stable_sort(all.begin(), all.end(),
                      [](auto a, auto b) { return std::norm(a - 1.0) < std::norm(b - 1.0); });
@@ -143,8 +141,7 @@ void report_tolerances(Report& report) {
 ![Errors of the multipliers next to $+1$ and of $\kappa$.](fig:x47)
 
 On average, though in jumps, both ways to $\kappa$ gain a digit with each digit of the tolerance. The eigenvalues of $M$
-gain half a digit. An error may split a pair along the circle or off it; the splitting shows up in the moduli, so a
-stable breather can look unstable.
+gain half a digit. An error may split a pair along the circle or off it, so a stable breather can seem unstable.
 
 ## The four multipliers against $s$ (figures 11 and 12)
 
@@ -154,7 +151,7 @@ six more values of $s$ there. We find the exchange first: between two neighbours
 zero is improved by regula falsi and two last steps in extended precision (`exchange`). Its error is that of $\kappa$
 over the slope of $\kappa$ in $s$.
 
-![The same around a site.](fig:12) */
+![Arguments and moduli of the four multipliers near one, site-centred.](fig:12) */
 /// A breather over s, its exchange of stability, and by how much kappa falls with s there.
 struct Family {
   Centre centre;
@@ -163,6 +160,19 @@ struct Family {
   Estimate slope{};
 };
 
+/// Adds the breathers at s_0 - beside and s_0 + beside; the slope between the two.
+Estimate add_beside(Family& family, double beside) {
+  const auto add = [&](double s) {
+    const auto problem = problem_at(family.centre, {omega_b, s});
+    const Orbit<double> orbit = newton_from(problem, family.exchange.orbit);
+    family.breathers.push_back({{omega_b, s}, orbit, spectrum<double>(problem, orbit)});
+    return family.breathers.back().spectrum.kappa();
+  };
+  const double s_0 = family.exchange.place.value;
+  const Estimate below = add(s_0 - beside), above = add(s_0 + beside);
+  return quotient({below.value - above.value, below.error + above.error}, exact(2 * beside));
+}
+
 Family family_of(Centre centre, int steps) {
   Family family{centre, over_s(centre, steps)};
   std::vector<BreatherAt>& all = family.breathers;
@@ -170,22 +180,14 @@ Family family_of(Centre centre, int steps) {
     return a.spectrum.kappa().value * b.spectrum.kappa().value < 0;
   });
   if (low == all.end()) throw NoBranch("kappa has one sign in all these wells");
+  const Cut over_wells{.along_s = true, .fixed = omega_b};
   family.exchange =
-      exchange<Wide>(centre, {true, omega_b}, low->spot.s, std::next(low)->spot.s, low->orbit);
+      exchange<Wide>(centre, over_wells, low->spot.s, std::next(low)->spot.s, low->orbit);
 
-  // More breathers beside it, and the slope from the two outer pairs of them
-  const double s_0 = family.exchange.place.value;
-  const auto kappa_at = [&](double s) {
-    const auto problem = problem_at(centre, {omega_b, s});
-    const Orbit<double> orbit = newton_from(problem, family.exchange.orbit);
-    all.push_back({{omega_b, s}, orbit, spectrum<double>(problem, orbit)});
-    return all.back().spectrum.kappa();
-  };
-  for (const double beside : beside_exchange) {
-    const Estimate below = kappa_at(s_0 - beside), above = kappa_at(s_0 + beside);
-    const Estimate fall{below.value - above.value, below.error + above.error};
-    family.slope = compare(family.slope, quotient(fall, exact(2 * beside)));
-  }
+  // Six more breathers
+  add_beside(family, 0.001);
+  const Estimate narrow = add_beside(family, 0.004), wide = add_beside(family, 0.01);
+  family.slope = compare(narrow, wide);
   std::sort(all.begin(), all.end(),
             [](const auto& a, const auto& b) { return a.spot.s < b.spot.s; });
   return family;
@@ -227,12 +229,11 @@ $s = 0.05$ and $0.26$: the stability of the former changes at $s =$ 0.1525195, t
 The two values are 3.2e-7 apart, and in between both breathers are stable. (computed)
 <!-- /exchange.equal -->
 
-The table `exchange` has errors below $10^{-9}$. Why together? A picture: the centre of the breather moves in a
-potential with the period of the chain, and the two breathers are its extrema. If it is nearly a sine, there are no
-others, one breather is stable and the other unstable. Where its amplitude passes through zero, both exchange their
-stability in a symmetry-breaking bifurcation; higher harmonics of the potential decide what happens in between
-(`sec33_between`). Why it does so at this $s$ we do not know; at other frequencies it is another. In this picture
-exchanges as far apart as the printed ones need a potential that is far from a sine at every $s$ between them. */
+Both are known to $10^{-9}$. Why together? A picture: the centre of the breather moves in a potential $V_1\cos2\pi X +
+V_2\cos4\pi X + \dots$, and the two breathers are its extrema. If it is nearly a sine, one is stable and the other not;
+where $V_1$ passes through zero they change places, and $V_2$ decides what happens in between (`sec33_between`). Why it
+vanishes at this $s$ we do not know. If the printed values were right, both breathers would be stable for all $s$
+between them: the potential would be far from a sine there, with a third breather between the two. */
 void report_exchange(Report& report, const Family& around_site, const Family& around_bond) {
   const Estimate site = around_site.exchange.place, bond = around_bond.exchange.place;
   report.table("exchange")
@@ -245,14 +246,15 @@ void report_exchange(Report& report, const Family& around_site, const Family& ar
 /**
 ## What may have moved the printed exchanges
 
-Can one cause move the exchange around a site to 0.05 and that around a bond to 0.26? A threshold can: if a multiplier
-counts as off the circle only beyond $1+\theta$, the instability seems to end too early around a site and to begin too
-late around a bond. So we compute $\lambda-1$ for all $s$ that are rounded to the printed values. All $\theta$ from
+Can one cause move the exchange around a site to 0.05 and that around a bond to 0.26? At these $s$ we find $\kappa =$
+[7.72e-9](cell:beside_printed/centre=site/s=0.05/kappa) around a site and
+[8.12e-9](cell:beside_printed/centre=bond/s=0.26/kappa) around a bond. So one and the same error of $\kappa$,
+$-8\cdot10^{-9}$, moves both. It may come from the flow: at a tolerance of $10^{-6}$ the four eigenvalues give the
+$\kappa$ of figure x47 to $1.2\cdot10^{-8}$. Or from a threshold: that a multiplier counts as off the circle only beyond
+$1+\theta$ acts like the error $-\theta^2/4$. If each $s$ is rounded as printed, all $\theta$ from
 [0.00017604](cell:beside_printed/centre=bond/s=0.255/beyond_one) to
-[0.00017998](cell:beside_printed/centre=site/s=0.045/beyond_one) give both. The article names no threshold. Or errors of
-the matrix: $\kappa$ changes by only [7.55e-8](cell:exchange/slope) per unit of $s$, so an error of $10^{-8}$, which
-the four eigenvalues have at a tolerance of $10^{-6}$, is worth 0.13 of $s$. The printed exchanges are 0.1 from ours. We
-cannot tell which it was. */
+[0.00017998](cell:beside_printed/centre=site/s=0.045/beyond_one) give both. We cannot tell which it was. */
+constexpr double omega_printed = 1.1;
 constexpr std::pair<Centre, double> printed_exchanges[] = {{Centre::site, 0.05},
                                                            {Centre::bond, 0.26}};
 
@@ -260,10 +262,11 @@ void report_printed_exchanges(Report& report) {
   Table& table = report.table("beside_printed");
   for (const auto& [centre, printed] : printed_exchanges)
     for (const double rounding : {-0.005, 0.0, 0.005}) {
-      const auto problem = problem_at(centre, {omega_b, printed + rounding});
+      const auto problem = problem_at(centre, {omega_printed, printed + rounding});
       const Pair pinning = spectrum<double>(problem, find_breather(problem)).pairs.front();
       table.add({{"centre", name_of(centre)},
                  {"s", printed + rounding},
+                 {"kappa", Estimate{pinning.kappa.real(), pinning.error}},
                  {"beyond_one", from_one(pinning)}});
     }
 }
@@ -277,10 +280,10 @@ $y_{n+1}(0)-y_{n-1}(0)$, both of length one.
 
 ![Pinning mode and discrete gradient.](fig:13)
 
-The article calls the two very close. Both shift the breather along the chain, but the mode is more concentrated, and
-around a site lopsided. The angle between them is [9.1](cell:harmonic/centre=site/angle) degrees around a site and
-[11.6](cell:harmonic/centre=bond/angle) around a bond, where its cosine is [0.980](cell:harmonic/centre=bond/cosine).
-What this means for a kick is a matter of `sec33_mobility`. */
+The article calls the two very close. Both shift the breather along the chain; the mode is more concentrated. The angle
+is [9.1](cell:harmonic/centre=site/angle) degrees around a site and [11.6](cell:harmonic/centre=bond/angle) around a
+bond, where its cosine is [0.980](cell:harmonic/centre=bond/cosine). What this means for a kick is a matter of
+`sec33_mobility`. */
 void report_pinning_mode(Report& report, Table& harmonic, Centre centre) {
   const auto problem = problem_at(centre, {omega_b, 0});
   const Orbit<double> orbit = find_breather(problem);
@@ -312,9 +315,8 @@ at the rate $\sigma = 0.00156\,\mu$ per unit of $\tau/(2\tau_0)$ (`sec33_dps_sta
 section 3.1. By Eq. (20), where $\mu = 1$, a breather of the chain of size $\epsilon$ has $\delta = \omega_b-1 =
 \epsilon^{1/2}/(2\tau_0)$. So if the same holds for the chain, its rate $\ln\lambda/T_b$ tends to $0.00156\,\delta$:
 weaker by $O(\epsilon^{1/2})$, as the article says. We compute breathers near $\omega_b = 1$ in extended precision. The
-rate over $\delta$, and the exponent of the rate in $\epsilon$ between neighbours, are extrapolated linearly in
-$\delta$. The error is the difference from the extrapolation one breather earlier, plus what the errors of the rates
-contribute.
+rate over $\delta$, and the exponent of the rate in $\epsilon\propto\delta^2$, are extrapolated linearly in $\delta$.
+The error is the difference from the extrapolation one breather earlier, plus what the errors of the rates contribute.
 
 | quantity | article | here |
 |---|---|---|
@@ -337,7 +339,7 @@ Estimate relative_rate(double delta) {
   return {2 * std::asinh(root) * per, kappa.error / root * per};
 }
 
-/// To delta = 0 from the last two of these values and from the two before them.
+/// To delta = 0 from the last two of these values; the error from the second and third last.
 Estimate extrapolated_to_zero(const std::vector<Estimate>& x) {
   const std::size_t n = x.size();
   const auto line = [](const Estimate& far, const Estimate& near) {
@@ -370,18 +372,20 @@ $[-1,1]$? In ten wells we follow both families to higher frequencies, as far as 
 choice: within 0.01. A bead at rest far out has the frequency one and thus its pair at $e^{\pm2\pi i/\omega_b}$, so that
 every further site adds two multipliers there; on these chains at least 4 are within $10^{-4}$ in $\kappa$.
 
-![Distance of the fourth multiplier from $+1$, bond-centred; dots: the pinning pair is real and the breather unstable by
-more than $10^{-3}$; triangles: others have left the circle.](fig:x64)
+![Distance of the fourth multiplier from $+1$, bond-centred breathers. Dots: the pinning pair is real, so the
+site-centred breather is the stable one; triangles: other multipliers have left the circle.](fig:x64)
 
-In the linear well, and at $\omega_b = 1.1$ for all $s$, four multipliers stay near $+1$. In hard wells of $s \ge
-\frac14$ the pinning pair leaves it as the frequency grows: around a site along the circle, so that the breather stays
-stable, around a bond along the real axis. There the instability is no longer weak. It passes the article's $10^{-3}$
-already at $\omega_b = 1.2$, and at $\omega_b = 2$ and $s = 1$ the multiplier exceeds one by
-[1.061](cell:spectra/centre=bond/omega=2/s=1/largest): a disturbance doubles in each period. Soft wells exceed $10^{-3}$
-hardly, as by [0.00167](cell:spectra/centre=bond/omega=1.3/s=-1/largest) at $\omega_b = 1.3$ and $s = -1$. But near the
-end of the soft families other multipliers collide elsewhere on the circle and leave it, by
-[0.286](cell:spectra/centre=bond/omega=1.9/s=-1/6/others) at $\omega_b = 1.9$ and $s = -\frac16$, which the article's
-word *includes* does not exclude. */
+Which breather is stable where? As long as the other multipliers are on the circle, one of the two is, and the other one
+is not, everywhere on this grid. At $\omega_b = 1.01$ it is the bond-centred one in all wells. In hard wells of $s \ge
+\frac14$ it is the site-centred one from 1.1 on. In the linear and in soft wells the two take turns: at $s = 0$ the
+bond-centred one is unstable at 1.2 and 1.4, stable at 1.3 and from 1.5 on.
+
+For $s \le 0$ the four stay near $+1$, to [0.0021](cell:spectra/centre=bond/omega=1.5/s=-1/fourth). In hard wells the
+pinning pair leaves it as the frequency grows, around a site along the circle, around a bond along the real axis. There
+the instability passes the article's $10^{-3}$ at $\omega_b = 1.2$ if $s \ge \frac12$, and at $\omega_b = 2$ and $s = 1$
+the multiplier exceeds one by [1.061](cell:spectra/centre=bond/omega=2/s=1/largest): a disturbance doubles in each
+period. Near the end of the soft families other multipliers collide elsewhere on the circle and leave it, by
+[0.286](cell:spectra/centre=bond/omega=1.9/s=-1/6/others) at $\omega_b = 1.9$ and $s = -\frac16$. */
 const std::vector<double> wells{1, 0.75, 0.5, 0.25, 0, -1.0 / 6, -0.25, -0.5, -0.75, -1};
 
 const std::vector<double> frequencies{1.01, 1.2, 1.3, 1.4, 1.5,
@@ -410,7 +414,6 @@ void report_plane(Report& report, Table& table, const Family& near) {
                [&](std::size_t k) { families[k] = over_omega(near.centre, wells[k], omegas); });
   families.push_back(near.breathers);
 
-  // What the statements compare
   for (const auto& family : families)
     for (const auto& [spot, orbit, all] : family)
       table.add({{"centre", name_of(near.centre)},
@@ -424,7 +427,7 @@ void report_plane(Report& report, Table& table, const Family& near) {
 }
 
 void reproduce(Report& report) {
-  report.output.note("tolerance", "128 and 2048 machine epsilons, unless a table says else");
+  report.output.note("tolerance", "128 and 2048 machine epsilons, unless a table says otherwise");
   report_tolerances(report);
   const int steps = report.quick ? 4 : steps_to_one;
   const Family site = family_of(Centre::site, steps), bond = family_of(Centre::bond, steps);
@@ -457,10 +460,9 @@ void reproduce(Report& report) {
 
 ## Try it
 
-**To change it.** `omega_b` is the frequency of figures 11 to 13 (with 1.15 the exchange moves to 0.0188; the section on
-the printed values, at 1.1, then means nothing), `wells` and `frequencies` span the plane, `deltas`
-leads to $\omega_b = 1$. The run stops if there is no exchange between $s = -1$ and 1. Another well or contact is set
-where `problem_at` (exchange.hpp) makes the chain, or by `multipliers --well`, `--contact`, `--mass-ratio`.
+**To change it.** `omega_b` is the frequency of figures 11 to 13 (with 1.15 the exchange moves to 0.0188; the run stops
+if there is none between $s = -1$ and 1), `wells` and `frequencies` span the plane, `deltas` leads to $\omega_b = 1$.
+Another well or contact is set in `problem_at` (exchange.hpp), or by `multipliers --well`, `--contact`, `--mass-ratio`.
 
 1. *Easy.* At a slightly higher frequency the exchange lies elsewhere:
    `build/bin/sec33_floquet exchange --centre bond --omega 1.15` gives `s0` = 0.018781. Hint: follow it on. Where

@@ -226,6 +226,8 @@ TEST_CASE("what is read from runs of a DpS breather", "[unit][dps]") {
   check_close(runs[3].farthest(), 0.4, 1e-15);
   CHECK(passing(runs, 0.5) == 3);
   CHECK(largest_spread(runs) == 2);
+  runs[3].push = 0.5;
+  check_close(off_pendulum({runs[3]}, 1), 0.4 - 1.0 / 6, 1e-15);
   const PinnedBreather bond(stationary<double>(Centre::bond, 10, 32));
   NoiseGroup group{.noise = {"main", 0.01}, .start = "control", .breather = bond, .time = 1};
   check_close(std::abs(bond.pair.of(group.perturbed(1)).imag()), 0, 1e-14);

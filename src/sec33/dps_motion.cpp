@@ -1,6 +1,7 @@
 #include "sec33/dps_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
 #include <numbers>
 
@@ -27,7 +28,6 @@ PinnedBreather::PinnedBreather(const Stationary<double>& state)
   if (moment < 0) pair.V = -pair.V;
 }
 
-// What carries a pendulum from the bottom of its potential just to the top
 double PinnedBreather::pendulum_push() const {
   return pair.rate / (std::numbers::pi * centre_per_shift * (mu - pair.m));
 }
@@ -48,6 +48,15 @@ double largest_spread(const DpsRuns& runs) {
   double most = 0;
   for (const DpsRun& run : runs)
     most = std::max(most, std::ranges::max(run.participation) / run.participation.front());
+  return most;
+}
+
+double off_pendulum(const DpsRuns& runs, double threshold) {
+  double most = 0;
+  for (const DpsRun& run : runs)
+    if (run.push < threshold && run.farthest() < 1)
+      most = std::max(
+          most, std::abs(run.farthest() - std::asin(run.push / threshold) / std::numbers::pi));
   return most;
 }
 

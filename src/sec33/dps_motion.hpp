@@ -3,13 +3,7 @@
 # DpS breathers that a push or noise sets in motion
 
 `sec33_dps_stability` follows perturbed DpS breathers and records their displacement $X$: the centre of $|v_n|^4$, in
-sites from the place of rest. Here are what a pendulum would do, the noise, and what is counted.
-
-For a small shift $a$ and push $b$ along the translational mode $V$ (spectrum.hpp) the displacement is $X = ga$, where
-$g$ is the derivative of the centre along $V$. In the potential of a sine, about a site,
-$$\ddot X = \frac{\sigma^2}{2\pi}\sin 2\pi X,$$
-and a push $b$ gives it the initial speed $g(\mu-m)b$. So the push that depins a breather from a bond is
-$b_p = |\sigma|/(\pi g(\mu-m))$. */
+sites from the place of rest. Here are the noise, what a pendulum would do, and what is counted. */
 
 #include <cstddef>
 #include <string>
@@ -54,6 +48,8 @@ using DpsRuns = std::vector<DpsRun>;
 /// How many go beyond a distance, and by which factor the number of sites on which they live grows at most.
 int passing(const DpsRuns& runs, double distance);
 double largest_spread(const DpsRuns& runs);
+/// Largest difference of |X| from a pendulum with this threshold, of those that are pushed less and do not move on.
+double off_pendulum(const DpsRuns& runs, double threshold);
 
 /// Independent numbers at every site, the real and the imaginary part uniform within `amplitude`.
 struct Noise {

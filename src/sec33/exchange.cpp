@@ -84,8 +84,7 @@ Exchange exchange_between(Centre centre, const Cut& cut, TrialKappa low, TrialKa
   return {{last.p - last.kappa / slope, step}, slope, orbit};
 }
 
-// A step in double precision, then two in extended precision, where rounding no longer matters; the second one has the
-// slope between its two points, and is the error
+// A step in double precision, then two in extended precision; the second one has its own slope, and is the error
 template <class T>
 Exchange refined_zero(Centre centre, const Cut& cut, Exchange found) {
   double& place = found.place.value;

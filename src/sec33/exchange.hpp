@@ -60,8 +60,7 @@ inline std::string name_of(Centre centre) {
   return centre == Centre::bond ? "bond" : "site";
 }
 
-/// How many multipliers lie within 1e-4 in kappa of their point of accumulation, exp(+-2 pi i / omega_b); the first pair
-/// does not count.
+/// How many multipliers but the first two lie within 1e-4 in kappa of their accumulation, exp(+-2 pi i / omega_b).
 int at_edge(const std::vector<Pair>& pairs, double omega_b);
 
 /// The breather of a longer chain near that of a shorter one, with beads at rest beyond the old ends. Throws NewtonFailed.
