@@ -260,7 +260,7 @@ $20/\sqrt{12}\approx6$. So some packets go out farther than in the beginning, as
 
 ![Spread of the centres against time for two widths of the interval of impacts. Drawn by x51_spread.gp: `deviation`
 against `t` from the table `ensemble`.](fig:x51) */
-constexpr double compared_every = 10;  // of time
+constexpr double compared_every = 10, ensemble_step = 0.1;  // of time; a step twice as long too
 constexpr double unpredictable = 0.5;  // of a site: the standard deviation from which on it is
 constexpr unsigned long seed = 20130501;
 
@@ -286,8 +286,8 @@ void report_ensemble(Report& report) {
     return sum;
   };
   const auto add = [&](double noise, std::size_t members) {
-    const TwoRuns<std::vector<Spread>> both{spread_within(noise, members, 0.2, time),
-                                            spread_within(noise, members, 0.1, time)};
+    const TwoRuns<std::vector<Spread>> both{spread_within(noise, members, 2 * ensemble_step, time),
+                                            spread_within(noise, members, ensemble_step, time)};
     for (const Spread& at : both.fine)
       table.add({{"noise", noise},
                  {"t", at.t},

@@ -228,22 +228,21 @@ leaves waves behind. In the very soft ones the first contacts close again and ag
 
 ![Contact forces for a linear and a very soft well. Drawn by fig20_surface_mode.py: `force` over `n` and `t`, from the
 table `surface_mode_forces`.](fig:20) */
+Impact impact_of_figure_20(double s) {
+  return {.velocity = figure_20, .chain = {80, Quartic{s}}, .time = until_figure_20};
+}
+
 void report_forces(Report& report) {
   Table& forces = report.table("surface_mode_forces");
   const EventCorrected method = method_for(tolerance, largest_step, 2);  // steps of 0.05
   for (double s : {0.0, very_soft}) {
-    const Impact impact{.velocity = figure_20,
-                        .chain = {80, Quartic{s}},
-                        .time = until_figure_20,
-                        .every = 0.5,
-                        .denser = false};
+    Impact impact = impact_of_figure_20(s);
+    impact.every = 0.5;
+    impact.denser = false;
     const auto look = [&](const State<double>& now, const std::vector<double>&) {
       const auto force = contact_forces(impact.chain, now.y);
-      for (std::size_t n = 0; n < 60; ++n)
-        forces.add({{"s", s},
-                    {"t", now.t},
-                    {"n", n + 1},
-                    {"force", 0.0 - force[n]}});  // not -0 where the beads are apart
+      for (std::size_t n = 0; n < 60; ++n)  // 0 less the force is not -0 where the beads are apart
+        forces.add({{"s", s}, {"t", now.t}, {"n", n + 1}, {"force", 0.0 - force[n]}});
     };
     if (strike(method, impact, look).run.escaped()) throw Failure("a bead escapes in figure 20");
   }
@@ -362,8 +361,7 @@ SurfaceMode surface_mode(const WatchedBeads& run) {
 
 // The impact of figure 20, and the orbit near its mean
 void report_mode(Report& report) {
-  const Impact impact{
-      .velocity = figure_20, .chain = {80, Quartic{very_soft}}, .time = until_figure_20};
+  const Impact impact = impact_of_figure_20(very_soft);
   const auto runs =
       refined(tolerance, [&](const EventCorrected& method) { return watch_beads(method, impact); });
   const TwoRuns<SurfaceMode> modes{surface_mode(runs.coarse), surface_mode(runs.fine)};
