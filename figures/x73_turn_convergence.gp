@@ -10,6 +10,7 @@ set ytics 1e2
 set xtics (0.025, 0.05, 0.1, 0.2)
 set xlabel 'time step'
 set ylabel 'error (sites, units of time)' offset 1
+set arrow from 0.0363, 1e-9 to 0.0363, 1e-3 nohead lc rgb grey lw 1
 set key top left samplen 1.6 spacing 0.95
 plot table using "step":"time" with linespoints ls 1 title 'reflection, time', \
      '' using "step":"other_time" with linespoints ls 1 dt (3,2) pt 6 title 'other scheme', \

@@ -10,14 +10,15 @@ soft wells change when the impact is strong? Section 3.4 of James, Kevrekidis an
 - up to moderate velocities the packet is mainly on seven sites, decays faster than any exponential, and a small
   oscillatory tail follows it.
 
-The first holds as printed; so does the last, if the seven sites are counted by energy. For the second there are limits:
+The first holds for $s$ of our choice, if *threshold* means the one of the last point below, and the last if the seven
+sites are counted by energy. For the second there are limits:
 
 - *Energy.* The packet has less than half of the energy that the same impact gives it in linear wells from $v_0 = 1.54$
-  on at $s = -\frac16$ (not at 2.11) and from 0.65 on at $s = -0.7$.
-- *Where it stays.* Most of what it lacks is on the first five sites, except after three impacts just before the first
-  escape: there it follows as a second packet, slower and much stronger than the first one.
-- *Surface mode.* It swings about a periodic orbit, which Newton's method finds. The orbit is unstable, but the mode
-  survives.
+  on at $s = -\frac16$ (except at 2.11, the last impact before an escape) and from 0.65 on at $s = -0.7$.
+- *Where it stays.* Most of what these packets lack is on the first five sites, except after three impacts just before
+  the first escape: there a second, slower and much stronger packet has it. After weaker impacts it is spread more
+  widely: of what the packet of 0.8 lacks at $s=-\frac16$ the five sites have 20 per cent.
+- *Surface mode.* It swings about a periodic orbit, which is unstable; yet the mode survives.
 - *Blow-up.* From a threshold up to the end of the scan every impact ejects a bead, but below it impacts after which a
   bead escapes alternate with others.
 
@@ -77,15 +78,14 @@ one their errors. If no step is short enough, if the energy drifts, or if a bead
 constexpr double fit_to = 60;  // the packet is measured from site 20 (fit_from) to this one
 constexpr double fit_late = fit_to - 20;  // and, farther from the boundary, from here on
 constexpr double tolerance = 1e-4;        // within which the end states of two runs must agree
-constexpr double figure_20 = 0.94, until_figure_20 = 300;   // impact and end of figure 20
-constexpr double figure_21 = 1.87;                          // impact of figure 21
+constexpr double figure_20 = 0.94, figure_21 = 1.87, until_figure_20 = 300;  // impacts, an end
 constexpr double mildly_soft = -1.0 / 6, very_soft = -0.7;  // s of the article's soft wells
+constexpr double weak_speed = 0.36;  // of weak packets over (v0 / 2)^(1/2) (chapter before)
 
-// Weak packets have the speed 0.361 (v0 / 2)^(1/2) (chapter before)
 Impact impact_with(double s, double v0) {
   return {.velocity = v0,
           .chain = {std::size_t(fit_to) + 20, Quartic{s}},
-          .time = 3 * fit_to / (0.36 * std::sqrt(v0 / 2)),  // thrice what a weak packet needs
+          .time = 3 * fit_to / (weak_speed * std::sqrt(v0 / 2)),  // thrice what a weak packet needs
           .until = fit_to};
 }
 
@@ -100,22 +100,22 @@ A bead that passes the maximum of a soft well, at $|y| = |s|^{-1/2}$, escapes to
 velocity at which a bead escapes (*The blow-up*); its last 0.05 are marked in the figure (`ending`), since the first
 bead almost escapes there before it returns, and the outcome is erratic. */
 struct SweptWell {
-  double s, fastest;
+  double s, largest_v0;
   double scan_from = 0, scan_to = 0;
 };
 const std::vector<SweptWell> wells = {
-    {.s = 0, .fastest = 2.2},
-    {.s = mildly_soft, .fastest = 2.2, .scan_from = 2.05, .scan_to = 2.85},
-    {.s = very_soft, .fastest = 1.0, .scan_from = 0.93, .scan_to = 1.33}};
-constexpr double erratic = 0.05;  // of velocity, before the first escape
+    {.s = 0, .largest_v0 = 2.2},
+    {.s = mildly_soft, .largest_v0 = 2.2, .scan_from = 2.05, .scan_to = 2.85},
+    {.s = very_soft, .largest_v0 = 1.0, .scan_from = 0.93, .scan_to = 1.33}};
+constexpr double ending_over = 0.05;  // of velocity, before the first escape
 
 /**
 As $v_0 \to 0$ the dynamics becomes that of the DpS equation (section 2), in which $s$ does not occur, so the three
-curves must *meet* there, with a *deficit* of the packet's energy in soft wells that is of first order in $\chi$. They
-do. Divided by $\chi$ the deficit is [0.612](cell:velocity_sweep/s=-1/6/velocity=0.02/per_chi) and
-[0.613](cell:velocity_sweep/s=-0.7/velocity=0.02/per_chi) in the two wells after an impact of 0.02, still falling slowly
-with the impact: the limit is not reached. After strong impacts it is up to three times as large, and at equal $\chi$
-the wells differ by up to 22 per cent, apart from the erratic ends of the curves.
+curves must *meet* there, with a *deficit* of the packet's energy in soft wells of first order in $\chi$. Divided by
+$\chi$ it is [0.612](cell:velocity_sweep/s=-1/6/velocity=0.02/per_chi) and
+[0.613](cell:velocity_sweep/s=-0.7/velocity=0.02/per_chi) in the two wells after an impact of 0.02; from 0.01 to 0.02
+the deficit grows like $\chi^{1.05}$, its power still approaching one. After strong impacts the ratio is up to 2.7 times
+as large, and at equal $\chi$ up to 19 per cent smaller in the softer well, apart from the erratic ends of the curves.
 
 ![Energy that a soft well takes from the packet, against the scaled anharmonicity. Drawn by x57_energy_deficit.gp:
 `deficit` against `chi`, from the table `velocity_sweep`.](fig:x57)
@@ -128,6 +128,7 @@ struct SweepPoint {
   std::optional<Estimate> linear{};  // and after this impact in linear wells
 };
 
+// Sets p.packet as well
 Row sweep_row(double s, SweepPoint& p, bool ending) {
   const Impact impact = impact_with(s, p.velocity);
   const auto runs =
@@ -140,7 +141,6 @@ Row sweep_row(double s, SweepPoint& p, bool ending) {
     const Estimate kept = quotient(p.packet, *p.linear);
     lost = Estimate(1 - kept.value, kept.error);
   }
-  // The columns
   const auto late = [](const ImpactRun& f) {
     return f.path.line(fit_late, fit_to).value().estimate();
   };
@@ -166,15 +166,15 @@ void report_sweep(Report& report, const std::vector<std::optional<double>>& ends
   const double spacing = report.quick ? 0.05 : 0.01;
   std::vector<SweepPoint> linear;
   for (std::size_t w = 0; w < wells.size(); ++w) {
-    const double fastest = std::min(wells[w].fastest, ends[w].value_or(far_away));
+    const double largest = std::min(wells[w].largest_v0, ends[w].value_or(far_away));
     std::vector<SweepPoint> curve;
-    for (std::size_t k = 0; spacing * double(k + 1) <= fastest + 1e-9; ++k) {
+    for (std::size_t k = 0; spacing * double(k + 1) <= largest + 1e-9; ++k) {
       curve.push_back({spacing * double(k + 1)});
       if (w > 0) curve[k].linear = linear[k].packet;
     }
     const double last = curve.back().velocity;
     const auto row = [&](SweepPoint& p) {
-      return sweep_row(wells[w].s, p, ends[w] && p.velocity > last - erratic - spacing / 2);
+      return sweep_row(wells[w].s, p, ends[w] && p.velocity > last - ending_over - spacing / 2);
     };
     sweep.fill(curve, row, "velocity sweep");
     if (w == 0) linear = curve;
@@ -184,11 +184,11 @@ void report_sweep(Report& report, const std::vector<std::optional<double>>& ends
 /**
 ## The error against the step
 
-How good are these numbers? We repeat the impact of 0.94 at $s=-0.7$ with fixed steps and equal samples. The errors of
-speed, energy and peak, taken from the difference to a step of 1/160, of energy and peak fall like the fifth power of
-the step, those of the speed less regularly: the method is of order six between contact events and of about 4.5 at them.
-At the longest step of the tables, 0.2, they are below $10^{-6}$. The errors in the tables are larger, since they hold
-the fit of the line, limited by the ripple of $X(t)$, and the distance of the samples.
+How good are these numbers? We repeat the impact of 0.94 at $s=-0.7$ with fixed steps and equal samples. The differences
+of speed, energy and peak to a step of 1/160 fall irregularly, from 0.2 to 1/80 on the average with the powers 4.2, 4.9
+and 4.2 of the step: less than the method's six, presumably as contact events fall at other places within each step. At
+the longest step of the tables, 0.2, they are below $10^{-6}$. The errors in the tables are larger, since they include
+that of the fitted line, limited by the ripple of $X(t)$, and the distance of the samples.
 
 ![Error of speed, energy and peak against the step. Drawn by x50_error_against_step.gp from the table
 `convergence`.](fig:x50)
@@ -224,26 +224,25 @@ void report_convergence(Report& report) {
 
 Where is the energy that the packet lacks? Figure 20 compares the contact forces $f_n = -(y_n-y_{n+1})_+^{3/2}$ for a
 linear and a very soft well after the same impact, $v_0 = 0.94$, just below the first escape. In linear wells the packet
-leaves waves behind. In the very soft ones the first contacts are pressed again and again.
+leaves waves behind. In the very soft ones the first contacts close again and again.
 
 ![Contact forces for a linear and a very soft well. Drawn by fig20_surface_mode.py: `force` over `n` and `t`, from the
 table `surface_mode_forces`.](fig:20) */
+Impact impact_of_figure_20(double s) {
+  return {.velocity = figure_20, .chain = {80, Quartic{s}}, .time = until_figure_20};
+}
+
 void report_forces(Report& report) {
   Table& forces = report.table("surface_mode_forces");
   const EventCorrected method = method_for(tolerance, largest_step, 2);  // steps of 0.05
   for (double s : {0.0, very_soft}) {
-    const Impact impact{.velocity = figure_20,
-                        .chain = {80, Quartic{s}},
-                        .time = until_figure_20,
-                        .every = 0.5,
-                        .denser = false};
+    Impact impact = impact_of_figure_20(s);
+    impact.every = 0.5;
+    impact.denser = false;
     const auto look = [&](const State<double>& now, const std::vector<double>&) {
       const auto force = contact_forces(impact.chain, now.y);
-      for (std::size_t n = 0; n < 60; ++n)
-        forces.add({{"s", s},
-                    {"t", now.t},
-                    {"n", n + 1},
-                    {"force", 0.0 - force[n]}});  // not -0 where the beads are apart
+      for (std::size_t n = 0; n < 60; ++n)  // 0 less the force is not -0 where the beads are apart
+        forces.add({{"s", s}, {"t", now.t}, {"n", n + 1}, {"force", 0.0 - force[n]}});
     };
     if (strike(method, impact, look).run.escaped()) throw Failure("a bead escapes in figure 20");
   }
@@ -254,8 +253,7 @@ At $v_0 = 0.94$ the very soft well adds more to the first five sites than it tak
 robust so close to the escape. At 0.95 the energy has left the first five sites, but not far: most of it is a *second
 packet*, compact and slow, whose peak is at site 10 at $t = 480$ and at site 31 at 2000, while the packet that we follow
 is at 64 and 228 (exercise 3). This impact and two at $s = -\frac16$, 2.08 and 2.09, are the three exceptions of the
-beginning; for those, too, `run` finds such a strong breather behind a fast weak one. The last row is the impact of
-figure 21.
+beginning; for those, too, `run` finds the strongest site far behind the packet at $t=480$, at 12 and 22.
 
 | $v_0$, $s$ | first five sites | first ten | packet | its speed |
 |---|---|---|---|---|
@@ -263,7 +261,7 @@ figure 21.
 | 0.94, $-0.7$ | [0.799](cell:velocity_sweep/s=-0.7/velocity=0.94/first_five) | [0.827](cell:first_ten) | [0.0650](cell:packet) | [0.127](cell:speed) |
 | 0.95, $-0.7$ | [0.00434](cell:velocity_sweep/s=-0.7/velocity=0.95/first_five) | [0.587](cell:first_ten) | [0.156](cell:packet) | [0.134](cell:speed) |
 | 0.96, $-0.7$ | [0.722](cell:velocity_sweep/s=-0.7/velocity=0.96/first_five) | [0.793](cell:first_ten) | [0.0651](cell:packet) | [0.128](cell:speed) |
-| 1.87, $-\frac16$ | [0.592](cell:velocity_sweep/s=-1/6/velocity=1.87/first_five) | [0.620](cell:first_ten) | [0.129](cell:packet) | [0.194](cell:speed) |
+| 1.87, $-\frac16$ (figure 21) | [0.592](cell:velocity_sweep/s=-1/6/velocity=1.87/first_five) | [0.620](cell:first_ten) | [0.129](cell:packet) | [0.194](cell:speed) |
 
 Why does a soft well keep energy? In linear wells all beads oscillate at frequency 1 between contacts, whatever their
 amplitude, so energy passes resonantly from one to the next. In a soft well the frequency of a free bead falls with its
@@ -273,11 +271,10 @@ The fourth oscillates by itself.
 
 Is this a mode, or only a transient? A breather is a localised periodic orbit (Flach and Gorbach 2008 for a review), and
 so is a surface mode that lasts. We look for one by Newton's method (shooting.hpp): starting from rest at $y(0)$, all
-beads are at rest again after half a period, $\dot y_n(T_b/2) = 0$, as many equations as sites. The run gives the
-frequency, that of bead 1, and the first guess: the mean displacements of the three beads that move together, at the
-moments when bead 1 turns back towards the end. The method converges to a state near this mean. Its energy of
-[0.341](cell:surface_orbit/energy) is nearly that of the first five sites in the run,
-[0.355](cell:surface_orbit/trapped).
+beads are at rest again after half a period, $\dot y_n(T_b/2) = 0$. We fix the frequency at that of bead 1 in the run,
+and start from the mean displacements of the three beads that move together when bead 1 turns back towards the end. The
+method converges to a state near this mean. Its energy of [0.341](cell:surface_orbit/energy) is nearly that of the first
+five sites in the run, [0.355](cell:surface_orbit/trapped).
 
 | $s=-0.7$, $v_0=0.94$, $150 < t < 300$ | bead 1 | 2 | 3 | 4 | 5 |
 |---|---|---|---|---|---|
@@ -286,15 +283,18 @@ moments when bead 1 turns back towards the end. The method converges to a state 
 | displacement where bead 1 turns, mean | [0.74](cell:surface_mode/n=1/run) | [0.310](cell:n=2/run) | [0.145](cell:n=3/run) | [0.058](cell:n=4/run) | [0.024](cell:n=5/run) |
 | of the periodic orbit | [0.752](cell:surface_mode/n=1/orbit) | [0.302](cell:n=2/orbit) | [0.132](cell:n=3/orbit) | [0.042](cell:n=4/orbit) | [0.011](cell:n=5/orbit) |
 
-So the surface mode is, apart from waves that pass through it, near a breather at the end of the chain. Surprisingly
-this breather is unstable: [1](cell:surface_orbit/unstable) Floquet multiplier lies outside the unit circle, at
-[-1.12](cell:surface_orbit/multiplier). A disturbance changes its sign and grows by 12 per cent each period, tenfold in
-twenty periods. Yet the mode survives: the first five sites hold 0.80 of the energy at $t = 300$, and 0.79 still at
-2000, after 270 periods (exercise 2). It does not leave the orbit by turns to either side, as this multiplier suggests:
-where bead 1 turns, its displacement swings slowly between [0.7144](cell:turnings/turn=20/y) and
-[0.7652](cell:turnings/turn=11/y), once in about five turnings. What holds the mode together we do not know. */
+So the first three beads are, to ten per cent, those of a breather at the end of the chain; the next two move up to 2.3
+times as far, in waves that pass. Without precompression small oscillations have the frequency 1 only, and 0.862 and its
+multiples miss it: the breather has no linear wave to radiate into. Surprisingly it is unstable:
+[1](cell:surface_orbit/unstable) Floquet multiplier lies outside the unit circle, at
+[-1.12](cell:surface_orbit/multiplier). A disturbance changes its sign and grows tenfold in twenty periods. Yet the
+mode survives: the first five sites hold 0.80 of the energy at $t = 300$, and 0.79 still at 2000, after 270 periods
+(exercise 2). It does not leave the orbit by turns to either side, as this multiplier suggests: where bead 1 turns, its
+displacement swings slowly between [0.7144](cell:turnings/turn=20/y) and [0.7652](cell:turnings/turn=11/y), once in
+about six turnings. What holds the mode together we do not know. */
 constexpr double settled = 150;                 // time after which beads are watched
 constexpr std::size_t watched = 5, locked = 3;  // beads; those of them that follow the first one
+constexpr double off_circle = 1e-4;             // a multiplier farther out is unstable
 
 struct WatchedBeads : ImpactRun {
   std::vector<Oscillation> beads{};
@@ -329,7 +329,7 @@ WatchedBeads watch_beads(const EventCorrected& method, const Impact& impact) {
     }
     before = now;
   };
-  return {strike(method, impact, watch), beads, turns};
+  return {strike(method, impact, watch), beads, turns};  // in this order
 }
 
 struct SurfaceMode {
@@ -353,7 +353,7 @@ SurfaceMode surface_mode(const WatchedBeads& run) {
   for (const auto& kappa : floquet_pairs(chain, orbit.start, orbit.period()).kappa)
     for (int sign : {-1, 1}) {
       const std::complex<double> mu = multiplier(kappa, sign);
-      if (std::abs(mu) > 1 + tolerance) ++mode.unstable;
+      if (std::abs(mu) > 1 + off_circle) ++mode.unstable;
       if (std::abs(mu) > std::abs(mode.multiplier)) mode.multiplier = mu;
     }
   return mode;
@@ -361,8 +361,7 @@ SurfaceMode surface_mode(const WatchedBeads& run) {
 
 // The impact of figure 20, and the orbit near its mean
 void report_mode(Report& report) {
-  const Impact impact{
-      .velocity = figure_20, .chain = {80, Quartic{very_soft}}, .time = until_figure_20};
+  const Impact impact = impact_of_figure_20(very_soft);
   const auto runs =
       refined(tolerance, [&](const EventCorrected& method) { return watch_beads(method, impact); });
   const TwoRuns<SurfaceMode> modes{surface_mode(runs.coarse), surface_mode(runs.fine)};
@@ -423,7 +422,7 @@ By energy, seven sites about the peak hold most of the eleven of Eq. (24) at all
 $(e_n/e_{n'})^{1/2}$, the width is read off the undisturbed side: if $k$ sites ahead of the peak ever exceed one per
 cent, which a drawing still shows, the width is $2k+1$. The two answer differently. The tail is the largest amplitude on
 the ten sites that follow the eleven. All is taken in linear wells while the centre moves from site 40 to 60, up to 1.5,
-which the article calls moderate later in the section.
+which the article calls moderate later in the section, for hard wells.
 
 | $v_0$ | 0.0019 | 0.05 | 0.1 | 0.5 | 1 | 1.5 |
 |---|---|---|---|---|---|---|
@@ -445,7 +444,7 @@ Shape shape_of(const EventCorrected& method, const Impact& impact) {
     const auto peak = front_packet(e);  // n'
     if (peak && now.t > 0 && energy_centre(e, *peak) > fit_late) front.add(e, *peak);
   };
-  return {strike(method, impact, watch), front};
+  return {strike(method, impact, watch), front};  // in this order
 }
 
 void report_shape(Report& report) {
@@ -587,10 +586,9 @@ std::vector<std::optional<double>> report_blowup(Report& report) {
 
 ## Try it
 
-**To change it.** Another well of figure 19 is a row of `wells` and a curve in its script (and a number in `soft_wells`
-of the statements, if it is to be judged); its scan has to begin with survivors and end with escapes, or the program
-says so. Another kind of well is `Quartic` in `impact_with`; one that beads cannot leave needs no scan. The stretch ends
-at `fit_to`, and the chain is 20 sites longer. The figures read columns by name.
+**To change it.** Another well of figure 19 is a row of `wells` and a curve in its script (and, to be judged, a number in
+`soft_wells` of the statements); its scan has to begin with survivors and end with escapes, or the program says so.
+Another kind of well is `Quartic` in `impact_with`; one that beads cannot leave needs no scan. Packets end at `fit_to`.
 
 1. *Easy.* Where is the energy in a soft well? `build/bin/sec34_impact run --s -0.7 --velocity 0.9` gives
    `boundary_energy_fraction` = 0.76318 and `packet_energy_fraction` = 0.073459. Hint: with `--s 0` the packet has 0.43,
@@ -603,7 +601,7 @@ at `fit_to`, and the chain is 20 sites longer. The figures read columns by name.
 `run` also takes other wells and contacts (commands/one_impact.hpp). */
 void reproduce(Report& report) {
   report.output.note("tolerance", "end state " + short_text(tolerance));
-  report_sweep(report, report_blowup(report));
+  report_sweep(report, report_blowup(report));  // which finds where the curves end
   report_convergence(report);
   report_forces(report);
   report_mode(report);

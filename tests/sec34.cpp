@@ -160,6 +160,27 @@ TEST_CASE("another integrator finds the same packet", "[property]") {
   check_close(other.largest_peak(20, 60).value, ours.largest_peak(20, 60).value, 0, 1e-6);
 }
 
+TEST_CASE("another integrator finds the same turn", "[property][boomeron]") {
+  const Impact impact{.velocity = 1.9,
+                      .chain = {150, Quartic{1}},
+                      .time = 1000,
+                      .every = path_sampling,
+                      .denser = false,
+                      .packet = WhichPacket::strongest};
+  const Turn ours = turn_of(strike(EventCorrected{0.0363}, impact).path);
+  State<double> state = struck(impact.chain.sites, impact.velocity);
+  Path other;
+  while (state.t < impact.time) {
+    evolve_reference(impact.chain, state, impact.every, 1e-12);
+    const std::vector<double> e = energy_density(impact.chain, state);
+    const auto strongest = std::max_element(e.begin(), e.end()) - e.begin();
+    other.add(state.t, e, std::size_t(strongest));
+  }
+  const Turn theirs = turn_of(other);
+  check_close(theirs.apex.site, ours.apex.site, 2e-7);
+  check_close(theirs.rebound.time, ours.rebound.time, 1e-4);
+}
+
 TEST_CASE("a free bead in a soft well is the slower the farther it moves", "[unit]") {
   check_close(free_frequency(0, 0.3), 1, 1e-14);
   State<double> bead(1);
