@@ -275,7 +275,7 @@ TEST_CASE("a packet by its densities, site by site", "[unit]") {
               1e-11);
   check_close(at.share, inside / all, 1e-13);
   check_close(at.boundary, sum(0, 4, itself) / all, 1e-13);
-  check_close(packet_participation(e), inside * inside / sum(from, to, square), 1e-10);
+  check_close(at.sites, inside * inside / sum(from, to, square), 1e-10);
 }
 
 TEST_CASE("the envelope is that of the carrier in the window", "[unit]") {

@@ -37,16 +37,20 @@ static std::size_t richest(const std::vector<double>& e) {
   return at;
 }
 
-double packet_participation(const std::vector<double>& e) {
-  const Window near = around(richest(e), compressed_half_width, e.size());
-  return participation(
-      {e.begin() + std::ptrdiff_t(near.first), e.begin() + std::ptrdiff_t(near.last)});
-}
-
 PacketSample packet_sample(double t, const std::vector<double>& e) {
   const std::size_t peak = richest(e);
+  const Window near = around(peak, compressed_half_width, e.size());
   return {t, energy_centre(e, peak, compressed_half_width),
-          window_sum(e, peak, compressed_half_width) / total(e), boundary_share(e)};
+          window_sum(e, peak, compressed_half_width) / total(e), boundary_share(e),
+          participation(
+              {e.begin() + std::ptrdiff_t(near.first), e.begin() + std::ptrdiff_t(near.last)})};
+}
+
+double mean_sites(const std::vector<PacketSample>& samples, double t, double time) {
+  std::vector<double> sites;
+  for (const PacketSample& p : samples)
+    if (p.t > t + 0.5 - time && p.t < t + 0.5) sites.push_back(p.sites);
+  return total(sites) / double(sites.size());
 }
 
 // Power laws of the fractions over the rest of the run
@@ -237,15 +241,36 @@ Packet packet_of(const TwoRuns<WatchedRing>& runs) {
           of_density(packet_width)};
 }
 
+// Stage by stage as `Splitting`; between two steps the stretch of every contact is seen
+double WatchedSplitting::advance(const Chain& chain, State<double>& state, Window& window, double h,
+                                 std::size_t count) const {
+  const std::size_t in_a_step = stage_count(method.scheme, 1) - 1;
+  double work = 0;
+  for (std::size_t k = 0; k < stage_count(method.scheme, count); ++k) {
+    const Stage<double> stage = stage_at<double>(method.scheme, h, count, k);
+    kick_drift(chain, state, window, stage.kick, stage.drift);
+    work += double(window.last - window.first);
+    if ((k + 1) % in_a_step != 0) continue;
+    const auto contacts = Eigen::Index(chain.sites - 1);
+    const Eigen::Map<const Eigen::ArrayXd> y(state.y.data(), contacts + 1);
+    const double most = (y.tail(contacts) - y.head(contacts)).maxCoeff();
+    *largest_stretch = std::max(*largest_stretch, most);
+    if (chain.ends == Ends::periodic)
+      *largest_stretch = std::max(*largest_stretch, state.y.front() - state.y.back());
+  }
+  return work;
+}
+
 // Two steps side by side, as long as they give the same state
 RingPair side_by_side(const Chain& ring, const State<double>& start, double step, double longest,
-                      double patience) {
-  const std::array<Splitting, 2> method{
-      {{blanes_moan_6_14(), step}, {blanes_moan_6_14(), step / 2}}};
+                      double multiple) {
+  std::array<double, 2> stretch{};
+  const std::array<WatchedSplitting, 2> method{
+      {{{blanes_moan_6_14(), step}, &stretch[0]}, {{blanes_moan_6_14(), step / 2}, &stretch[1]}}};
   std::array<State<double>, 2> state{start, start};
   RingPair out;
   Progress progress("ring", 1);
-  while (state[1].t < longest && !(state[1].t > patience * out.localized.value)) {
+  while (state[1].t < longest && !(state[1].t > multiple * out.localized.value)) {
     std::array<RingSample, 2> seen;
     for (std::size_t k : {0, 1}) {
       evolve(method[k], ring, state[k], interval, interval);
@@ -253,6 +278,7 @@ RingPair side_by_side(const Chain& ring, const State<double>& start, double step
     }
     progress.reach(state[1].t / longest);
     out.agree = Estimate{state[1].t, interval};
+    out.stretch = compare(stretch[0], stretch[1]);
     if (!(distance(state[0], state[1]) < 0.1)) return out;
     out.samples.push_back(seen);
     if (out.localized.value > 0 || !seen[0].localized || !seen[1].localized) continue;

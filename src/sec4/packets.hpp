@@ -21,14 +21,14 @@ inline const Estimate none{std::nan(""), std::nan("")};  ///< no such quantity
 /// Sites on either side of a packet's centre that belong to it, and of those to which its envelope is fitted.
 inline constexpr std::size_t compressed_half_width = 20, envelope_half_width = 10;
 
-/// How many of the sites of the packet share their energy.
-double packet_participation(const std::vector<double>& e);
-
-/// Time, energy centre, fractions of the energy in the packet and on the first five sites, from the density `e`.
+/// Time, energy centre, fractions of the energy in the packet and on the first five sites, participation of the packet.
 struct PacketSample {
-  double t, centre, share, boundary;
+  double t, centre, share, boundary, sites = 0;
 };
 PacketSample packet_sample(double t, const std::vector<double>& e);
+
+/// The mean number of its sites over the samples in the `time` until `t`.
+double mean_sites(const std::vector<PacketSample>& samples, double t, double time);
 
 /// Exponents of these fractions in time over the samples after the part `from` of the run, mean speed of the centre, and
 /// its least advance in any 100 units of time over the mean one. The samples are one unit of time apart, 140 at least.
@@ -112,10 +112,21 @@ struct Packet {
 };
 Packet packet_of(const TwoRuns<WatchedRing>& runs);
 
+/// A splitting that keeps the largest stretch of a contact after any of its steps.
+struct WatchedSplitting {
+  Splitting method;
+  double* largest_stretch;
+  double step = method.step;
+
+  double advance(const Chain& chain, State<double>& state, Window& window, double h,
+                 std::size_t count) const;
+};
+
 /// Two runs with two steps side by side, the finer one second, sampled every 50 units of time.
 struct RingPair {
   std::vector<std::array<RingSample, 2>> samples{};
   Estimate agree{};              ///< how long they agree; exact if they have not parted
+  Estimate stretch{};            ///< the largest stretch of a contact until then, after any step
   Estimate localized = none;     ///< when the energy has localized in both,
   TwoRuns<WatchedRing> later{};  ///< and both a little later
 
@@ -124,10 +135,10 @@ struct RingPair {
   /// Its least width, up to 1.5 times that time; nan if the energy has not localized.
   Estimate width() const;
 };
-/// By `step` and half of it, until `longest` or `patience` times the time of localization. An
+/// By `step` and half of it, until `longest` or `multiple` times the time of localization. An
 /// instability magnifies differences: the runs stop before that when their relative distance has reached a tenth.
 RingPair side_by_side(const Chain& ring, const State<double>& start, double step, double longest,
-                      double patience);
+                      double multiple);
 
 /// What becomes of a localized pulse: for how long there is no second one of half its height, and, up to twice the time of
 /// localization, the largest height of a second one over the first, and the largest that it keeps while a phonon goes
