@@ -2,7 +2,7 @@
 width = 85; height = 70
 load 'figures/style.gp'
 errors = data.'/sec31_dps_limit/dps_error.ecsv'
-only(start, tau, x) = column("start") == start && abs(column("tau") - tau) < 1e-9 ? x : NaN
+only(start, tau, x) = strcol("start") eq word(names, start+1) && abs(column("tau") - tau) < 1e-9 ? x : NaN
 names = 'impact pair displaced'
 set xlabel 'square root of the amplitude, ε^{1/2}'
 set xrange [0:0.085]

@@ -44,8 +44,7 @@ static double distance(bool equal_frequency, std::size_t sites, double eps, doub
   b[0] = 2;
   double omega = plane, change = 1;
   for (int round = 0; change >= 1e-14; ++round) {
-    if (round > 200)
-      throw std::runtime_error("the iteration for a travelling wave does not converge");
+    if (round > 200) throw std::runtime_error("the travelling wave does not converge");
     const std::vector<double> G = force_harmonics(b, sine, sites, alpha);
     // The first harmonic: (1 - omega^2) b_1 = eps^(alpha-1) G_1 with G_1 ~ b_1^alpha
     const double ratio = small * G[0] / ((1 - omega * omega) * b[0]);
@@ -54,7 +53,6 @@ static double distance(bool equal_frequency, std::size_t sites, double eps, doub
                                          : std::sqrt(1 - small * G[0] / b[0]);
     change = std::abs(first - unknown);
     unknown = first;
-    // The others
     for (std::size_t k = 2; k <= harmonics; ++k) {
       const double next = small * G[k - 1] / (1 - omega * omega * double(k * k));
       change = std::max(change, std::abs(next - b[k - 1]));
@@ -64,7 +62,9 @@ static double distance(bool equal_frequency, std::size_t sites, double eps, doub
 
   // From the plane wave, over all phases, at t = 0 and when the exact wave has run ahead
   double most = 0;
-  for (const double ahead : {0.0, (omega - plane) / small})
+  std::vector<double> leads{0};
+  if (!equal_frequency) leads.push_back((omega - plane) / small);
+  for (const double ahead : leads)
     for (std::size_t j = 0; j < sine.size(); ++j) {
       const double phase = 2 * std::numbers::pi * double(j) / double(sine.size()) + ahead;
       double u = 0;
@@ -75,6 +75,7 @@ static double distance(bool equal_frequency, std::size_t sites, double eps, doub
 }
 
 WaveDistances wave_distances(std::size_t sites, double eps, double alpha) {
+  if (64 * 24 % sites != 0) throw std::invalid_argument("this wavelength does not fit the samples");
   const auto estimate = [&](bool equal_frequency) {
     return compare(distance(equal_frequency, sites, eps, alpha, 24),
                    distance(equal_frequency, sites, eps, alpha, 48));

@@ -2,11 +2,9 @@
 /**
 # Exact periodic travelling waves of small amplitude
 
-`sec31_dps_limit` has their equation. Here it is solved for odd waves $u = \sum_k b_k\sin k\varphi$ of a whole number of
-sites, by iteration. The forces of the present wave have the harmonics $\epsilon^{\alpha-1}G_k$, and
-$b_k = \epsilon^{\alpha-1}G_k/(1-k^2\omega^2)$ is the next wave for $k\ge2$. At $k = 1$ the same equation has a small
-denominator. At *equal frequency* it fixes $b_1$, since $G_1$ grows like $b_1^\alpha$; at *equal amplitude*, $b_1 = 2$,
-it fixes $\omega$, and the exact wave runs ahead of the plane wave. */
+`sec31_dps_limit` has their equation, with $G_k$ as the harmonics of its bracket. Odd waves $u = \sum_k b_k\sin
+k\varphi$ follow by iteration: $b_k = \epsilon^{\alpha-1}G_k/(1-k^2\omega^2)$ is the next one for $k\ge2$. At $k = 1$
+it fixes $b_1$ at *equal frequency*, since $G_1$ grows like $b_1^\alpha$, and $\omega$ at *equal amplitude*, $b_1=2$. */
 
 #include <cstddef>
 
@@ -20,8 +18,7 @@ struct WaveDistances {
   Estimate largest, at_equal_amplitude;
 };
 
-/// For a wavelength of 2, 3 or 4 `sites` and contacts of the exponent `alpha`. Throws std::runtime_error without
-/// convergence.
+/// For a wavelength of 2, 3, 4, 6 or 8 `sites`. Throws std::invalid_argument unless they divide the samples.
 WaveDistances wave_distances(std::size_t sites, double eps, double alpha);
 
 }  // namespace lattice

@@ -31,7 +31,7 @@ static Estimate mean_order(const Data& rows, const char* column = "order") {
 STATEMENT("dps.error_order") {
   // Its limit at small amplitude, for three starts and three horizons
   std::vector<Estimate> orders;
-  for (int start : {0, 1, 2})
+  for (const char* start : {"impact", "pair", "displaced"})
     for (double tau : {1, 4, 10})
       orders.push_back(table("limits").at("start", start, "tau", tau)["order"]);
   answer(mean(orders), "");
@@ -44,8 +44,7 @@ STATEMENT("dps.travelling_close") {
 }
 
 STATEMENT("dps.wells_drop_out") {
-  enum { impact, pair };
   for (const char* well : {"hard", "asymmetric"})
-    for (int start : {impact, pair})
+    for (const char* start : {"impact", "pair"})
       near(table("other_wells").at("well", well, "start", start)["order"], 1.5, bound(0.03));
 }

@@ -9,8 +9,8 @@ using namespace lattice;
 
 STATEMENT("dps.scaling") {
   // Of the breather whose exponent may be the farther from two
-  const auto site = table("breathers").at("centre", "site")["exponent"],
-             bond = table("breathers").at("centre", "bond")["exponent"];
+  const auto site = table("breathers").at("centre", "site")["amplitude_exponent"],
+             bond = table("breathers").at("centre", "bond")["amplitude_exponent"];
   const auto off = [](const Estimate& e) { return std::abs(e.value - 2) + e.error; };
   answer(off(site) > off(bond) ? site : bond);
 }
