@@ -10,5 +10,5 @@ set xlabel 'impact velocity  {/:Italic v}_0'
 set ylabel 'speed (sites per unit of time)'
 table = data.'/sec34_kink/kink_shape.ecsv'
 plot table using 'velocity':'pulse_speed' with linespoints ls 4 title 'pulse', \
-     '' using 'velocity':'speed' with linespoints ls 1 title 'kink, near', \
-     '' using 'velocity':'later' with linespoints ls 2 title 'kink, far'
+     '' using 'velocity':'speed_near' with linespoints ls 1 title 'kink, near', \
+     '' using 'velocity':'speed_far' with linespoints ls 2 title 'kink, far'

@@ -4,9 +4,9 @@ load 'figures/style.gp'
 set logscale xy
 set format y '10^{%T}'
 set ytics 1e-10, 100, 1; unset mytics
-set xrange [0.11:0.57]
+set xrange [0.09:0.57]
 set yrange [1e-11:1]
-set xtics ('1/8' 0.125, '1/5' 0.2, '1/4' 0.25, '1/3' 0.3333, '1/2' 0.5)
+set xtics ('1/10' 0.1, '1/5' 0.2, '1/4' 0.25, '1/3' 0.3333, '1/2' 0.5)
 set key top left samplen 1.6
 set xlabel 'time step  {/:Italic h}  (units of τ_c)'
 set ylabel 'relative error'

@@ -21,13 +21,14 @@ struct AllScales {
   static constexpr Title title{"scales",
                                "constants of the cantilever array and of the cradle, in SI units"};
   double velocity = 1;
+  CantileverArray array{};
+  Cradle cradle{};
 
   void parameters(Parameters& p) {
     p.add("velocity", velocity, "velocity of the impact on the first bead, in m/s",
           {1e-6, 1e3, "m/s"});
   }
   Table table() const {
-    const CantileverArray array;
     const Scales s = array.scales(), steel{s.m, s.k, array.gamma(array.beam_modulus)};
     const double lambda = s.lambda(velocity);
     const Collision known = collision_by_energy();
@@ -58,7 +59,7 @@ struct AllScales {
     add("unit_energy", s.unit_energy(), "J");
     add("contact_time", known.contact_time * s.tau_h(velocity), "s");
     add("max_compression", known.compression * s.delta(velocity), "m");
-    add("cradle_lambda_5_2", Cradle{}.lambda_5_2(9.81, known.contact_time));
+    add("cradle_lambda_5_2", cradle.lambda_5_2(9.81, known.contact_time));
     add("gamma_with_beam_modulus", steel.gamma, "N/m^(3/2)");
     add("lambda_with_beam_modulus", steel.lambda(velocity));
     return table;

@@ -2,10 +2,8 @@
 /**
 # Two beads collide, in closed form
 
-Conservation of energy gives largest compression and contact time of two free beads without integration in time. All of
-the relative motion's $\frac12\cdot\frac m2 V^2$ is in the contact when the compression is largest:
-$\frac25\gamma\,x^{5/2} = \frac14 m V^2$, so $x = (5/8)^{2/5}\,\delta$. The contact time follows by a quadrature of
-$1/\dot x$,
+All of the relative motion's $\frac12\cdot\frac m2 V^2$ is in the contact when the compression is largest:
+$\frac25\gamma\,x^{5/2} = \frac14 m V^2$, so $x = (5/8)^{2/5}\,\delta$. A quadrature of $1/\dot x$ is the contact time,
 $$t = \frac{2x}{V}\int_0^1\frac{ds}{\sqrt{1-s^{5/2}}} = \frac{4\sqrt\pi}{5}\,
 \frac{\Gamma(2/5)}{\Gamma(9/10)}\,\Bigl(\frac58\Bigr)^{2/5}\tau_h.$$ */
 

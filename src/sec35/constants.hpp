@@ -2,8 +2,7 @@
 /**
 # From materials to constants
 
-The article takes the stiffness and the mass of a beam from a textbook, and the force between two beads from Hertz. This file
-derives them: it integrates the equation of a beam (cantilever.hpp) and the pressure between two spheres. */
+This file integrates the equation of a beam (cantilever.hpp) and the pressure between two spheres. */
 
 #include <cmath>
 #include <numbers>
@@ -58,8 +57,6 @@ inline double hertz(const CantileverArray& array, double first, double second, s
   };
   if (std::abs(pressure(0.25) / pressure(0.75) - 1) > 1e-12)
     throw Failure("Hertz's pressure does not fit to spheres");
-
-  // Force and approach of the two spheres
   const double force = 2 * std::numbers::pi / 3 * a * a * pressure(0.5),
                approach = 2 * soft * a * pressure(0.5) * middle;
   return force / (approach * std::sqrt(approach));
@@ -69,7 +66,6 @@ inline double hertz(const CantileverArray& array, double first, double second, s
 inline void report_hertz(Report& report, const CantileverArray& array) {
   Table& table = report.table("hertz");
   const double radii[] = {0.5, 1, 1.6, 2.5};  // in units of the usual one
-
   for (double first : radii)
     for (double second : radii) {
       const Estimate ours =
@@ -88,20 +84,16 @@ inline void report_hertz(Report& report, const CantileverArray& array) {
 /// Table `schematic`: what figure 1 needs.
 inline void report_schematic(Report& report, const CantileverArray& array, double string_length) {
   Table& drawn = report.table("schematic");
-  drawn.add(
-      {{"id", "cradle"}, {"parameter", "string_length"}, {"value", string_length}, {"unit", "m"}});
-  drawn.add({{"id", "cradle"}, {"parameter", "beads_drawn"}, {"value", 5.0}, {"unit", ""}});
-  drawn.add({{"id", "cradle"}, {"parameter", "bead_radius_drawn"}, {"value", 0.04}, {"unit", "m"}});
-  for (const auto& [name, unit, value] : given_scales(array))
-    drawn.add({{"id", "cantilever"}, {"parameter", name}, {"value", value}, {"unit", unit}});
-  drawn.add(
-      {{"id", "cantilever"}, {"parameter", "beads_per_cantilever"}, {"value", 2.0}, {"unit", ""}});
-  drawn.add({{"id", "cantilever"},
-             {"parameter", "pitch"},
-             {"value", array.thickness + 4 * array.radius},
-             {"unit", "m"}});
-  drawn.add(
-      {{"id", "cantilever"}, {"parameter", "cantilevers_drawn"}, {"value", 5.0}, {"unit", ""}});
+  const auto add = [&](const char* id, const char* parameter, double value, const char* unit) {
+    drawn.add({{"id", id}, {"parameter", parameter}, {"value", value}, {"unit", unit}});
+  };
+  add("cradle", "string_length", string_length, "m");
+  add("cradle", "beads_drawn", 5, "");
+  add("cradle", "bead_radius_drawn", 0.04, "m");
+  for (const auto& [name, unit, value] : given_scales(array)) add("cantilever", name, value, unit);
+  add("cantilever", "beads_per_cantilever", 2, "");
+  add("cantilever", "pitch", array.thickness + 4 * array.radius, "m");
+  add("cantilever", "cantilevers_drawn", 5, "");
 }
 
 }  // namespace lattice

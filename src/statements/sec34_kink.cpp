@@ -31,7 +31,7 @@ STATEMENT("impact.kink_soliton") {
   // Over the speed of the pulse without wells that moves each bead by as many wells
   const auto ratio = [&](double impact) {
     const auto kink = table("kink_shape").at("velocity", impact);
-    return kink["later"] / kink["pulse_speed"];
+    return kink["speed_far"] / kink["pulse_speed"];
   };
   answer(ratio(8), "of the soliton's speed");
   reading("slow", ratio(5));
