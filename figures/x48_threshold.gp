@@ -5,7 +5,7 @@ steps = data.'/sec33_mobility/threshold_steps.ecsv'
 set logscale xy
 set format y '10^{%T}'
 set key bottom right samplen 1.6
-set xrange [0.14:0.42]; set yrange [5e-9:2e-3]
+set xrange [0.14:0.42]; set yrange [1e-12:3e-3]
 set xtics (0.15, 0.2, 0.3, 0.4)
 unset mxtics
 set xlabel 'time step  {/:Italic h}'; set ylabel 'fraction' offset 1,0
