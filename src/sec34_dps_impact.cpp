@@ -158,8 +158,8 @@ The DpS equation is invariant if the amplitudes are multiplied by $a$ and time r
 serves for impacts of all sizes; in the time of the chain every speed goes as $\epsilon^{1/2}$.
 
 Is the packet a travelling breather? Nearly: its speed and its norm fall by a few per cent between the halves of its
-way, and what it loses of the norm stays behind. At $\tau = 1000$ it has 0.436 of the norm (`sec31_dps_limit impact
---tau 1000`).
+way, and what it loses of the norm stays behind. At $\tau = 1000$ it has 0.436 of it
+(`sec31_dps_limit impact --tau 1000`).
 
 Is the residue weak, and no surface mode? It has more than half of the norm, but spread out: no eleven of its sites, a
 packet's width or more behind the packet, hold half as much as the packet. A surface mode would keep its norm, or come
