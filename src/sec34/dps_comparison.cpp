@@ -25,7 +25,7 @@ ApproximateStart approximate_start(std::size_t sites, double eps) {
   out.second = velocity(1);
   return out;
 }
-
+// Both tables need no run
 void report_start(Report& report, std::size_t sites, double tau) {
   const double eps_101 = breather_eps(1.01);
   report.table("scales").add({{"eps", exact(eps_101)}, {"end", exact(tau / std::sqrt(eps_101))}});
