@@ -10,11 +10,16 @@
 
 namespace lattice {
 
-// Inverse iteration turns any guess towards the eigenvector nearest to `value`
+// Inverse iteration turns any guess towards the eigenvector nearest to `value`, slowly if others are near
 static Vector<double> eigenvector_near(const Matrix<double>& m, double value,
                                        Vector<double> guess) {
   const Matrix<double> shifted = m - (value + 1e-5) * Matrix<double>::Identity(m.rows(), m.cols());
-  for (int k = 0; k < 20; ++k) guess = solve_square(shifted, guess).normalized();
+  double turn = 1;
+  for (int k = 0; k < 20 || (turn > 1e-13 && k < 5000); ++k) {
+    const Vector<double> next = solve_square(shifted, guess).normalized();
+    turn = std::min((next - guess).norm(), (next + guess).norm());
+    guess = next;
+  }
   return guess;
 }
 
@@ -59,9 +64,9 @@ Pinning pinning_of(const RestingBreather& at, const EventTolerance<double>& rule
   const double miss = 2 * (1 - std::abs(cosine)) / (period * period);
   const Vector<double> shift = (part < 0 ? -1 : 1) * (basis * xi);
   const std::vector<double> mode(shift.begin(), shift.end());
-  if (at.centre == Centre::bond) return {miss, phi, mode};
+  if (at.centre == Centre::bond) return {miss, phi, part * part, mode};
   // Around a site half a period is taken twice, which doubles the angle
-  return {2 * (1 + std::abs(cosine)) * miss, 2 * cosine * phi, mode};
+  return {2 * (1 + std::abs(cosine)) * miss, 2 * cosine * phi, part * part, mode};
 }
 
 double pendulum_speed(double start, double omega, bool from_maximum) {
@@ -147,6 +152,7 @@ Prediction predict_threshold(const RestingBreather& at, const Estimate& barrier)
   const auto pair = [&](auto of) { return compare(of(found[0]), of(found[1])); };
   Prediction out;
   out.phi = pair([](const Pinning& p) { return p.phi; });
+  out.along = pair([](const Pinning& p) { return p.along; });
   out.barrier = barrier;
   if (!(found[1].frequency2 > 0)) return out;
   out.frequency = pair([](const Pinning& p) { return std::sqrt(p.frequency2); });

@@ -57,6 +57,7 @@ Around a site half a period followed by $y_n \to -y_{-n}$ leaves a shift in time
 struct Pinning {
   double frequency2 = 0;  ///< Omega^2; negative for an unstable breather
   double phi = 0;         ///< the fraction of c^2/2 that becomes kinetic energy of translation
+  double along = 0;       ///< (xi g)^2, the fraction of c^2/2 along the mode
   std::vector<double> shift{};  ///< xi, of length one, with a positive part along g
 };
 
@@ -66,8 +67,8 @@ Pinning pinning_of(const RestingBreather& at, const EventTolerance<double>& rule
 /// What linear theory predicts. Errors come from two tolerances of the linearised flow and from the barrier. If the
 /// pinning pair is real the slightest kick may move the breather, and there is neither a frequency nor a threshold.
 struct Prediction {
-  Estimate threshold{}, phi{}, frequency{}, barrier{};  ///< c_c, phi, Omega, and E_site - E_bond
-  bool exists() const { return frequency.value > 0; }   ///< whether there is a threshold
+  Estimate threshold{}, phi{}, along{}, frequency{}, barrier{};  ///< barrier: E_site - E_bond
+  bool exists() const { return frequency.value > 0; }            ///< whether there is a threshold
 };
 
 /// From the barrier at equal action.

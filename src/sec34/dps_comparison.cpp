@@ -25,7 +25,6 @@ ApproximateStart approximate_start(std::size_t sites, double eps) {
   out.second = velocity(1);
   return out;
 }
-
 // Both tables need no run
 void report_start(Report& report, std::size_t sites, double tau) {
   const double eps_101 = breather_eps(1.01);
@@ -52,8 +51,9 @@ std::vector<ResidueStretch> residue_stretches(const std::vector<double>& tau,
       if (tau[k] < end - every - 1e-9 || tau[k] >= end + 1e-9) continue;
       const std::vector<double> d = density(A[k]);
       s.first_ten = std::max(s.first_ten, std::accumulate(d.begin(), d.begin() + 10, 0.0));
-      if (tau[k] > end - 1e-9)
-        s.sharing = participation({d.begin(), d.begin() + std::ptrdiff_t(*front_packet(d)) - 10});
+      if (tau[k] <= end - 1e-9) continue;
+      s.first_forty = std::accumulate(d.begin(), d.begin() + 40, 0.0);
+      s.sharing = participation({d.begin(), d.begin() + 40});
     }
     out.push_back(s);
   }
@@ -65,21 +65,26 @@ static std::size_t end_of_train(const std::vector<double>& chain, const std::vec
   return std::min(*front_packet(chain), *front_packet(dps)) - 10;
 }
 
-double trains_apart(const std::vector<double>& chain, const std::vector<double>& dps) {
-  const auto until = std::ptrdiff_t(end_of_train(chain, dps));
-  const auto train = [&](const std::vector<double>& e) {
-    return std::sqrt(std::accumulate(e.begin(), e.begin() + until, 0.0));
-  };
-  return std::abs(train(dps) / train(chain) - 1);
-}
-
-double sites_apart(const std::vector<double>& chain, const std::vector<double>& dps) {
+// The energies of the sites n - m to n + m
+static double sites_apart(const std::vector<double>& chain, const std::vector<double>& dps,
+                          std::size_t m) {
   double apart = 0, largest = 0;
-  for (std::size_t n = 0; n < end_of_train(chain, dps); ++n) {
-    apart = std::max(apart, std::abs(std::sqrt(dps[n]) - std::sqrt(chain[n])));
-    largest = std::max(largest, std::sqrt(chain[n]));
+  for (std::size_t n = m; n + m < end_of_train(chain, dps); ++n) {
+    const double in_chain = std::sqrt(window_sum(chain, n, m));
+    apart = std::max(apart, std::abs(std::sqrt(window_sum(dps, n, m)) - in_chain));
+    largest = std::max(largest, in_chain);
   }
   return apart / largest;
+}
+
+void TrainDifference::add(const std::vector<double>& chain, const std::vector<double>& dps) {
+  const auto until = std::ptrdiff_t(end_of_train(chain, dps));
+  const auto sum = [&](const auto& e) {
+    return std::accumulate(e.begin(), e.begin() + until, 0.0);
+  };
+  all = std::max(all, std::abs(std::sqrt(sum(dps)) / std::sqrt(sum(chain)) - 1));
+  site = std::max(site, sites_apart(chain, dps, 0));
+  eleven = std::max(eleven, sites_apart(chain, dps, packet_half_width));
 }
 
 Amplitude amplitude(const State<double>& now, std::size_t peak) {
@@ -103,7 +108,6 @@ Heights heights_at(const Chain& chain, State<double> state, Field A, double eps,
            out.t.push_back(now.t);
            out.chain.push_back(amplitude(chain, now).height);
          });
-
   // The DpS equation, in its slow time
   const Dps dps{chain.sites};
   const double rate = std::sqrt(eps);

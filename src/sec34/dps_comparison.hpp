@@ -13,9 +13,8 @@ What the chapter `sec34_dps_impact` measures on states of the chain (y and v) an
 
 namespace lattice {
 
-/// What the approximation of Eq. (13) has at t = 0 after the impact of Eq. (25), from the right-hand side of the DpS
-/// equation alone: the largest displacement, and the velocities of the first bead beyond 2 eps, of the second and,
-/// largest, of the others.
+/// The approximation, Eq. (13), at t = 0, from the right-hand side of the DpS equation alone: the largest displacement,
+/// and the velocities of the first bead beyond 2 eps, of the second and, largest, of the others.
 struct ApproximateStart {
   double place = 0, first = 0, second = 0, others = 0;
 };
@@ -24,19 +23,21 @@ ApproximateStart approximate_start(std::size_t sites, double eps);
 /// 1.01, Eq. (20), and the time of the slow time `tau` there.
 void report_start(Report& report, std::size_t sites, double tau);
 
-/// The residue at the boundary during a stretch of time: the largest norm of the first ten sites, and how many sites
-/// share the residue at its end, up to ten sites behind the packet's peak (participation number).
+/// The residue at the boundary during a stretch of time: the largest norm of the first ten sites and, at its end, the
+/// norm of the first 40 sites and how many of them share it (participation number).
 struct ResidueStretch {
-  double tau, first_ten = 0, sharing = 0;
+  double tau, first_ten = 0, first_forty = 0, sharing = 0;
 };
 /// Stretches of the length `every` that end at `from`, `from` + `every` and so on; `tau` and `A` are the samples.
 std::vector<ResidueStretch> residue_stretches(const std::vector<double>& tau,
                                               const std::vector<Field>& A, double from,
                                               double every);
-/// Two densities, of the chain and of the approximation, up to ten sites behind both packets: the relative difference
-/// of the roots of all energy, and the largest difference of the roots at a site over the largest root in the chain.
-double trains_apart(const std::vector<double>& chain, const std::vector<double>& dps);
-double sites_apart(const std::vector<double>& chain, const std::vector<double>& dps);
+/// How far the energy densities of the chain and of the approximation differ, up to ten sites behind both packets, at
+/// most: roots of all energy, relative; roots at a site or over eleven sites, over the largest one in the chain.
+struct TrainDifference {
+  double all = 0, site = 0, eleven = 0;
+  void add(const std::vector<double>& chain, const std::vector<double>& dps);
+};
 
 /// Of the packet in a snapshot, within five sites of its peak: from crest to trough, and the largest displacement.
 struct Amplitude {
