@@ -15,7 +15,7 @@ travelling waves of the chain.
 `dps_error` against the square root of `eps`.](fig:x02)
 
 <!-- head -->
-`build/bin/sec31_dps_limit` computes this chapter in 4 s on two cores and writes 5 tables to
+`build/bin/sec31_dps_limit` computes this chapter in 2 s on two cores and writes 5 tables to
 `build/data/sec31_dps_limit`. Its figures: `make x02`. With your parameters: `impact`, impact in the DpS equation: the
 packet, and the norm left at the struck end.
 <!-- /head --> */

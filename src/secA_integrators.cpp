@@ -222,9 +222,7 @@ References references_of(const Chain& chain) {
 }
 
 /**
-The errors of the splittings of order four and six fall with the powers [2.63 ±
-0.08](cell:orders/method=blanes_moan_4/contacts=open/order) and [2.59 ±
-0.08](cell:orders/method=blanes_moan_6/contacts=open/order) of the step, those of event-corrected steps with a reach of
+The errors of the splittings of order four and six fall with the powers [2.63 ± 0.08](cell:orders/method=blanes_moan_4/contacts=open/order) and [2.59 ± 0.08](cell:orders/method=blanes_moan_6/contacts=open/order) of the step, those of event-corrected steps with a reach of
 six steps with the power [5.0 ± 0.5](cell:orders/method=six_steps/contacts=open/order). Verlet's method has nothing to
 lose, its power is [2.0](cell:orders/method=verlet/contacts=open/order). The other errors are irregular in $h$, because
 the place of each event within its step changes with $h$. A control has the same impacts on a chain compressed by

@@ -64,7 +64,8 @@ def own_commands(root, program):
     where = [text, *(ecsv.text_of(path) for path in sorted(Path(root).glob("src/commands/*.hpp")))]
     titles = {name: (command, "".join(re.findall(r'"([^"]*)"', words))) for source in where for name, command, words in re.findall(
         r'struct (\w+)[^;{]*\{(?:(?!\nstruct ).)*?Title title\{\s*"(\w+)",\s*((?:"[^"]*"\s*)+)', source, re.S)}
-    return [titles[name] for name in re.findall(r"\w+", listed[1])] if listed else []
+    bases = dict(re.findall(r"struct (\w+) : (\w+)", text))
+    return [titles[name if name in titles else bases[name]] for name in re.findall(r"\w+", listed[1])] if listed else []
 
 
 def head_lines(root, program, figures, costs):
