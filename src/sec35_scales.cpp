@@ -138,6 +138,7 @@ using Samples = std::array<std::vector<double>, Beads{}.size()>;
 constexpr double fit_until = 60, run_until = 95;  // sites; fit_from = 20 (path.hpp)
 constexpr double dps_end = 320;                   // slow time: the packet is beyond site 95
 
+// What is seen of a packet
 struct Packet {
   Beads deflection;                           // the largest ones
   double velocity, speed;                     // the largest of bead 80; of the packet
@@ -173,6 +174,7 @@ Packet packet_of(double impact, double step) {
           .share = run.path.energy_at(double(bead_80 + 1)) / (impact * impact / 2)};
 }
 
+// The same in the DpS equation
 Packet packet_of_dps(std::size_t samples, double tolerance) {
   std::vector<double> t;
   Samples amplitude;
@@ -232,6 +234,7 @@ Compared compared(double impact, const TwoRuns<Packet>& dps, bool quick) {
   const auto of_bead = [&](std::size_t k) {
     return excess(2 * eps, [k](const Packet& p) { return p.deflection[k]; });
   };
+  // Over all beads
   const Estimate speed = excess(std::sqrt(eps), [](const Packet& p) { return p.speed; });
   Estimate least = of_bead(0), most = least;
   for (std::size_t k = 1; k < Beads{}.size(); ++k) {

@@ -539,6 +539,7 @@ Table OneDefect::table() const {
     throw Failure("the packet that passes the defect reaches the end of the array within " +
                   short_text(until) + " ms: --sites " + std::to_string(sites) + " are too few");
   }
+  // What comes back, stays and passes
   const TwoRuns<Scattering> at = net(with, without);
   const char *all = "of all energy, on the defect itself", *arriving = "of the arriving energy";
   Answers q;
