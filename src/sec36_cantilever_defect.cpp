@@ -504,7 +504,7 @@ packet has passed the defect and not yet reached the end, or the program stops. 
 and one more stiffness; the run to compare with stays homogeneous.
 
 1. *Easy.* How much does a slightly heavier defect transmit? `build/bin/sec36_cantilever_defect run --ratio 1.1` gives
-   `net_transmitted` = 0.29443.
+   `net_transmitted` = 0.29443. Hint: compare with 1.02, and with a defect as much lighter.
 2. *Harder.* Does a weaker packet pass it? `build/bin/sec36_cantilever_defect run --ratio 1.1 --velocity 0.5 --until 100`
    gives `net_transmitted` = 0.13607. Hint: the packet's frequency exceeds 1 by less, the detuning of the defect stays.
 */
