@@ -406,7 +406,7 @@ void reproduce(Report& report) {
 its `period` and `maximum`. The velocities of the two examples are also in the script of figure x01.
 
 1. *Easy.* Does the kink need the whole chain? `build/bin/sec34_kink run --velocity 5 --sites 30` gives `advanced` = 30.
-   Hint: shorten the chain until some beads stay.
+   Hint: so do all of five beads. How long is the kink (the table above)?
 2. *Harder.* Compare a kink with a breather: `build/bin/sec34_impact run --well pendulum --velocity 5 --time 60` gives
    `speed` = 0.7697, and `build/bin/sec34_impact run --well pendulum --velocity 3 --time 200` gives `speed` = 0.2471.
    These are speeds of the energy centre. Hint: the second impact moves no bead on (figure x01). */
