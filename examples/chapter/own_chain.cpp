@@ -79,8 +79,8 @@ void reproduce(Report& report) {
 **To change it.** The well is `Cosh`, the masses are set in `impact_with`, what is measured is a function of a run and a cell
 of a row. A cell may say what it means, `{"mu", "mass of every other bead", mu}`, and the header of the table does.
 
-*Exercise.* Below $\mu = 0.94$ the speed goes up and down. Add masses from 0.8 on, turn the statement off and look at the
-energy that the packet keeps. Is it one packet still? */
+*Exercise.* Does the speed fall further below $\mu = 0.94$? Add masses from 0.8 on, and look at the energy that the packet
+keeps. Is it one packet still? (The statement is about 0.94 to 1, and both must stay among the masses.) */
 int main(int argc, char** argv) {
   return run({"own_chain", "", "Light and heavy beads in turn", reproduce}, argc, argv);
 }
