@@ -5,8 +5,8 @@ How does energy move in a Newton's cradle whose balls are held so stiffly, by sh
 each oscillates while a pulse passes? James, Kevrekidis and Cuevas (Physica D 251, 2013) find packets of oscillations
 that travel, packets that turn round, and packets that stay in place, the *breathers*. This chapter computes one of each
 from the equation of motion, by the plainest methods: Verlet's for the motion, Newton's for the breather. In linear
-wells an impact with velocity 1 sends out a packet that travels at [0.18779](cell:results/speed) sites per unit of time;
-in hard wells an impact with velocity 1.9 sends out one that turns round at site [20.1](cell:results/turn).
+wells an impact with velocity 1 sends out a packet that, from site 20 to 60, travels at [0.1878](cell:results/speed)
+sites per unit of time; in hard wells velocity 1.9 sends out one that turns round at site [20.1](cell:results/turn).
 
 ![A packet that travels (a) and one that turns round (b), each map divided by its largest energy; a site-centred
 breather, its middle bead and those on one side (c).](fig:x36)
@@ -181,8 +181,8 @@ double packet_speed(const Impact& impact, int steps) {
 ## A packet that turns round
 
 In hard wells a packet slows down, turns and comes back, though all beads and wells are alike; the article suspects the
-waves between it and the end that was hit (`sec34_boomeron`). Its centre oscillates with its beads; a mean over 15 units
-of time removes most of this. The turning point is the furthest of these means. There are two maxima, and the second, at
+waves between it and the end that was hit (`sec34_boomeron`). Its centre oscillates with its beads, so we take a mean
+over 15 units of time. The turning point is the furthest of these means. There are two maxima, and the second, at
 $t =$ [4.7e2](cell:sec34_boomeron/turns/velocity=1.9/apex_time), is the higher one. The turning point depends strongly
 on the impact: at $v_0 = 1.89$ it is [21.0](cell:sec34_boomeron/turns/velocity=1.89/apex_site), at 1.91
 [19.1](cell:sec34_boomeron/turns/velocity=1.91/apex_site). */
@@ -253,9 +253,9 @@ part carry no linear waves. There are two kinds, symmetric about a bead (*site-c
 
 How does one find a site-centred one? Let it start from rest, so that it is even in time. Contacts push and do not pull:
 a reflection of the chain turns each overlap into a gap, and only if the displacements change sign as well is it an
-overlap again. So the mirror image with the sign changed is a motion of the chain too. The site-centred breather is its
-own image half a period later, $y_n(t+T_b/2) = -y_{-n}(t)$. Both symmetries together give conditions after a *quarter*
-of the period,
+overlap again. So the mirror image with the sign changed is a motion of the chain too. We look for a breather that is
+its own image half a period later, $y_n(t+T_b/2) = -y_{-n}(t)$. Both symmetries together give conditions after a
+*quarter* of the period,
 $$y_n + y_{-n} = 0,\qquad \dot y_n - \dot y_{-n} = 0 \qquad\text{at } t = T_b/4,$$
 one equation per bead for the unknown positions $y_n(0)$. */
 VectorXd residual(const Breather& b, const VectorXd& y, int steps) {
@@ -306,10 +306,10 @@ VectorXd find_breather(const Breather& b, int steps) {
 /**
 ## Accuracy
 
-![Changes of the speed, the turning point and the breather's energy in the last halving of the step.](fig:x40)
+![Changes of the speed, the turning point and the breather's energy at each halving of the step.](fig:x40)
 
-Verlet's method has order two: speed, turning point and energy change by about a quarter at each halving of the step, so
-the last change, which we give as error, is about three times what remains. Other methods agree:
+Verlet's method has order two: the changes of speed and energy fall to about a quarter at each halving, so the last, our
+error (of the step alone), is some three times what remains. The turn's two changes show no order. Other methods agree:
 
 | | here | elsewhere |
 |---|---|---|
@@ -386,10 +386,10 @@ void report_maps(Report& report, int steps) {
 Four questions of the article need more. The energies of the two kinds of breather differ by the *Peierls–Nabarro
 barrier* (for discrete solitons Kivshar and Campbell 1993). At $\omega_b = 1.1$ it is
 [1.62e-11](cell:sec32_barrier/key_pairs/s=0/omega=1.1/equal_frequency), far less than our error of an energy, $10^{-9}$,
-so `sec32_barrier` stops at contact events. Is a breather stable (`sec33_floquet`)? How small a kick sets it in motion
+so `sec32_barrier` ends steps at events. Is a breather stable (`sec33_floquet`)? How small a kick sets it in motion
 (`sec33_mobility`)? All three suffer from a force without a second derivative at a contact event, which takes the order
 from better integrators and spoils the linearised motion even more (`secA_integrators`). The fourth is where a packet is
-long after it has turned: there the motion is sensitive to any small change, the step included (`sec34_boomeron`). */
+long after it has turned: there the motion is sensitive to any small change, also of the step (`sec34_boomeron`). */
 void reproduce(Report& report) {
   const int steps = report.quick ? steps_in_interval / 5 : steps_in_interval;
   report_numbers(report);

@@ -5,7 +5,7 @@ How accurate is an integrator if the force is not smooth where a contact opens o
 zero before the contact closes at $t^*$, and then begins like $(t-t^*)^{3/2}$. So the order of an ordinary method of
 order four or six falls to 5/2, and to 3/2 for the derivative of the motion with respect to the initial state. Two
 methods of ours treat these *contact events*: event-corrected steps, for long runs, and `flow`, for orbits and their
-derivatives, which stops at every event. We measure their errors and explain `flow`.
+derivatives, which stops at the events. We measure their errors and explain `flow`.
 
 ![Error against step after an impact (a); error of the linearised motion against the work (b).](fig:x05)
 
@@ -222,13 +222,14 @@ References references_of(const Chain& chain) {
 }
 
 /**
-The errors of the splittings of order four and six fall with the powers [2.63 ± 0.08](cell:orders/method=blanes_moan_4/contacts=open/order) and [2.59 ± 0.08](cell:orders/method=blanes_moan_6/contacts=open/order) of the step, those of event-corrected steps with a reach of
-six steps with the power [5.0 ± 0.5](cell:orders/method=six_steps/contacts=open/order). Verlet's method has nothing to
-lose, its power is [2.0](cell:orders/method=verlet/contacts=open/order). The other errors are irregular in $h$, because
-the place of each event within its step changes with $h$. A control has the same impacts on a chain compressed by
-$\delta_0 = 5$, Eq. (33): opening one of its contacts needs the energy $\frac35\delta_0^{5/2} = 33.5$, and no impact
-brings more than 1.81. There order four gives [4.0](cell:orders/method=blanes_moan_4/contacts=closed/order) and order
-six [6.00](cell:orders/method=blanes_moan_6/contacts=closed/order). */
+Splittings of order four and six err with the powers [2.63 ± 0.08](cell:orders/method=blanes_moan_4/contacts=open/order)
+and [2.59 ± 0.08](cell:orders/method=blanes_moan_6/contacts=open/order) of the step, event-corrected steps (reach six)
+with [5.0 ± 0.5](cell:orders/method=six_steps/contacts=open/order), Verlet's method with
+[2.0](cell:orders/method=verlet/contacts=open/order). All but the last are irregular in $h$, as the places of the events
+in their steps are. A control has the same impacts on a chain compressed by $\delta_0 = 5$, Eq. (33): opening one of its
+contacts needs the energy $\frac35\delta_0^{5/2} = 33.5$; no impact brings more than 1.81. There order four gives
+[4.0](cell:orders/method=blanes_moan_4/contacts=closed/order) and order six
+[6.00](cell:orders/method=blanes_moan_6/contacts=closed/order). */
 void report_orders(Report& report) {
   const std::vector<double> steps = step_lengths(report.quick ? 2 : 6);
   Table &errors = report.table("error_orbit"), &orders = report.table("orders");
@@ -254,11 +255,10 @@ void report_orders(Report& report) {
 /**
 ## How `flow` works (figure x42)
 
-Between two events the motion is smooth, and `flow` ends a step at each of them. That alone is not enough: right after
-$t^*$ the force still behaves like $(t-t^*)^{3/2}$, and its derivatives blow up. But the whole solution is a power
-series in $(t-t^*)^{1/2}$. With $t = t^*+u^2$ it is one in $u$, and a formula has its full order again. A segment of
-length $L$ between two events needs such a map at both ends, so the library has $t = t^*+L\,(3\theta^2-2\theta^3)$ with
-$0\le\theta\le1$ (location.hpp).
+Between two events the motion is smooth, and `flow` ends steps at them. But right after $t^*$ the force still behaves
+like $(t-t^*)^{3/2}$, and its derivatives blow up. Yet the whole solution is a power series in $(t-t^*)^{1/2}$. With $t
+= t^*+u^2$ it is one in $u$, and a formula has its full order again. A segment of length $L$ between events needs this
+at both ends, so the library has $t = t^*+L\,(3\theta^2-2\theta^3)$ with $0\le\theta\le1$ (location.hpp).
 
 The formula is the leapfrog with $j = 1, 2, 3, \dots$ steps. They are equal in $\theta$, hence symmetric in time, so
 that the error is a series in $j^{-2}$, which extrapolation removes term by term. Here it is for one bead that meets a
@@ -266,13 +266,13 @@ wall with velocity 1, $\ddot x = -x-x_+^{3/2}$, over half a unit of time after t
 
 ![Errors of extrapolation after one contact event.](fig:x42)
 
-With eight levels, 36 evaluations of the force, the error is [5.04e-7](cell:one_segment/levels=8/in_t) in steps equal
-in $t$ and [1.22e-10](cell:one_segment/levels=8/in_u) in steps equal in $u$. `flow` raises the number of levels until
-two successive extrapolated values agree within the tolerance, and shortens a step if they do not.
+From five levels on, steps equal in $u$ are better. With eight, 36 evaluations of the force, their error is
+[1.22e-10](cell:one_segment/levels=8/in_u), in steps equal in $t$ [5.04e-7](cell:one_segment/levels=8/in_t). `flow`
+raises the number of levels until two successive values agree within the tolerance, and shortens a step if they do not.
 
-Events are seen by looking ahead with a plain leapfrog and located with a parabola of the overlap (event_driven.hpp). A
-tangent vector passes an event without a jump, since the contact force is continuous. The whole chain stops at every
-event of any contact: that is cheap for a breather, and expensive for long runs of many beads. */
+Events are seen by looking ahead with a plain leapfrog and located with parabolas of the overlap (overlap.hpp). The
+slowest are left out, and those very close in time count as one (event_driven.cpp); at the others the whole chain stops.
+A tangent vector passes an event without a jump, since the contact force is continuous. */
 // x at t = 0.5 by steps that are equal in t (exponent 1) or in u (exponent 2)
 double leapfrog(int steps, double exponent) {
   double x = 0, v = 1;
@@ -418,8 +418,8 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** Another method is one more `Tested` and a name in `report_orders`; other impacts are `velocities`,
-another well is the second member of the chains. A contact force that begins like $(t-t^*)^\alpha$ costs $h^{1+\alpha}$:
-with `PowerContact{3}` in place of `Hertz{}` the table `orders` has 4.0 for the splitting of order six, too.
+another well is the second member of the chains. A contact force that begins like $(t-t^*)^\alpha$ should limit ordinary
+methods to the order $1+\alpha$; for `PowerContact{3}` in place of `Hertz{}` that is 4.
 
 1. *Harder.* Which step does Verlet's method need for a packet?
    `build/bin/sec34_impact run --velocity 1.8 --s 1 --time 50` gives `centre` = 8.78688. Hint: let the program of

@@ -3,9 +3,9 @@
 # Event-driven integration
 
 A contact event is the instant at which a contact opens or closes. Between two of them the motion is smooth
-(location.hpp). How events are detected and located, what that costs and how the error follows the tolerance is shown in
-the appendix (`secA_integrators`). Location converges with order three. The columns of a tangent (tangent.hpp) follow
-only the last integration.
+(location.hpp). overlap.hpp has the formulas that detect and locate events; the appendix (`secA_integrators`) shows the
+error of a tangent vector against the work. Location converges with order three. The columns of a tangent (tangent.hpp)
+follow only the last integration.
 
 The result does not rest on the detection being right. The forces are those of the true contact law everywhere. An event
 that the detection missed shows at the end of the segment as an overlap with the wrong sign, and we then locate it. */
