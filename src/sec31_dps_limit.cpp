@@ -5,9 +5,9 @@ How accurate is the envelope equation of the chain at small amplitude? Section 3
 (Physica D 251, 2013) recalls the discrete p-Schrödinger (DpS) equation and quotes a theorem: at amplitude $\epsilon$ it
 is $O(\epsilon^{3/2})$-close to the chain, at least up to times $O(\epsilon^{-1/2})$. We integrate both equations side
 by side over three decades of amplitude. The power 3/2 is found to 0.1 per cent, but only in the limit: between the two
-largest amplitudes, $6\cdot10^{-3}$ and $2\cdot10^{-3}$, the local order is 1.39 to 1.46. The error relative to the
-motion is not small, either: up to $\tau = 10$ it tends to [3.32](cell:limits/start=impact/tau=10/coefficient) times
-$\epsilon^{1/2}$ for an impact and to [9.44](cell:limits/start=pair/tau=10/coefficient) times for a pair. Wells of other
+largest amplitudes, $6\cdot10^{-3}$ and $2\cdot10^{-3}$, the local order is 1.39 to 1.46. Nor is the error small
+relative to the start: up to $\tau = 10$ it tends to [3.32](cell:limits/start=impact/tau=10/coefficient) times
+$\epsilon^{1/2}$ for an impact and to [9.44](cell:limits/start=pair/tau=10/coefficient) times for a pair. Other well
 shapes do not change the equation, and its plane waves of 2, 3 and 4 sites are $O(\epsilon^{3/2})$-close to exact
 travelling waves of the chain.
 
@@ -64,9 +64,9 @@ $\epsilon^\alpha$ for $\epsilon^{3/2}$, and $\alpha$ for the power 3/2 of the fo
 Each amplitude that we choose has half the $\epsilon^{1/2}$ of the one before, and at each $\tau = 1$ is a whole number
 of periods of the wells, so that each horizon (final time) ends every run at the same phase. */
 constexpr double alpha = 1.5;                  // exponent of the contacts, 3/2 for spheres
-constexpr std::size_t sites = 32;              // so many that the far end stays at rest
+constexpr std::size_t sites = 32;              // so many that the last bead stays at rest
 const std::vector<double> horizons{1, 4, 10};  // slow times up to which the largest error is taken
-constexpr std::size_t amplitude_count = 6;     // each a quarter of the one before
+constexpr std::size_t amplitude_count = 6;     // at least 6; eps^(alpha-1) halves at each
 struct Resolution {
   int steps;         // of the chain in a period, each of them a sample
   double tolerance;  // of GSL
@@ -209,10 +209,10 @@ Estimate limit(const std::vector<Estimate>& values) {
 /**
 ## The error and its order (figure x02)
 
-The motion has the size $2\epsilon$, so the deviation over $2\epsilon^{3/2}$, the *coefficient*, times $\epsilon^{1/2}$
-is the relative error: at $\epsilon = 10^{-4}$ and up to $\tau = 10$ it is 3 per cent after the impact and 9 per cent
-for the pair. Drawn against $\epsilon^{1/2}$ the coefficient tends to a limit, in the end along a straight line. A
-finite limit means that the power is 3/2; the slope is the next correction.
+The initial amplitude is $2\epsilon$. The error relative to it is the deviation over $2\epsilon^{3/2}$, the
+*coefficient*, times $\epsilon^{1/2}$: at $\epsilon = 10^{-4}$, up to $\tau = 10$, 3 per cent for the impact and 9 for
+the pair. Drawn against $\epsilon^{1/2}$ the coefficient tends to a limit, in the end along a straight line. A finite
+limit means that the power is 3/2; the slope is the next correction.
 
 The local order is the slope between neighbouring amplitudes on logarithmic axes. Along a straight line each halving of
 $\epsilon^{1/2}$ halves the distance from the limit, so $2b-a$ extrapolates two successive values $a$, $b$. Its error is
@@ -255,9 +255,9 @@ void report_errors(Report& report) {
 /**
 ## Wells of other shapes
 
-To first order a force $y^2$ has no component at the frequency of the well; it shifts the beads and adds a second
-harmonic, both $O(\epsilon^2)$. Its second order, like the first order of $y^3$, changes the frequency by
-$O(\epsilon^2)$, hence the displacements by $O(\epsilon^{5/2})$ in the time $\epsilon^{-1/2}$. So the order should stay
+To first order a force $y^2$ only shifts the beads and adds a second harmonic, both $O(\epsilon^2)$. This changes the
+contact forces by $O(\epsilon^{5/2})$, hence the displacements by $O(\epsilon^2)$ in the time $\epsilon^{-1/2}$. Its
+second order, like the first of $y^3$, changes the frequency by $O(\epsilon^2)$, which is less. So the order should stay
 in hard wells, $s = 1$ in Eq. (10), and with a quadratic force (here without the smallest amplitude).
 
 | limit of the order, up to $\tau = 4$ | impact | pair |
@@ -295,7 +295,7 @@ error, 24). The factor $1-\omega^2$ of $b_1$ is small, too: this equation fixes 
 
 The article does not say what the two waves share; the verdict *assumes* equal frequency, where their distance is the
 same at all times. At *equal amplitude*, that of $b_1$, they drift apart, by a phase of order $\epsilon^{1/2}$ up to
-$t = \epsilon^{-1/2}$, where we compare them. The limits are taken as before, from the four smallest amplitudes:
+$t = \epsilon^{-1/2}$: the larger distance, then or at $t = 0$, counts. Limits as before, of the 4 least $\epsilon$:
 
 | wavelength, sites | article | 2 | 3 | 4 |
 |---|---|---|---|---|
@@ -338,9 +338,9 @@ void reproduce(Report& report) {
 
 ## Try it
 
-**To change it.** The constants after the derivation are the parameters, another start is one more entry of `starts`
-(figure x02 draws three), another well a struct like `Asymmetric` in the list `wells`. With `alpha = 1.75` the limits of
-the order should be 1.75.
+**To change it.** Parameters are the constants after the derivation, another start is an entry of `starts` (figure x02
+draws three, for `alpha = 1.5`), another well a struct like `Asymmetric` in the list `wells`. With `alpha = 1.75` the
+orders should tend to 1.75.
 
 1. *Easy.* Does a packet of the chain move as the DpS equation says?
    `build/bin/sec34_impact run --velocity 0.01 --time 1000` gives `speed` = 0.02531. Hint: an impact of velocity $v_0$

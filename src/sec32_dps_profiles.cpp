@@ -4,8 +4,8 @@
 How do the two static breathers look in the limit of small amplitude, and how good is the article's approximation?
 Section 3.2 of James, Kevrekidis and Cuevas (Physica D 251, 2013) describes two, $v_n = u_n e^{i\mu t}$ with neighbours
 of opposite sign: one around a site, $u_{-n} = u_n$, and one around a bond, $u_{1-n} = -u_n$. Newton's method finds both
-on a chain with a dozen strains in each half. Outside the few large sites each $|u_n|$ (at $\mu = 1$) is the 3/2 power
-of its inner neighbour's. The quasi-continuum approximation is good where the breather is large, but half too large at
+on a chain with 12 strains in each half. Far from the centre each $|u_n|$ (at $\mu = 1$) tends to the 3/2 power of its
+inner neighbour's. The quasi-continuum approximation is good where the breather is large, but half too large at
 the third or fourth site. The surprise is that the norms of the two differ by only about one part in a million.
 
 ![Both breathers, their quasi-continuum approximation and tails, and the error of a short chain. Drawn by
@@ -82,8 +82,8 @@ of each half for spheres; then it grows by one strain at a time, which this law 
 again. Small relative errors grow only by 3/2 a site, whereas the approximation has no tail at all.
 
 The arithmetic has 34 digits. Equation (14) times $u_n$ and summed is $\sum|d_n|^{5/2} = \mu N$ with the norm $N = \sum
-u_n^2$, which every breather must fulfil to 30 digits (tests/lattice/standing has the equation itself). What is read
-from it agrees with a chain longer by one strain in each half to the digits of a double, so 12 are enough. */
+u_n^2$, which every breather must fulfil to 30 digits (tests/lattice/standing has the equation itself). A chain
+longer by one strain in each half gives the same within the rounding of a double, the error of what is read from it. */
 using Breather = Stationary<Quadruple>;
 
 Breather breather(Centre centre, std::size_t count = strains) {
@@ -104,7 +104,7 @@ The article calls the agreement excellent and gives no number. Ours is the large
 the largest displacement: [0.0575](cell:breathers/centre=site/difference) for the breather around a site and
 [0.0614](cell:breathers/centre=bond/difference) around a bond. It occurs at $n = 2$ in both, where the approximation is
 too wide. This measure is lenient: relative to $u_n$ itself the approximation is more than half too large at $n = 3$
-(site) and $n = 4$ (bond), and much too small at $n = 5$, where its support ends.
+(site) and $n = 4$ (bond), and too small at $n = 5$, where its support ends.
 
 | | $n = 1$ | 2 | 3 | 4 | 5 |
 |---|---|---|---|---|---|
@@ -171,8 +171,8 @@ void report_lengths(Report& report) {
 
 Does $g$ solve Eq. (17), and where does it end? In the integrated equation $x = \int dg/|g'|$, from the height of $g$
 down. With $g$ = height $(1-r^2)^m$ the integrand is finite; the rules of Gauss and Kronrod give $x$ at each $g$, and
-their difference the error. At $g = 0$ this is the half-width, before it we compare with the formula. A solution that
-starts 1 per cent lower departs from $0.99\,g$ by [0.08](cell:support/control) of the height. */
+their difference the error. At $g = 0$ this is the half-width, before it we compare with the formula. From 0.99 of
+the height it gives a shifted $g$, [0.08](cell:support/control) of the height away from $0.99\,g$. */
 Estimate position(double factor, double end) {
   const auto integrand = [&](long double r) {  // extended precision: at the start two terms cancel
     const long double a = alpha, f = factor * height * std::pow(1 - r * r, m);
