@@ -101,11 +101,10 @@ DpsRun follow(const PinnedBreather& breather, Field v, double time, const Accura
 /**
 ## Both spectra (figures 8 and 9)
 
-Do the two spectra differ? Both have the same structure: two zeros, which are a change of phase, two segments of the
-imaginary axis, and one pair nearly three hundred times closer to zero than the next one. The segments end at $\pm
-i\mu$, since far out the contacts are slack, $m\to0$. Only the pair differs in kind. It is real around a site and
-imaginary around a bond, as the insets show. The error of each exponent is its change from double to extended precision
-(a mantissa of 64 bits).
+Do the two spectra differ? Both have the same structure: two zeros, which are a change of phase, imaginary pairs
+that accumulate at $\pm i\mu$, since far out the contacts are slack, $m\to0$, and one pair nearly three hundred times
+closer to zero than the next one. Only this pair differs in kind. It is real around a site and imaginary around a bond,
+as the insets show. The error of each exponent is its change from double to extended precision (a mantissa of 64 bits).
 
 ![The bond-centred breather and its spectrum: all exponents are imaginary.](fig:08) */
 constexpr std::pair<Centre, const char*> centres[] = {{Centre::site, "site"},
@@ -188,7 +187,7 @@ strain would reverse either (tests/lattice/standing/spectrum.cpp).
 | type of the pair (article: the same) | real | imaginary |
 | $\lvert\sigma\rvert/\mu$ | [0.00155771](cell:margins/centre=site/mu=1/exponent) | [0.00155778](cell:centre=bond/exponent) |
 
-Why are the margins equal and opposite? Suppose the centre moves in a periodic potential, as in other lattices (the
+Why are the margins so nearly opposite? Suppose the centre moves in a periodic potential, as in other lattices (the
 Peierls–Nabarro barrier; Kivshar and Campbell 1993). Both breathers are its extrema, and if it is a sine, its curvatures
 there are opposite, and $\sigma^2$ is proportional to them. The motion tests this (figure x56); why the potential is so
 flat, and so nearly a sine, we do not know.
@@ -241,7 +240,7 @@ Estimate depinning_push(const PinnedBreather& bond, int halvings) {
 
 /**
 The threshold is [0.00654](cell:depinning/push), which is [1.02](cell:depinning/over_pendulum) times that of the
-pendulum. A shift moves the centre as far only if it is two hundred times as large, $(\mu-m_2)/|\sigma|$.
+pendulum. A small shift moves the centre as far as a small push only if it is $(\mu-m_2)/|\sigma| = 214$ times as large.
 
 ## Noise sets the breather in motion (figure 10)
 
@@ -276,7 +275,7 @@ void run_seeds(NoiseGroup& group, bool quick) {
 }
 
 /**
-![The perturbed site-centred breather leaves (seed 10, an early one of 16); without the translational mode it stays;
+![The perturbed site-centred breather leaves (seed 10 of 16); without the translational mode it leaves much later;
 a bond-centred one stays.](fig:10) */
 constexpr std::size_t map_seed = 10;
 
@@ -302,7 +301,7 @@ A breather has *left* when its centre is half a site away, $|X| > \frac12$, and 
 | relative | bond | [13](cell:departures/noise=relative/start=bond/left) of 16 | [13](cell:departures/noise=relative/start=bond/moved) |
 
 Under main and real noise all site-centred breathers leave. Is it the translational mode that moves them? By $t = 500$
-all breathers under main noise have moved on, and no control has. So the component moves the breather, as the article
+all of them have moved on under main noise, and no control has. So the component moves the breather, as the article
 says. Without it the breather leaves later: $e^{\sigma t}$ exceeds 2000 at $t = 500$, and presumably the terms of second
 order in the noise restore the mode.
 
@@ -342,8 +341,8 @@ void add_outcomes(Table& outcomes, Table& pushes, const NoiseGroup& group, const
 }
 
 /**
-Under all noise the bond-centred breather stays localized: its participation number grows by a factor of
-[1.011](cell:departures/noise=relative/start=bond/spread) at most. On another bond it is as stable as before. */
+In all these runs the bond-centred breather stays localized: its participation number grows by a factor of
+[1.011](cell:departures/noise=relative/start=bond/spread) at most. */
 void reproduce(Report& report) {
   report.output.note("seed", "GSL mt19937, 1 to 16 or 1 to 64; map: " + std::to_string(map_seed));
   report_spectra(report);

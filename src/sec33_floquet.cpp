@@ -13,8 +13,8 @@ $s_0^b \approx 0.26$ and the former gains it at $s_0^s \approx 0.05$, where a pa
 
 We find the same but for the two values of $s_0$: both breathers change their stability at almost the same
 anharmonicity, $s_0 =$ [0.1525](cell:exchange/site). Nearly everywhere one of the two is stable and the other one not:
-in hard wells the site-centred one, but at the lowest frequencies; in the linear and soft wells they take turns. In hard
-wells the instability does not stay weak; in very soft ones other multipliers leave the circle.
+in wells of $s \ge \frac14$ the site-centred one, but at the lowest frequencies; in the linear and soft wells they take
+turns. In hard wells the instability does not stay weak; in most soft ones other multipliers leave the circle.
 
 The multipliers are hard to compute because two are exactly $+1$ and share one eigenvector: an error $\eta$ of $M$ can
 split such a pair by as much as $\sqrt\eta$. We compute a quantity that has no such pair.
@@ -140,8 +140,8 @@ void report_tolerances(Report& report) {
 /**
 ![Errors of the multipliers next to $+1$ and of $\kappa$.](fig:x47)
 
-On average, though in jumps, both ways to $\kappa$ gain a digit with each digit of the tolerance. The eigenvalues of $M$
-gain half a digit. An error may split a pair along the circle or off it, so a stable breather can seem unstable.
+On average, though in jumps, both ways to $\kappa$ gain 0.9 digits with each digit of the tolerance, the eigenvalues of
+$M$ half as many. An error that splits a pair off the circle makes a stable breather seem unstable.
 
 ## The four multipliers against $s$ (figures 11 and 12)
 
@@ -149,7 +149,7 @@ Where does the pinning pair pass through $+1$? We follow $\kappa$ over $s$. A pa
 on the real axis argument zero. Near an exchange of stability the multipliers leave $+1$ like square roots, so we take
 six more values of $s$ there. We find the exchange first: between two neighbours with opposite signs of $\kappa$ the
 zero is improved by regula falsi and two last steps in extended precision (`exchange`). Its error is that of $\kappa$
-over the slope of $\kappa$ in $s$.
+over its slope in $s$, plus the last correction.
 
 ![Arguments and moduli of the four multipliers near one, site-centred.](fig:12) */
 /// A breather over s, its exchange of stability, and by how much kappa falls with s there.
@@ -221,7 +221,7 @@ relative $10^{-4}$.
 ## The exchange of stability
 
 The zeros of $\kappa$ are far from the printed values and next to each other. A program that shares no line with this
-one (`tests/second`) finds both, too, to $10^{-7}$ (`paper/second.ecsv`).
+one (`tests/second`) finds both to $10^{-7}$, a third of their distance (`paper/second.ecsv`).
 
 <!-- exchange.equal -->
 At $\omega_b = 1.1$ the site- and bond-centred breathers exchange stability at almost the same anharmonicity, and not at
@@ -249,11 +249,11 @@ void report_exchange(Report& report, const Family& around_site, const Family& ar
 Can one cause move the exchange around a site to 0.05 and that around a bond to 0.26? At these $s$ we find $\kappa =$
 [7.72e-9](cell:beside_printed/centre=site/s=0.05/kappa) around a site and
 [8.12e-9](cell:beside_printed/centre=bond/s=0.26/kappa) around a bond. So one and the same error of $\kappa$,
-$-8\cdot10^{-9}$, moves both. It may come from the flow: at a tolerance of $10^{-6}$ the four eigenvalues give the
-$\kappa$ of figure x47 to $1.2\cdot10^{-8}$. Or from a threshold: that a multiplier counts as off the circle only beyond
-$1+\theta$ acts like the error $-\theta^2/4$. If each $s$ is rounded as printed, all $\theta$ from
-[0.00017604](cell:beside_printed/centre=bond/s=0.255/beyond_one) to
-[0.00017998](cell:beside_printed/centre=site/s=0.045/beyond_one) give both. We cannot tell which it was. */
+$-8\cdot10^{-9}$, moves both. An error of the flow can be as large (we did not compare signs): at a tolerance of
+$10^{-6}$ the four eigenvalues give the $\kappa$ of figure x47 to $1.2\cdot10^{-8}$. Or a threshold: that a
+multiplier counts as off the circle only beyond $1+\theta$ acts like the error $-\theta^2/4$. If each $s$ is rounded as
+printed, all $\theta$ from [0.00017604](cell:beside_printed/centre=bond/s=0.255/beyond_one) to
+[0.00017998](cell:beside_printed/centre=site/s=0.045/beyond_one) give both. We cannot tell which. */
 constexpr double omega_printed = 1.1;
 constexpr std::pair<Centre, double> printed_exchanges[] = {{Centre::site, 0.05},
                                                            {Centre::bond, 0.26}};
@@ -282,8 +282,7 @@ $y_{n+1}(0)-y_{n-1}(0)$, both of length one.
 
 The article calls the two very close. Both shift the breather along the chain; the mode is more concentrated. The angle
 is [9.1](cell:harmonic/centre=site/angle) degrees around a site and [11.6](cell:harmonic/centre=bond/angle) around a
-bond, where its cosine is [0.980](cell:harmonic/centre=bond/cosine). What this means for a kick is a matter of
-`sec33_mobility`. */
+bond, where its cosine is [0.980](cell:harmonic/centre=bond/cosine). For a kick see `sec33_mobility`. */
 void report_pinning_mode(Report& report, Table& harmonic, Centre centre) {
   const auto problem = problem_at(centre, {omega_b, 0});
   const Orbit<double> orbit = find_breather(problem);
@@ -368,7 +367,7 @@ void report_slow(Report& report) {
 ## Over the plane of $\omega_b$ and $s$
 
 Do four multipliers stay near $+1$, and the breathers weakly unstable, for all $\omega_b$ in $(1,2]$ and $s$ in
-$[-1,1]$? In ten wells we follow both families to higher frequencies, as far as they reach. What *near* means is our
+$[-1,1]$? In ten wells we follow both families to higher frequencies, as far as they reach. *Near* is our
 choice: within 0.01. A bead at rest far out has the frequency one and thus its pair at $e^{\pm2\pi i/\omega_b}$, so that
 every further site adds two multipliers there; on these chains at least 4 are within $10^{-4}$ in $\kappa$.
 
@@ -384,7 +383,7 @@ For $s \le 0$ the four stay near $+1$, to [0.0021](cell:spectra/centre=bond/omeg
 pinning pair leaves it as the frequency grows, around a site along the circle, around a bond along the real axis. There
 the instability passes the article's $10^{-3}$ at $\omega_b = 1.2$ if $s \ge \frac12$, and at $\omega_b = 2$ and $s = 1$
 the multiplier exceeds one by [1.061](cell:spectra/centre=bond/omega=2/s=1/largest): a disturbance doubles in each
-period. Near the end of the soft families other multipliers collide elsewhere on the circle and leave it, by
+period. At the last frequency in four of the five soft wells other multipliers leave the circle, by
 [0.286](cell:spectra/centre=bond/omega=1.9/s=-1/6/others) at $\omega_b = 1.9$ and $s = -\frac16$. */
 const std::vector<double> wells{1, 0.75, 0.5, 0.25, 0, -1.0 / 6, -0.25, -0.5, -0.75, -1};
 
