@@ -63,8 +63,8 @@ using namespace lattice;
 /**
 ## The experiments
 
-We strike a chain, follow the packet, smooth its path and find the turn. All that is measured of single packets comes
-from one list of impacts: */
+We strike a chain, follow the packet, smooth its path and find the turn. The tables `turns`, `acceleration` and `onward`
+come from one list of impacts: */
 struct Experiment {
   double v0 = 0, s = 1, time = 1200;  // followed until then
   std::size_t sites = 150;            // so many that nothing comes back from the far end
@@ -121,9 +121,9 @@ TwoRuns<ImpactRun> two_runs(const Experiment& of, double step) {
 }
 
 /**
-The beads of the packet oscillate with a period of about four, and $X$ oscillates with them. So `smooth` averages it
-over 15 units (`path_smoothing`) with the weight $1+\cos(2\pi t/15)$. Every number read from the path has an error from
-the step and one from the smoothing: what twice the step and half the width change. */
+The beads of the packet oscillate, and $X$ oscillates with them. So `smooth` averages it over 15 units
+(`path_smoothing`) with the weight $1+\cos(2\pi t/15)$. Numbers read from the path, but for `centre` of `acceleration`,
+have an error from the step and one from the smoothing: what twice the step and half the width change. */
 struct Packet {
   Experiment with{};
   TurnEstimate turn;
@@ -255,8 +255,8 @@ until [9.7e2 ± 1e1](cell:predictable/noise=1e-4/t), shortly after the reflectio
 times; the later part of its map is one possibility among many.
 
 Long after the first reflection the motion is erratic, as the article says. For $t > 1900$ the mean $\sigma_X$ is
-[8.9 ± 0.6](cell:predictable/noise=1e-6/late) sites; centres equally likely to be anywhere up to site 20 would have
-$20/\sqrt{12}\approx6$. So some packets go out farther than in the beginning, as figure 22 shows.
+[8.9 ± 0.6](cell:predictable/noise=1e-6/late) sites with $10^{-6}$ and [9 ± 3](cell:predictable/noise=1e-4/late) with
+$10^{-4}$, and the upper decile of the centres (figure 22) always farther out than the first turning point.
 
 ![Spread of the centres against time for two widths of the interval of impacts. Drawn by x51_spread.gp: `deviation`
 against `t` from the table `ensemble`.](fig:x51) */
@@ -307,7 +307,7 @@ void report_ensemble(Report& report) {
 }
 
 /**
-A map of snapshots would show spurious stripes, since it would sample the packet's oscillation at nearly its own rate.
+A map of snapshots would show spurious stripes, since it would sample the packet's oscillation too rarely.
 So figure 22 shows averages over one to five units of time. Of the reflections only the first is measured. */
 void report_maps(Report& report) {
   Table& table = report.table("density_maps");
@@ -351,7 +351,7 @@ force, constant or not, would have the same speed both times. At $v_0=1.5$ the p
 [0.0651 ± 0.0007](cell:acceleration/s=1/velocity=1.5/t=870/speed) at 870.
 
 To put a number on *almost constant* we compare the acceleration *at the turn*, above nine tenths of the turning point,
-with that on the way out, for $100<t<220$. At exactly 1.9, where the packet hovers, it is
+with that on the way out, around $t = 160$. At exactly 1.9, where the packet hovers, it is
 [-6e-5](cell:turns/s=1/velocity=1.9/at_turn), only [0.14](statement:boomeron.constant_force) of it; at 1.93, which
 rounds to 1.9 too, two thirds. In figure 22 the path looks like a parabola, since it is off one by only
 [0.060 ± 0.002](cell:turns/s=1/velocity=1.9/parabola) of its range (root mean square). This says little: a wedge, the
@@ -408,8 +408,8 @@ Why does a packet turn? The article guesses that it is the waves which are confi
 are there: behind the packet beads move with up to [0.27](cell:turning_profiles/t=238/n=15/v), a third of the packet's
 largest velocity; a few sites ahead of it all are at rest. If they caused the turn, a packet without them would go on.
 Volume two (`sec34_boomeron_map`) absorbs what is more than six sites behind the packet: each of four packets that turn
-then goes at least twice as far, as the article's guess predicts. But absorbed at the end that was hit only, the waves
-let the packet turn, though farther out; so what acts is close behind it, waves or its own rear, and how is open. */
+then goes at least twice as far, as the article's guess predicts. But waves absorbed at the struck end (tried at
+1.9) let the packet turn, though farther out; so what acts is close behind, waves or its own rear, and how is open. */
 void report_profiles(Report& report) {
   const Packet whole = packet_of({v0_fig23}, finer_step({v0_fig23}, report));
   Table &profiles = report.table("turning_profiles"), &near = report.table("close_to_turning");
@@ -441,7 +441,7 @@ of the figures $\chi$ is a hundredth at $s=0.005$, and the packet of 1.9 is almo
 at $4.4\cdot10^3$, and the others of the table do not as long as we follow them; 1.6 to 1.8 at $s=1$, with $\chi$ from
 2.0 to 2.4, are followed until 300 only. So no threshold can be read off, and weaker packets may turn farther out.
 
-| | $\chi$ | followed until | turning point, site | centre at the end, site |
+| | $\chi$ | followed until | turning point, site | centre 15 before, site |
 |---|---|---|---|---|
 | $s=0.005$, $v_0=132$ | 7.6 | 400 | [26.8](cell:turns/velocity=132/apex_site) | |
 | $s=1$, $v_0=1.9$ | 2.6 | 1200 | [20.1](cell:turns/velocity=1.9/apex_site) | |

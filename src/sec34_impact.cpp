@@ -15,9 +15,9 @@ sites are counted by energy. For the second there are limits:
 
 - *Energy.* The packet has less than half of the energy that the same impact gives it in linear wells from $v_0 = 1.54$
   on at $s = -\frac16$ (except at 2.11, the last impact before an escape) and from 0.65 on at $s = -0.7$.
-- *Where it stays.* Most of what these packets lack is on the first five sites, except after three impacts just before
-  the first escape: there a second, slower and much stronger packet has it. After weaker impacts it is spread more
-  widely: of what the packet of 0.8 lacks at $s=-\frac16$ the five sites have 20 per cent.
+- *Where it stays.* Compared with linear wells the first five sites gain more than half of what these packets lose,
+  except after three impacts just before the first escape: there a second, slower and much stronger packet has it. After
+  weaker impacts it is spread more widely: after 0.8 at $s=-\frac16$ the five sites gain 20 per cent of it.
 - *Surface mode.* It swings about a periodic orbit, which is unstable; yet the mode survives.
 - *Blow-up.* From a threshold up to the end of the scan every impact ejects a bead, but below it impacts after which a
   bead escapes alternate with others.
@@ -96,9 +96,9 @@ For each velocity of the sweep we compute the speed, the slope of the least-squa
 maximum in time of $e_{n'}$ while $20 < X < 60$; and the fractions of all energy in the packet when it passes site 60,
 and on the first sites then.
 
-A bead that passes the maximum of a soft well, at $|y| = |s|^{-1/2}$, escapes to infinity. A curve ends below the first
-velocity at which a bead escapes (*The blow-up*); its last 0.05 are marked in the figure (`ending`), since the first
-bead almost escapes there before it returns, and the outcome is erratic. */
+A bead escapes to infinity only beyond the maximum of a soft well, at $|y| = |s|^{-1/2}$. A curve ends below the first
+velocity at which a bead escapes (*The blow-up*); its last 0.05 are marked in the figure (`ending`), since the outcome
+is erratic there. */
 struct SweptWell {
   double s, largest_v0;
   double scan_from = 0, scan_to = 0;
@@ -185,9 +185,9 @@ void report_sweep(Report& report, const std::vector<std::optional<double>>& ends
 ## The error against the step
 
 How good are these numbers? We repeat the impact of 0.94 at $s=-0.7$ with fixed steps and equal samples. The differences
-of speed, energy and peak to a step of 1/160 fall irregularly, from 0.2 to 1/80 on the average with the powers 4.2, 4.9
-and 4.2 of the step: less than the method's six, presumably as contact events fall at other places within each step. At
-the longest step of the tables, 0.2, they are below $10^{-6}$. The errors in the tables are larger, since they include
+of speed, energy and peak to a step of 1/160 fall irregularly, from 0.2 to 1/80 on the average with a power of the step
+between four and five: less than the method's six, presumably as contact events fall at other places within each step.
+At the longest step of the tables, 0.2, they are below $10^{-6}$. The errors in the tables are larger: they include
 that of the fitted line, limited by the ripple of $X(t)$, and the distance of the samples.
 
 ![Error of speed, energy and peak against the step. Drawn by x50_error_against_step.gp from the table
@@ -284,7 +284,7 @@ five sites in the run, [0.355](cell:surface_orbit/trapped).
 | of the periodic orbit | [0.752](cell:surface_mode/n=1/orbit) | [0.302](cell:n=2/orbit) | [0.132](cell:n=3/orbit) | [0.042](cell:n=4/orbit) | [0.011](cell:n=5/orbit) |
 
 So the first three beads are, to ten per cent, those of a breather at the end of the chain; the next two move up to 2.3
-times as far, in waves that pass. Without precompression small oscillations have the frequency 1 only, and 0.862 and its
+times as far. Without precompression small oscillations have the frequency 1 only, and 0.862 and its
 multiples miss it: the breather has no linear wave to radiate into. Surprisingly it is unstable:
 [1](cell:surface_orbit/unstable) Floquet multiplier lies outside the unit circle, at
 [-1.12](cell:surface_orbit/multiplier). A disturbance changes its sign and grows tenfold in twenty periods. Yet the
@@ -489,10 +489,10 @@ which a bead escapes is 2.113 ± 0.001 and the largest at which none does is 2.5
 ± 0.0005 and 1.1130 ± 0.0005 at $s = -0.7$; in between, bands of escape and survival alternate. (computed)
 <!-- /blowup.bands -->
 
-Every velocity is run with two steps on a chain that nothing can cross within the time. Where the *outcomes* differ, the
-velocity is disputed and counts for neither edge of the band. The error of an edge is the spacing of the grid. Both
-scans begin with survivors above the energy bound and end with escapes, none of which is late. Below the scans there is
-only the sweep of figure 19, until the packet has passed site 60; no bead escapes there.
+Every velocity is run with two steps on a chain whose last bead stays at rest. Where the *outcomes* differ, the velocity
+is disputed and counts for neither edge of the band. The error of an edge is the spacing of the grid, which would miss a
+narrower band. Both scans begin with survivors above the energy bound and end with escapes, none of which is late. Below
+the scans there is only the sweep of figure 19, until the packet has passed site 60; no bead escapes there.
 
 | | $s = -\frac16$ | $s = -0.7$ |
 |---|---|---|
