@@ -5,8 +5,8 @@ How does a defect scatter a travelling breather, in a system that one can build?
 Cuevas (Physica D 251, 2013) proposes an array of stiff beams, clamped at both ends, with a bead on either side of each.
 We strike the first beam and compute how much energy a beam with larger or smaller beads reflects, transmits and keeps.
 Heavy beads reflect the packet almost totally, as the article says, and so do much lighter ones. Between 0.8 and 1.2
-radii one number decides what is transmitted: how far the defect is detuned from its neighbours, over the amount by
-which the packet oscillates faster. Only beads of 0.90 to 0.96 radii trap more than 5 per cent of what arrives.
+radii one number nearly decides what is transmitted: how far the defect is detuned from its neighbours, over the amount
+by which the packet oscillates faster. Only at 0.90 to 0.96 radii is over 5 per cent of what arrives near it at 75 ms.
 
        V      n = 1   2   3          99   100  101
       --->       o|o o|o o|o   ...   o|o  O|O  o|o   ...     two beads on each, which touch their neighbours
@@ -227,14 +227,14 @@ While its contacts are open a beam swings alone, at the frequency $\mu_n^{-1/2}$
 linear stiffness. So the linearised array has no band of waves but two frequencies only, 1 and that of the defect, and
 no linear theory of scattering: all transport is nonlinear. The contacts push a beam back, which raises its frequency
 with the amplitude, in the packet by 0.10. In the DpS equation (`sec31_dps_limit`) the coupling term does this and
-carries energy from beam to beam; a defect adds its detuning $\mu^{-1/2}-1$ as a frequency of its own. Only the ratio of
-the two can then matter, detuning over frequency shift, as long as the equation holds.
+carries energy from beam to beam; a defect adds its detuning $\mu^{-1/2}-1$ as a frequency of its own. If $\mu$ and
+$\eta$ are one in the coupling, only the ratio of the two can then matter, detuning over frequency shift.
 
 ![Transmitted energy against the detuning of the defect over the frequency shift of the packet. Drawn by
 x66_detuning_law.gp: `transmitted` over `scaled` from `impacts`.](fig:x66)
 
-It is so: after impacts of 0.5, 1 and 2 m/s the transmitted fractions fall nearly on one curve, for light defects as for
-heavy ones, with radii from 0.8 to 1.2. Half is transmitted where the detuning is 0.4 of the shift. */
+After impacts of 0.5, 1 and 2 m/s, with radii from 0.8 to 1.2, it is nearly so: light and heavy defects transmit equally
+to 3 per cent up to a ratio of 0.4, where half is transmitted; beyond, light ones up to 30 per cent less. */
 void report_law(Report& report, const TwoRuns<WatchedRun>& of_article, const TwoSteps& steps) {
   const std::vector<double> impacts{0.5, 1, 2};  // m/s
   std::vector<double> radii{0.8, 0.9, 0.95, 1.05, 1.1, 1.2};
@@ -279,8 +279,8 @@ At a shift of 0.10 all defects of radii that differ by more than 15 per cent ref
 | 5 | [0.1414](cell:defect_map/ratio=5/linear_frequency) | [0.9984](cell:net_reflected) | [0.0016](cell:net_near) | | almost total |
 | 10 | [0.0503](cell:defect_map/ratio=10/linear_frequency) | [0.9926](cell:net_reflected) | [0.0074](cell:net_near) | | almost total |
 
-A surprise: beads of 10 radii, almost a wall, reflect *less* than those of 5. What they do not reflect is on the defect
-itself, [0.0025](cell:defect_map/ratio=10/on_defect) of all energy and only 4 millionths at 5 radii. A guess: the packet
+A surprise: beads of 10 radii, almost a wall, reflect *less* than those of 5. Of all energy 0.0032 is near them, and
+[0.0025](cell:defect_map/ratio=10/on_defect) on the defect itself, only 4 millionths at 5 radii. A guess: the packet
 pushes to one side only, so the defect feels a mean push as long as the packet lasts. A defect of 5 radii, whose period
 alone is 1.1 ms, can follow it; one of 10, with 3.2 ms, is hit and left swinging.
 
@@ -350,15 +350,14 @@ ours has a hundred beams more here.
 | no defect, sites 80 to 100 | | [0.00390](cell:trapped/ratio=1/t=75/before) | [0.00398](cell:t=100/before) |
 | 0.925 radii, sites 96 to 104 | | [0.0470](cell:trapped/ratio=0.925/t=75/near) | [0.0469](cell:t=100/near) |
 
-So energy is trapped, twice what the wave train leaves on these sites: none goes within 25 ms, and both rows grow by
-what the train still brings. But loosely: of that on the nine sites around the defect, a fraction of
-[0.727](cell:trapped/ratio=1.6/t=100/near_left) is left. Without linear coupling so little has nothing to carry it away.
+So these sites hold twice what they hold without a defect, and after 25 ms no less; what comes and goes meanwhile we did
+not compute. On the nine sites around the defect a fraction of [0.727](cell:trapped/ratio=1.6/t=100/near_left) is left.
 
-Light defects keep more, most at 0.9375 radii (figure x09). To be in tune with the packet, at 1.10, is not enough. A
+Light defects hold more, most at 0.9375 radii (figure x09). To be in tune with the packet, at 1.10, is not enough. A
 defect of 0.925 radii, pushed by its neighbours, has the frequency [1.106](cell:light_defect/ratio=0.925/in_run) after
 the passage and one of 0.85 [1.112](cell:light_defect/ratio=0.85/in_run), but this keeps only
-[0.0032](cell:trapped/ratio=0.85/t=75/near) of all energy. What singles out 0.9375 we do not know. That energy stays is
-no surprise: without contact the neighbours oscillate at 1. */
+[0.0032](cell:trapped/ratio=0.85/t=75/near) of all energy. What singles out 0.9375 we do not know. That energy stays at
+0.925 is no surprise: without contact the neighbours oscillate at 1. */
 constexpr double later = 100;           // ms
 constexpr std::size_t trap_sites = 20;  // from the gap to the defect
 
@@ -422,10 +421,11 @@ void report_trapped(Report& report, const TwoSteps& steps) {
 /**
 ## How well it is known
 
-All numbers come from two runs, with steps of 0.1 and 0.05 in units of $\tau_c$ (0.2 and 0.1 in the scans), and the
-difference is the error. The energies converge (figure x54), at no steady order, since contact events fall differently
-into the steps (`secA_integrators`); at 0.1 their errors are below $10^{-7}$. The force, from a parabola through three
-samples, is the least accurate. None of this moves a printed digit; definitions do.
+Our numbers come from two runs, with steps of 0.1 and 0.05 in units of $\tau_c$ (0.2 and 0.1 in the scans), and the
+difference is the error; figures 24 and x69 show one run, with 0.1 and 0.05. The energies converge (figure x54), at no
+steady order, since contact events fall differently into the steps (`secA_integrators`); at 0.1 their errors are below
+$10^{-7}$. Of the packet's numbers the duration above 1/2 is the least accurate. None of this moves a printed digit;
+definitions do.
 
 ![Error of the results against the step. Drawn by x54_defect_convergence.gp, from `convergence`.](fig:x54)
 
