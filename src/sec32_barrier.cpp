@@ -88,14 +88,14 @@ void measure(BreatherPair& pair) {
 }
 
 /**
-In the soft and the linear well the two energies differ by 2.1 parts in a million at most and typically by $10^{-7}$ to
-$10^{-8}$, so that three digits of the barrier need nine to eleven digits of each energy. `measure_in`
-(breather_pairs.hpp) finds each breather twice, with tolerances of the flow of 128 and 2048 machine epsilons; the error
-is the difference, which may be small by chance, plus 2048 machine epsilons of the energy (512 at equal area). At 1.1 in
-the linear well double precision gives [1.6242e-11](cell:barriers/s=0/omega=1.1/equal_frequency), and 64 bits
-[1.62422e-11](cell:key_pairs/s=0/omega=1.1/equal_frequency). A run with 113 bits lies within both errors
-(tests/lattice/orbits/breather.cpp); an independent program with another integrator (`tests/second`) finds both barriers
-to its own accuracy.
+In the soft and the linear well the two energies differ by 2.1 parts in a million at most, with medians of
+$2\cdot10^{-7}$ and $1.7\cdot10^{-8}$ over `barriers`: three digits of the barrier need nine to eleven of each energy.
+`measure_in` (breather_pairs.hpp) finds each breather twice, the flow to 128 and 2048 machine epsilons; the error is the
+difference, which may be small by chance, plus 2048 epsilons of the energy or, if more, of $\omega_bH'/64$ (512 of the
+energy at equal area). At 1.1 in the linear well double precision gives
+[1.6242e-11](cell:barriers/s=0/omega=1.1/equal_frequency), and 64 bits
+[1.62422e-11](cell:key_pairs/s=0/omega=1.1/equal_frequency). A 113-bit run lies within both errors
+(tests/lattice/orbits/breather.cpp); an independent program (`tests/second`) finds both barriers to its own accuracy.
 
 ## Two predictions
 
@@ -174,7 +174,7 @@ void report_key(Report& report) {
 ## The barrier against frequency (figure 7)
 
 Both families are continued by arclength from $\omega_b = 1.005$ to 2 in steps of a sixtieth. In the soft well they end
-at 1.9, with steps a fifth as long from 1.8 on; its branches turn back near 1.912
+at 1.9, with steps a fifth as long from 1.8 on; its site-centred branch turns back near 1.912
 (`build/bin/sec32_newton_breathers breather --omega 1.95 --s -0.1666667` says where). Each dip of the figure is a change
 of sign. From the fourth soft zero on each distance is 0.65 to 0.74 of the one before, so that their number
 depends on where we stop.
@@ -185,9 +185,9 @@ times in the linear well and once in the hard one, $s = 1$, for $\omega_b$ betwe
 well, $s = -\frac16$, for $\omega_b$ up to 1.9. (computed)
 <!-- /barrier.signs -->
 
-$E_{PN}$ is as predicted (circles): in the soft and the linear well the two values differ by 3 parts in $10^5$ at most,
-next to the zeros too. In the hard well, where the barriers are no longer small, the second-order terms grow, from 0.1
-per cent at 1.5, [-8.651e-5](cell:barriers/s=1/omega=1.5/predicted) against
+The circles take the derivative from its formula, so they only show the second-order terms: 3 parts in $10^5$ at most in
+the soft and the linear well, next to the zeros too. In the hard well these terms grow from 0.1 per cent at 1.5,
+[-8.651e-5](cell:barriers/s=1/omega=1.5/predicted) against
 [-8.643e-5](cell:barriers/s=1/omega=1.5/equal_frequency), to 43 per cent at 2. At equal area there are
 [13](cell:zeros/s=-1/6/equal_area) zeros in the soft well and [6](cell:zeros/s=0/equal_area) in the linear one, one
 fewer than at equal frequency, and one of those before each: they alternate. `frequency_of_zero` finds those of
@@ -281,8 +281,8 @@ barrier of the soft well is three orders below the printed value, and at equal a
 the printed value, which therefore probably belongs to that well.
 
 The signs at 1.1 hold a surprise: in the soft and the linear well the stable breather is the one around the bond, in the
-hard well the one around the site (section 3.3), and each time it has the *higher* energy at equal area. The reason is
-that the effective mass of a moving breather is negative (`sec33_mobility`): it rests where the energy is largest.
+hard well the one around the site (section 3.3), and each time it has the *higher* energy at equal area. In the linear
+well the effective mass of a moving breather is negative (`sec33_mobility`): it rests where the energy is largest.
 
 | $\omega_b$, $s$ | $\lvert E_{PN}\rvert$, article | $E_{PN}$ | $\tilde E_{PN}$ |
 |---|---|---|---|

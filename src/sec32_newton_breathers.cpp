@@ -74,7 +74,7 @@ const double alpha = contact.exponent();
 constexpr std::size_t article_steps = 5, most_steps = 10;  // of Newton's method
 constexpr double least_kept = 1e-5;  // least singular value over the largest, if chosen
 constexpr std::array searched{1.01, 1.1, 1.3, 1.5, 2.};  // frequencies, without symmetry
-constexpr double perturbation = 1e-3;  // of the start of these searches, at random
+constexpr double perturbation = 1e-3;  // at most, of each position at the start
 constexpr unsigned long seed = 7;
 constexpr std::array small_and_large{1.01, 1.1};  // frequencies of figures 2 and 3, y_101 and y_110
 constexpr int periods = 100;                      // of figure 4
@@ -140,7 +140,7 @@ Tsironis, Phys. Rev. Lett. 77, 1996). Its singular value becomes small only clos
 The residual over it then gives a fourth step [6.30e-3](cell:convergence/equations=whole_period/steps=4/step) long, a
 shift along the chain; the new residual is quadratic in it. If least squares leave out the singular values below
 $10^{-5}$, there is no rise, but what is left of the residual along the pinning mode is never corrected. Symmetry
-excludes this mode. The article's numbers resemble those without it, but it does not say so, and we do not judge them.
+excludes this mode. The article's numbers are more like those without it; it does not say if it kept it.
 
 | after 5 steps, over the amplitude | change in a whole period | last step |
 |---|---|---|
@@ -199,12 +199,12 @@ void report_convergence(Report& report) {
 /**
 ## Are the breathers really symmetric?
 
-Since the symmetries are imposed, finding them in the result proves nothing. We therefore search without them: all
-positions are unknown, the start is perturbed at random, and the only condition is that the chain is at rest at $T_b/2$
+Since the symmetries are imposed, finding them in the result proves nothing. We change each position of the symmetric
+breather at random by up to 0.1 per cent, and Newton's method knows only that the chain is at rest at $T_b/2$
 (`without_symmetry`). In extended precision (a 64-bit mantissa), at five frequencies in the linear well, both symmetries
-are restored to $10^{-9}$ of the amplitude (`newton.symmetry`), which is about the tolerance, $1.4\cdot10^{-17}$, times
-the largest condition number of $DR$, [6.89e7](cell:symmetry/centre=site/omega=1.5/condition). In a continuous family of
-asymmetric breathers of one frequency $DR$ would be singular, so none passes through these; others are possible. */
+return to $10^{-9}$ of the amplitude (`newton.symmetry`), about the tolerance, $1.4\cdot10^{-17}$, times the largest
+condition number of $DR$, [6.89e7](cell:symmetry/centre=site/omega=1.5/condition). Since $DR$ is regular, no continuous
+family of asymmetric breathers of one frequency passes here; others are possible. */
 std::string name_of(Centre centre) {
   return centre == Centre::site ? "site" : "bond";
 }
@@ -269,10 +269,10 @@ void report_profiles(Report& report) {
 /**
 ## A hundred periods (figure 4)
 
-The article finds the positions visually equal after a hundred periods; they have moved by
+The article finds the positions visually equal after 100 periods; positions and velocities have changed by
 [3e-12 ± 2e-12](cell:hundred_periods/moved) of the amplitude. Yet this breather is unstable (section 3.3). But the one
-real multiplier above 1, that of the pinning mode, is
-[1.000214](cell:sec33_floquet/site_against_s/s=0/largest_modulus): in 100 periods a disturbance grows by 2 per cent.
+real multiplier above 1 is [1.000214](cell:sec33_floquet/site_against_s/s=0/largest_modulus): along its eigenvector a
+disturbance grows by 2 per cent in 100 periods. In each, a velocity shifts the breather.
 
 ![The breather at the start and after a hundred periods.](fig:04) */
 void report_persistence(Report& report) {
