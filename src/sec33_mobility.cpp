@@ -421,7 +421,7 @@ the minimum to reach the maximum. A kick gives it the speed
 $$V_0 = \frac\Omega\pi\,\frac{c}{c_c},\qquad c_c^2 = 2\,\Bigl|\frac{\tilde E_{PN}}\varphi\Bigr|,$$
 where $\varphi$ is that of the breather at the start, around a site the site-centred one. No constant is fitted. The
 pendulum turns back where $\sin\pi X = c/c_c$, which after the weak kick of figure 15 is within 0.0003 sites of what we
-found. Its mean speed over a site is the arithmetic-geometric mean of the speeds at the maximum and at the minimum of the
+found. Its mean speed over a site is the arithmetic-geometric mean of the speeds at the maximum and the minimum of the
 potential, whose squares differ by $(\Omega/\pi)^2$ (`pendulum_speed`). In the chain we time the passage over one site
 from the first and from the second average of $X$. From just above the threshold, where the breather lingers near the
 maximum, to kicks 40 times as strong, chain and pendulum agree to $10^{-4}$, as the lower panel shows.
@@ -464,7 +464,7 @@ bond-centred one is 3 per cent too fast; stretched, it has nearly the printed sp
 printed, without the root of the sum, the norm is [63.00](cell:printed_norm/norm), and $c = 3\cdot10^{-6}$ would depin
 every breather. Neither gives the printed threshold, nor, in linear theory, a kick along the mode, with $c_c^2$ lower
 by the factor $(\xi\cdot g)^2$, [0.993](cell:small_amplitude/omega=1.1/along). But in short runs a breather on its way
-may be called pinned. So we time the passage after the printed $c_c$, and where the site-centred one is by then. */
+may be called pinned. We time the passage after the printed $c_c$: where is the site-centred one in figure 15 then? */
 void report_short_run(Report& report, const Plan& plan, const RestingBreather& bond,
                       const TwoRuns<KickedPath>& site) {
   const TwoRuns<KickedPath> runs{decided_path(bond, c_printed, plan.unchecked.fine, longest_run),
