@@ -58,10 +58,10 @@ using namespace lattice;
 Newton's method finds the breather, around a bond with its central contact stretched or compressed. `after` gives its
 beads the velocities $c\,g_n$ and integrates the equation of motion; a `KickedPath` has the averages of $X$ (kick.hpp,
 kick_threshold.hpp). A breather that starts at a bond is *free*, or depinned, once it is 0.6 sites away, beyond the site
-at 0.5, and *pinned* if it comes back by 0.02 sites before that (`mobility_of`). Reported numbers come from two runs,
-and their difference is the error: with two lengths of the steps of a Runge-Kutta-Nyström method of order six, or, for
-the long runs after weak kicks, with five and with fourteen forces a step. In both, contacts that open or close get
-their exact impulse. */
+at 0.5, and *pinned* if it comes back by 0.02 sites before that (`mobility_of`). Most numbers come from two runs, and
+their difference is in the error: with two lengths of the steps of a Runge-Kutta-Nyström method of order six, for `weak`
+and `threshold` below also with five and with fourteen forces a step. In both, contacts that open or close get their
+exact impulse. */
 constexpr double omega_b = 1.1, s = 0;  // of the breathers: frequency, anharmonicity of the wells
 constexpr double c_strong = 2e-4, c_weak = 3e-6, c_printed = 6.19e-6;  // kicks, and the printed c_c
 constexpr double longest_run = 3e5;                                    // near the threshold
@@ -70,7 +70,7 @@ constexpr std::size_t to_travel = 52, to_stay = 22;  // sites around a bond, one
 /// The largest steps, and how long we follow a breather.
 struct Plan {
   using Steps = TwoRuns<EventCorrected>;
-  // As a kick is weaker and a run longer, `check_energy` needs shorter steps
+  // Weaker kicks, longer runs: `check_energy` needs shorter steps in the finer run
   Steps strong{.coarse = {0.2}, .fine = {0.1}};
   Steps weak{.coarse = {0.15}, .fine = fourteen_stages(0.047)};
   Steps threshold{.coarse = {0.15}, .fine = fourteen_stages(0.06)};
@@ -100,7 +100,7 @@ Breathers find_breathers(std::size_t sites) {
           resting_breather(Centre::bond, Phase::compressed, omega_b, sites, s)};
 }
 
-/// The energy may change by a hundredth of what the kick adds.
+/// In the runs that are checked, the energy may change by a hundredth of what the kick adds.
 void check_energy(const RestingBreather& at, double c, const KickedPath& path) {
   if (path.drift_margin(c, at.energy) < 100) throw Failure("the energy drifts");
 }
@@ -129,7 +129,7 @@ std::vector<TwoRuns<KickedPath>> kick_all(const std::vector<Trial>& trials, doub
 ## A strong kick (figure 14)
 
 Does the breather travel steadily, and does it keep its energy? It passes about 17 sites, in more than 5000
-oscillations. The speed is the slope of $X$, over the whole run and over every site. As a bound on the radiated energy
+oscillations. The speed is the slope of $X$, over the whole run and over every site. To estimate the radiated energy
 we take the largest fraction found more than five sites from the peak, over some 45000 samples. The caption of figure 14
 says that the kick is along the pinning mode itself, so we try this, too. */
 /// Writes the energy density at every fourth average to a table.
@@ -191,10 +191,10 @@ void report_strong(Report& report, const Plan& plan, const Breathers& at) {
 /**
 The speeds are [5.444898e-4 ± 3e-10](statement:moving.v_site) around a site and [5.362962e-4 ± 2e-10](statement:moving.v_bond) around a bond with its contact stretched
 ([5.52678e-4](cell:strong_kicks/breather=bond_compressed/speed) if it is compressed). From site to site they change by
-at most [5e-5 ± 2e-5](cell:strong_kicks/breather=site/unsteadiness) of themselves (*almost steadily*), and no more than
-[3.5e-9](cell:strong_kicks/breather=bond_compressed/outside) of the energy is outside (*negligible dispersion*). At the
-end of the run the chain has [2.00e-8 ± 4e-10](statement:moving.kick_energy) more energy than at rest, just what the
-kick added. Along the mode the speeds are [5.514e-4](cell:strong_kicks/breather=site_along_mode/speed) and
+at most [5e-5 ± 2e-5](cell:strong_kicks/breather=site/unsteadiness) of themselves (*almost steadily*); after kicks along
+$g$ at most [3.5e-9](cell:strong_kicks/breather=bond_compressed/outside) of the energy is outside (*negligible
+dispersion*). At the end the chain has [2.00e-8 ± 4e-10](statement:moving.kick_energy) more energy than at rest, just as
+added. Along the mode the speeds are [5.514e-4](cell:strong_kicks/breather=site_along_mode/speed) and
 [5.382e-4](cell:strong_kicks/breather=bond_along_mode/speed), farther from the printed ones. Both our speeds are lower
 than printed by one unit of the last digit; we do not know why. The direction is a surprise. Neighbours in these
 breathers have opposite signs, so that velocities $c\,g_n$ with $c > 0$ begin to shift the profile to the right; but it
@@ -393,7 +393,7 @@ How accurately must the energy be conserved? The kick at the threshold adds only
 energy. With a step of 0.4 the energy drifts by thousands of times as much, yet $c_c$ moves by only one part in $10^4$
 (figure x48). We guess that a drift changes the action slowly but does not accelerate the centre. At shorter steps $c_c$
 converges faster than the energy, and the three kicks limit it: their lines disagree by 9 parts in $10^5$, nearly the
-whole of its error. So some runs do without `check_energy` (`unchecked` in `Plan`); two steps give their errors.
+whole of its error. So `check_energy` sees only finer runs, and none that gives $c_c$ or is `unchecked` in `Plan`.
 
 ![Change of the threshold and drift of the energy against the step. Drawn by x48_threshold.gp from
 `threshold_steps`.](fig:x48) */
@@ -421,7 +421,7 @@ the minimum to reach the maximum. A kick gives it the speed
 $$V_0 = \frac\Omega\pi\,\frac{c}{c_c},\qquad c_c^2 = 2\,\Bigl|\frac{\tilde E_{PN}}\varphi\Bigr|,$$
 where $\varphi$ is that of the breather at the start, around a site the site-centred one. No constant is fitted. The
 pendulum turns back where $\sin\pi X = c/c_c$, which after the weak kick of figure 15 is within 0.0003 sites of what we
-found. Its mean speed over a site is the arithmetic-geometric mean of the speeds at the maximum and at the minimum of the
+found. Its mean speed over a site is the arithmetic-geometric mean of the speeds at the maximum and the minimum of the
 potential, whose squares differ by $(\Omega/\pi)^2$ (`pendulum_speed`). In the chain we time the passage over one site
 from the first and from the second average of $X$. From just above the threshold, where the breather lingers near the
 maximum, to kicks 40 times as strong, chain and pendulum agree to $10^{-4}$, as the lower panel shows.
@@ -460,11 +460,11 @@ void report_speeds(Report& report, const Plan& plan, const RestingBreather& site
 ## What else the article may mean
 
 The article's approximate breather, Eqs. (18) and (20), begins with the central contact compressed, but then the
-bond-centred one is 3 per cent too fast; stretched, its speed is the printed one, so we quote this phase. With $g$ as
+bond-centred one is 3 per cent too fast; stretched, it has nearly the printed speed, so we quote this phase. With $g$ as
 printed, without the root of the sum, the norm is [63.00](cell:printed_norm/norm), and $c = 3\cdot10^{-6}$ would depin
-every breather. Neither gives the printed threshold, nor does a kick along the mode, for which $c_c$ is lower by the
-factor $\xi\cdot g$, 0.996. But if the runs were short, a breather still on its way may have been called pinned. So we
-time the passage after the printed $c_c$, and see where the site-centred breather of figure 15 is by then. */
+every breather. Neither gives the printed threshold, nor, in linear theory, a kick along the mode, with $c_c^2$ lower
+by the factor $(\xi\cdot g)^2$, [0.993](cell:small_amplitude/omega=1.1/along). But in short runs a breather on its way
+may be called pinned. We time the passage after the printed $c_c$: where is the site-centred one in figure 15 then? */
 void report_short_run(Report& report, const Plan& plan, const RestingBreather& bond,
                       const TwoRuns<KickedPath>& site) {
   const TwoRuns<KickedPath> runs{decided_path(bond, c_printed, plan.unchecked.fine, longest_run),
