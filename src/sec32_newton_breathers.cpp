@@ -74,7 +74,7 @@ const double alpha = contact.exponent();
 constexpr std::size_t article_steps = 5, most_steps = 10;  // of Newton's method
 constexpr double least_kept = 1e-5;  // least singular value over the largest, if chosen
 constexpr std::array searched{1.01, 1.1, 1.3, 1.5, 2.};  // frequencies, without symmetry
-constexpr double perturbation = 1e-3;  // at most, of each position at the start
+constexpr double perturbation = 1e-3;                    // at most, of each position at the start
 constexpr unsigned long seed = 7;
 constexpr std::array small_and_large{1.01, 1.1};  // frequencies of figures 2 and 3, y_101 and y_110
 constexpr int periods = 100;                      // of figure 4

@@ -2,7 +2,7 @@
 # 3.4 Packets that reverse their direction in hard wells
 
 After an impact in hard wells, $s > 0$, the travelling breather slows down, turns round, comes back to the end that was
-hit and is reflected there. How far does it get, how does it slow down, and for how long can its motion be predicted?
+hit and is reflected there. How far does such a packet get, how does it slow down, and for how long can one predict it?
 Section 3.4 of James, Kevrekidis and Cuevas (Physica D 251, 2013) compares it with *boomerons*, solitons that reverse
 their direction, and says that
 

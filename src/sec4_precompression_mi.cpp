@@ -317,10 +317,10 @@ the most unstable ones that fit on the ring we find the same. With 31 wavelength
 |---|---|---|---|---|---|
 | wavelengths of the carrier | 25 for $s = -1/6$ | 25 | 52 | 24 | 31 |
 | unstable modulations $mQ$ | | [4](cell:breathers/s=-1/6/amplitude=0.15/modulations) | [7](cell:s=1/amplitude=0.15/waves=52/modulations) | [1](cell:s=0/waves=24/modulations) | [2](cell:waves=31/modulations) |
-| localized by the NLS equation at | | [6066](cell:breathers/s=-1/6/amplitude=0.15/by_nls) | [3264](cell:s=1/amplitude=0.15/waves=52/by_nls) | [37771](cell:s=0/waves=24/by_nls) | [29088](cell:waves=31/by_nls) |
+| localized by the NLS equation at | | [6.07e3](cell:breathers/s=-1/6/amplitude=0.15/by_nls) | [3.25e3](cell:s=1/amplitude=0.15/waves=52/by_nls) | [3.77e4](cell:s=0/waves=24/by_nls) | [2.909e4](cell:waves=31/by_nls) |
 | and in the chain at | | [6.50e3 ± 5e1](cell:breathers/s=-1/6/amplitude=0.15/localized) | [4.70e3 ± 5e1](cell:s=1/amplitude=0.15/waves=52/localized) | [3.635e4 ± 5e1](cell:s=0/waves=24/localized) | [2.800e4 ± 5e1](cell:waves=31/localized) |
-| their quotient, with $a = 0.15$ | | [1.072 ± 0.008](cell:breathers/s=-1/6/amplitude=0.15/over_nls) | [1.44 ± 0.02](cell:s=1/amplitude=0.15/waves=52/over_nls) | [0.962 ± 0.001](cell:s=0/waves=24/over_nls) | [0.963 ± 0.002](cell:waves=31/over_nls) |
-| with $a = 0.075$ | | [1.002 ± 0.003](cell:breathers/s=-1/6/amplitude=0.075/over_nls) | [1.076 ± 0.005](cell:s=1/amplitude=0.075/over_nls) | | |
+| their quotient, with $a = 0.15$ | | [1.072 ± 0.009](cell:breathers/s=-1/6/amplitude=0.15/over_nls) | [1.44 ± 0.02](cell:s=1/amplitude=0.15/waves=52/over_nls) | [0.964 ± 0.001](cell:s=0/waves=24/over_nls) | [0.963 ± 0.002](cell:waves=31/over_nls) |
+| with $a = 0.075$ | | [1.002 ± 0.003](cell:breathers/s=-1/6/amplitude=0.075/over_nls) | [1.078 ± 0.006](cell:s=1/amplitude=0.075/over_nls) | | |
 | largest stretch of a contact over $d$ | | [0.736](cell:breathers/s=-1/6/amplitude=0.15/stretch) | [1.04](cell:s=1/amplitude=0.15/waves=52/stretch) | [0.492](cell:s=0/waves=24/stretch) | [0.86](cell:waves=31/stretch) |
 | least width at half height, sites | larger for $s = 0$ | [7.08](cell:breathers/s=-1/6/amplitude=0.15/least_width) | [7.13](cell:s=1/amplitude=0.15/waves=52/least_width) | [31.2](cell:s=0/waves=24/least_width) | [7.0 ± 0.1](cell:waves=31/least_width) |
 | largest density over the mean, 60 after localization | | [10.2](cell:breathers/s=-1/6/amplitude=0.15/peak_over_mean) | [9.91](cell:s=1/amplitude=0.15/waves=52/peak_over_mean) | [5.29](cell:s=0/waves=24/peak_over_mean) | [6.4](cell:waves=31/peak_over_mean) |

@@ -57,7 +57,7 @@ struct Impact {
   WhichPacket packet = WhichPacket::foremost;
 };
 
-/// The same impact on a chain so long that nothing crosses it within the time of the run; its own length is ignored.
+/// The same impact on a chain so long that, by estimate, nothing crosses it in that time; its own length is ignored.
 /// Throws std::invalid_argument for a chain with masses and stiffnesses, since how they go on is not known.
 Impact on_long_chain(Impact impact);
 

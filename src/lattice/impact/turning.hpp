@@ -32,8 +32,8 @@ struct Turn {
 /// out by `again` sites. The first stop is sought beyond site `clear`, where the packet has left the end.
 Turn find_turn(const Path& path, double back = 5, double again = 3, double clear = 8);
 
-/// Sampling every 0.2 units of time resolves the internal oscillation, whose period is about four. The smoothing covers
-/// four of these periods, still short compared with the hundreds of units that a packet takes to turn.
+/// Sampling every 0.2 units of time resolves the internal oscillation, whose period is that of a bead in its well. The
+/// smoothing covers several of these periods, still short compared with the hundreds of units that a packet takes to turn.
 inline constexpr double path_smoothing = 15, path_sampling = 0.2;
 
 /// The turn of a path smoothed over `width`. Throws std::invalid_argument for fewer than three samples.
