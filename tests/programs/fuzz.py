@@ -78,7 +78,7 @@ class Line:
         self.words, self.output = [name] if name else [], None
         share = chance.choice([0, 0, 0, 0.3, 1])  # of bad values in this line
         asked = {option for option in options if chance.random() < 0.4} | {o for o in options if o in SIZES or o in LOOSE}
-        for option in sorted(asked - FREE, key=lambda _: chance.random()):
+        for option in sorted(sorted(asked - FREE), key=lambda _: chance.random()):  # sets have another order in every run
             self.add(chance, option, options[option], chance.random() < share)
         if chance.random() < 0.1:
             self.words += chance.choice([["--bogus"], ["--bogus=1"], ["-q"], ["word"], ["--s"], ["--", "x"], ["=", "--="]])
