@@ -127,7 +127,8 @@ double largest_of(double before, double here, double after) {
   return std::max(std::abs(after), is_between ? std::abs(parabola.extremum()) : 0);
 }
 
-/// The largest |y_app - y_n| of any bead, up to each of the horizons `until`; the last is the longest.
+/// The largest |y_app - y_n| of any bead, up to each of the horizons `until`; the last is the
+/// longest.
 std::vector<double> deviations(const Start& start, const Well& well, double eps,
                                const std::vector<double>& until, const Resolution& resolution) {
   // The DpS equation, real and imaginary parts in turn
@@ -135,7 +136,8 @@ std::vector<double> deviations(const Start& start, const Well& well, double eps,
   std::vector<double> a, before(sites), here(sites);
   for (const std::complex<double>& A : start.A) a.insert(a.end(), {A.real(), A.imag()});
 
-  // The chain takes event-corrected steps; after each of them GSL brings the DpS equation to the same time
+  // The chain takes event-corrected steps; after each of them GSL brings the DpS equation to the
+  // same time
   std::vector<double> largest(until.size());
   double tau = 0;
   const auto observe = [&](const State<double>& now) {

@@ -81,7 +81,8 @@ BreatherPair find_pair(double s, double omega) {
   return pair;
 }
 
-/// Both barriers, with 64 bits where double precision does not give one of them to 3 parts in a thousand.
+/// Both barriers, with 64 bits where double precision does not give one of them to 3 parts in a
+/// thousand.
 void measure(BreatherPair& pair) {
   measure_in<double>(pair);
   if (!settled(pair.equal_frequency) || !settled(pair.equal_area)) measure_in<Wide>(pair);
@@ -317,7 +318,8 @@ to the residual nearly as by a detuning, but the last step is three million time
 mode both numbers are more like the article's, and the energy is off by
 [-8.4e-14](cell:sec32_newton_breathers/convergence/equations=without_pinning_mode/energy_excess), 17 times too little
 and with the other sign. The printed last step allows [7.6e-15](cell:accuracy/energy_of_variation). */
-/// How far the energy is off if the printed residual is that of the exact breather of a slightly different frequency.
+/// How far the energy is off if the printed residual is that of the exact breather of a slightly
+/// different frequency.
 double energy_of_residual(double detuning) {
   Shooting<double> problem = conditions(Centre::site, printed_omega, linear);
   const Orbit<double> orbit = find_breather(problem);
@@ -329,7 +331,8 @@ double energy_of_residual(double detuning) {
   return std::abs(other.energy - orbit.energy) * printed_residual / residual;
 }
 
-/// At most how far, if every bead is off by the printed variation; at rest the slope of the energy is -acceleration.
+/// At most how far, if every bead is off by the printed variation; at rest the slope of the energy
+/// is -acceleration.
 double energy_of_variation(int coarser) {
   const Shooting<double> problem = conditions(Centre::site, printed_omega, linear);
   const Orbit<double> orbit = find_breather(problem, Phase::compressed, rule<double>(coarser));

@@ -99,7 +99,8 @@ struct Iterate {
 };
 using Path = std::vector<Iterate>;
 
-/// x <- x - DR(x)^-1 R(x) from the ansatz, without the directions whose singular value is below `least`.
+/// x <- x - DR(x)^-1 R(x) from the ansatz, without the directions whose singular value is below
+/// `least`.
 Path iterate(const Shooting<double>& problem, int coarser, double least) {
   Vector<double> x =
       problem.reduce(ansatz(Centre::site, problem.omega, sites, Phase::compressed, contact));
@@ -108,7 +109,8 @@ Path iterate(const Shooting<double>& problem, int coarser, double least) {
     const Evaluation<double> now = problem.evaluate(x, rule<double>(coarser).events);
     const Vector<double>& R = now.residual;
     const Matrix<double>& DR = now.jacobian;
-    // The unit of a bead is its own displacement, since the tail falls so fast; in least squares it is the largest
+    // The unit of a bead is its own displacement, since the tail falls so fast; in least squares it
+    // is the largest
     const auto unit = problem.sizes(x, DR.rows() == DR.cols());
     const Vector<double> step = solve_scaled<double>(DR, R, unit, least);
     path.push_back({x, sup(R) / sup(x), sup(step) / sup(x), condition_of(DR)});
@@ -170,7 +172,8 @@ Row row_of(const char* equations, std::size_t k, const TwoRuns<Path>& paths,
 }
 
 void report_convergence(Report& report) {
-  // The same iteration on a quarter of the period and on the whole, with and without the pinning mode
+  // The same iteration on a quarter of the period and on the whole, with and without the pinning
+  // mode
   const auto both = [](const Shooting<double>& equations, double least) {
     return TwoRuns<Path>{iterate(equations, 1, least), iterate(equations, 0, least)};
   };

@@ -105,7 +105,8 @@ void check_energy(const RestingBreather& at, double c, const KickedPath& path) {
   if (path.drift_margin(c, at.energy) < 100) throw Failure("the energy drifts");
 }
 
-/// A breather, as tables name it, and how it is followed after its kick; `observer` sees the finer run.
+/// A breather, as tables name it, and how it is followed after its kick; `observer` sees the finer
+/// run.
 struct Trial {
   const char* name;
   RestingBreather breather;

@@ -76,7 +76,8 @@ struct Case {
   State<double> start() const { return struck(sites, 2 * eps); }  // Eq. (26)
   Field dps_start() const { return dps_impact(sites); }           // Eq. (25)
 };
-/// Between these times, more than one oscillation about t = 8090, heights are compared at so many instants.
+/// Between these times, more than one oscillation about t = 8090, heights are compared at so many
+/// instants.
 constexpr double heights_from = 8085, heights_to = 8095;
 constexpr std::size_t instants = 201;
 
@@ -301,7 +302,8 @@ excess in amplitude and 40 of that in speed. The rest, with exponents from 0.17 
 
 ![DpS equation against chain. Drawn by x49_dps_discrepancy.gp: (a) `speed`, `amplitude` and the same with the same start
 against `root`, from `discrepancy`; (b) `chain` and `dps` of `heights` against `t`.](fig:x49) */
-/// The largest value of `series`, one entry a sample, while the packet moves over the last sites of its path.
+/// The largest value of `series`, one entry a sample, while the packet moves over the last sites of
+/// its path.
 Estimate largest_over(double last_sites, Path path, const std::vector<double>& series) {
   path.peak = series;
   return path.largest_peak(path.centre.back() - last_sites, path.centre.back());

@@ -307,7 +307,8 @@ struct WatchedBeads : ImpactRun {
   }
 };
 
-// Displacements when bead 1 was at rest between two samples, by the trapezoidal rule back from the second one
+// Displacements when bead 1 was at rest between two samples, by the trapezoidal rule back from the
+// second one
 std::vector<double> at_rest(const State<double>& before, const State<double>& now) {
   const double back = now.v[0] / (now.v[0] - before.v[0]);  // fraction of the interval
   std::vector<double> y = now.y;

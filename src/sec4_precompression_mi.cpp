@@ -94,7 +94,8 @@ struct Ring {
 };
 constexpr double figure_26 = 6619;  // its time
 
-// How a ring is followed: until this time, or this multiple of the time at which the energy localizes
+// How a ring is followed: until this time, or this multiple of the time at which the energy
+// localizes
 struct RingRun {
   Ring ring;
   double time, multiple = INFINITY;
@@ -102,7 +103,8 @@ struct RingRun {
   double step = 0.8;    // in the coarser one of two runs
   bool splits = false;  // whether we ask how its pulse splits
 };
-// The most unstable wavenumbers on the ring; another one; half the amplitude. `report_rings` adds other ones to `hard`
+// The most unstable wavenumbers on the ring; another one; half the amplitude. `report_rings` adds
+// other ones to `hard`
 const RingRun soft{.ring = {}, .time = 14000, .quick = 7000, .step = 0.4, .splits = true},
     linear{.ring = {.s = 0, .waves = 24}, .time = 150000, .multiple = 1.2},
     narrow{.ring = {.s = 0, .waves = 31}, .time = 60000, .multiple = 1.5},
@@ -131,7 +133,8 @@ const std::vector<Strike> strikes{
     {.s = 1, .compression = 0.05, .time = 2000, .quick = 300, .step = 0.07}};
 constexpr double closed_step = 0.4;  // while no contact opens, in the coarser run
 constexpr double averaged = 20;      // time over which a number of sites is averaged
-// Largest relative change of the energy where contacts open, where none does, and on the article's ring
+// Largest relative change of the energy where contacts open, where none does, and on the article's
+// ring
 constexpr double drift_open = 1e-6, drift_closed = 1e-8, drift_ring = 1e-9;
 
 struct Motion {
@@ -240,7 +243,7 @@ State<double> akhmediev(const Ring& ring, double t) {
   }
   return state;
 }
-/// When its energy is localized first, to one oscillation of the carrier, which the density at an instant depends on.
+/// When its energy is localized first, to one oscillation of the carrier.
 Estimate nls_time(const Ring& ring) {
   const double peak = by_nls(ring).peak, carrier = 2 * pi / ring.nls().omega;
   double t = peak / 2;
@@ -351,7 +354,8 @@ two runs with different steps stays below 0.1 to $t =$ [14000](cell:breathers/s=
 sees the pulse split at the end of a long transient and prints no time. */
 void report_rings(Report& report) {
   std::vector<RingRun> all{linear, narrow, soft, soft_half, hard_half};
-  // In hard wells all unstable wavenumbers (quick: one in 8) whose time by the NLS equation is within the run
+  // In hard wells all unstable wavenumbers (quick: one in 8) whose time by the NLS equation is
+  // within the run
   const int every = report.quick ? 8 : 1;
   for (int waves = int(hard.ring.N) / 2 - every; waves > 0; waves -= every) {
     RingRun run = hard;
@@ -499,7 +503,8 @@ void report_breather(Report& report, const std::vector<Struck>& all) {
     const auto& [coarse, fine] = runs;
     for (std::size_t k = 0; k < fine.shown.size(); ++k) {
       const TwoRuns<Snapshot> shot{coarse.shown[k], fine.shown[k]};
-      // The carrier makes the number of sites oscillate; what half of the time would give is part of its error
+      // The carrier makes the number of sites oscillate; what half of the time would give is part
+      // of its error
       const auto over = [&](double time) {
         return runs.of(
             [&](const Motion& run) { return mean_sites(run.samples, strike.figures[k], time); });
