@@ -342,7 +342,7 @@ void reproduce(Report& report) {
 
 **To change it.** Parameters are the constants after the derivation, another start is an entry of `starts` (figure x02
 draws three, for `alpha = 1.5`), another well a struct like `Asymmetric` in the list `wells`. With `alpha = 1.75` the
-orders should tend to 1.75.
+orders should tend to 1.75, in other wells more slowly than `limit` assumes: the force $y^2$ still misses it by 0.04.
 
 1. *Easy.* Does a packet of the chain move as the DpS equation says?
    `build/bin/sec34_impact run --velocity 0.01 --time 1000` gives `speed` = 0.02531. Hint: an impact of velocity $v_0$
