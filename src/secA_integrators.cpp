@@ -418,8 +418,9 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** Another method is one more `Tested` and a name in `report_orders`; other impacts are `velocities`,
-another well is the second member of the chains. A contact force that begins like $(t-t^*)^\alpha$ should limit ordinary
-methods to the order $1+\alpha$; for `PowerContact{3}` in place of `Hertz{}` that is 4.
+another well is the second member of the chains (not a soft one: with `Quartic{-0.1}` the program stops). A contact
+force that begins like $(t-t^*)^\alpha$ should limit ordinary methods to the order $1+\alpha$; for `PowerContact{3}` in
+place of `Hertz{}` that is 4.
 
 1. *Harder.* Which step does Verlet's method need for a packet?
    `build/bin/sec34_impact run --velocity 1.8 --s 1 --time 50` gives `centre` = 8.78688. Hint: let the program of
