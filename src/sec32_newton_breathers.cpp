@@ -434,7 +434,7 @@ void report_small_amplitude(Report& report) {
 **To change it.** The frequency of the first breather is `omega_b`, up to 1.1, and `sites` its chain. `s` is the well of
 the chapter; below zero the branches turn back before 2, and the last of `searched` has to be smaller (1.7 for
 $s = -0.5$). Another contact is for instance `bare(PowerContact{1.8})` (then `least_kept` is $10^{-3}$); another well
-replaces `Quartic{anharmonicity}` in `conditions`.
+replaces `Quartic{anharmonicity}` in `conditions` (with `Pendulum{}` the last of `searched` is 1.7).
 
 1. *Easy.* How does the amplitude grow with $\omega_b - 1$?
    `build/bin/sec32_newton_breathers breather --centre bond --omega 1.002` gives `amplitude` = 3.53917e-6. Hint: at

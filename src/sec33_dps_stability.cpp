@@ -380,9 +380,10 @@ void reproduce(Report& report) {
 
 ## Try it
 
-**To change it.** The constants of the experiment are its knobs; another noise is a row of `all_groups`. Times should go
-like $1/|\sigma|$, and not much beyond 500: under relative noise two breathers turn back at the ends. With `alpha` = 2
-(and `largest_drift` = 1e-7) `margins` has 0.00243 around a site and no breather leaves its bond.
+**To change it.** The constants of the experiment are its knobs; another noise is a row of `all_groups`. With
+`mu_in_motion` the tolerances and `amplitude` (but for `relative_noise`) should go like $\mu^2$, and the times like
+$1/|\sigma|$, at $\mu = 10$ not much beyond 500: under relative noise two breathers turn back at the ends. With
+`alpha` = 2 (and `largest_drift` = 1e-7) `margins` has 0.00243 around a site and no breather leaves its bond.
 
 1. *Easy.* DpS breathers of all frequencies are alike. In the chain this holds in the limit $\omega_b\to1$:
    `build/bin/sec32_barrier barrier --omega 1.001` gives `equal_frequency` = 1.164686e-18, and

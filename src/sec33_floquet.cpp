@@ -460,8 +460,9 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** `omega_b` is the frequency of figures 11 to 13 (with 1.15 the exchange moves to 0.0188; the run stops
-if there is none between $s = -1$ and 1), `wells` and `frequencies` span the plane, `deltas` leads to $\omega_b = 1$.
-Another well or contact is set in `problem_at` (exchange.hpp), or by `multipliers --well`, `--contact`, `--mass-ratio`.
+if there is none between $s = -1$ and 1, or, as with 1.2, if the site-centred breather is stable at $s = 0$), `wells`
+and `frequencies` span the plane, `deltas` leads to $\omega_b = 1$. Another well or contact is set in `problem_at`
+(exchange.hpp), or by `multipliers --well`, `--contact`, `--mass-ratio`.
 
 1. *Easy.* At a slightly higher frequency the exchange lies elsewhere:
    `build/bin/sec33_floquet exchange --centre bond --omega 1.15` gives `s0` = 0.018781. Hint: follow it on. Where
