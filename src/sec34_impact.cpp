@@ -587,9 +587,9 @@ std::vector<std::optional<double>> report_blowup(Report& report) {
 
 ## Try it
 
-**To change it.** Another well of figure 19 is a row of `wells` and a curve in its script (and, to be judged, a number in
-`soft_wells` of the statements); its scan has to begin with survivors and end with escapes, or the program says so.
-Another kind of well is `Quartic` in `impact_with`; one that beads cannot leave needs no scan. Packets end at `fit_to`.
+**To change it.** Another well of figure 19 is a row of `wells` and a curve in its script (and, to be judged, a number
+in `soft_wells` of the statements). Its `largest_v0` must not exceed that of the first row, whose packets its own are
+divided by; its scan has to begin with survivors and end with escapes, or the program says so. Packets end at `fit_to`.
 
 1. *Easy.* Where is the energy in a soft well? `build/bin/sec34_impact run --s -0.7 --velocity 0.9` gives
    `boundary_energy_fraction` = 0.76318 and `packet_energy_fraction` = 0.073459. Hint: with `--s 0` the packet has 0.43,
