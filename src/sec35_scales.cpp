@@ -348,8 +348,8 @@ void reproduce(Report& report) {
 
 **To change it.** `cradle`, `cantilevers` and `array_velocity` are at the top; materials and dimensions are the members
 of `CantileverArray` (cantilever.hpp), such as `.length = 30e-3`, and `scales` takes them, too. Another law of contact
-is the third member of `Chain` in `packet_of` and `collide`; `collision_by_energy` and the DpS equation have to change
-too.
+is the third member of `Chain` in `packet_of` and `collide`; `slowest`, which ends a run, `collision_by_energy` and the
+DpS equation have to change too.
 
 1. *Easy.* Strike the array at a tenth of the speed: `build/bin/sec35_scales scales --velocity 0.1` gives
    `lambda` = 0.11702 and `contact_time` = 1.79796e-4. Hint: $\tau_h$ goes like $V^{-1/5}$.

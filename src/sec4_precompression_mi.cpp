@@ -601,9 +601,10 @@ void reproduce(Report& report) {
 ## Try it
 
 **To change it.** The constants stand at the top; with another `d` or `v_0` the statements and the cells that name the
-article's values no longer apply. If a contact opens late, raise `closed`; if energy is lost, halve `Strike::step` and
-`closed_step`. Another well is `Quartic` in `Ring::chain` and `motion_after`, but `coefficients` knows this one only.
-The criterion for localization is `is_localized`, the exponents are in `traits` (packets.cpp).
+article's values no longer apply. With a smaller `d`, such as 0.3, lower the amplitudes of the rings, too, or the
+program stops. If a contact opens late, raise `closed`; if energy is lost, halve `Strike::step` and `closed_step` (at
+`v_0 = 2.5` once is not enough). Another well is `Quartic` in `Ring::chain` and `motion_after`, but `coefficients` knows
+this one only. The criterion for localization is `is_localized`, the exponents are in `traits` (packets.cpp).
 
 1. *Easy.* Is there a compression at which phonons of linear wells are unstable on both sides of $q_c$?
    `build/bin/sec4_precompression_mi band --d 4 --s 0` gives `unstable_to_2` = 1.424. Hint: where does $\beta$ vanish?
