@@ -8,6 +8,6 @@ int main() {
   const auto site = breather_problem(Centre::site, 1.1, Harmonic{}, 31);
   const auto bond = breather_problem(Centre::bond, 1.1, Harmonic{}, 32);
   const Barrier<double> gap = barrier(site, find_breather(site), find_breather(bond));
-  std::cout << "at equal frequency " << gap.equal_frequency << ", at equal area " << gap.equal_area
-            << '\n';
+  std::cout << "at equal frequency " << gap.equal_frequency << ", at equal area "
+            << gap.equal_action << '\n';
 }

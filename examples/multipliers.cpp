@@ -13,7 +13,7 @@ int main() {
     rule.tolerance *= coarser;
     return floquet_pairs(problem.chain, orbit.start, orbit.period(), rule);
   };
-  const Pair pinning = compare_pairs(pairs(16), pairs(1)).front();
+  const MultiplierPair pinning = pairs_with_errors(pairs(16), pairs(1)).front();
   std::cout << "multipliers " << multiplier(pinning.kappa, -1) << " and "
             << multiplier(pinning.kappa, 1) << ", error " << pinning.multiplier_error() << '\n';
 }

@@ -165,11 +165,12 @@ RestingOrbit orbit_from_rest(const Chain& chain, const State<double>& guess, dou
   const Shooting<Wide> wider = with_period(problem, period);
   RestingOrbit out{{found, newton(wider, orbit, shortest_step<Wide>()), {}}, {}, 1};
   for (std::size_t n = 0; n < chain.sites; ++n)
-    out.y.push_back(compare(orbit.start.y[n], double(out.wide.start.y[n])));
+    out.y.push_back(with_error(orbit.start.y[n], double(out.wide.start.y[n])));
   // Half a period shows all positions
   constexpr int parts = 64;
   const Wide wide = half_range(chain, out.wide.start, out.wide.period() / Wide(2), 2 * parts);
-  out.amplitude = compare(half_range(chain, orbit.start, orbit.period() / 2, parts), double(wide));
+  out.amplitude =
+      with_error(half_range(chain, orbit.start, orbit.period() / 2, parts), double(wide));
   out.repeats = repeats_of(chain, orbit.start, orbit.period(), out.amplitude.value);
   return out;
 }

@@ -12,7 +12,7 @@ sites per unit of time; in hard wells velocity 1.9 sends out one that turns roun
 breather, its middle bead and those on one side (c).](fig:x36)
 
 The code needs Eigen and, of our library, a least-squares line (`fit_line`), tables (rows of names and values), and
-`compare(coarse, fine)`: the finer value, with its difference from the coarser one as error.
+`with_error(coarse, fine)`: the finer value, with its difference from the coarser one as error.
 
 <!-- head -->
 `build/bin/sec1_the_chain` computes this chapter in less than 1 s on two cores and writes 5 tables to
@@ -236,7 +236,7 @@ void report_tail(Report& report, int steps) {
       table.add({{"side", ahead ? "ahead" : "behind"},
                  {"beads", k},
                  {"log_ratio",
-                  compare(std::log(coarse[n] / coarse[next]), std::log(fine[n] / fine[next]))}});
+                  with_error(std::log(coarse[n] / coarse[next]), std::log(fine[n] / fine[next]))}});
     }
 }
 
@@ -327,7 +327,7 @@ Estimate converged(Table& table, const char* number, double time, int steps, int
     now = of(steps);
     table.add({{"number", number}, {"h", time / steps}, {"change", std::abs(now / last - 1)}});
   }
-  return compare(last, now);
+  return with_error(last, now);
 }
 
 void report_numbers(Report& report) {

@@ -32,7 +32,7 @@ localized state (c, d).](fig:x16)
 
 #include "lattice/diagnostics/observe.hpp"          // energy_density, window_sum
 #include "lattice/events/event_driven.hpp"          // largest, largest_difference
-#include "lattice/gsl/random.hpp"                   // shaken
+#include "lattice/gsl/random.hpp"                   // perturbed
 #include "lattice/gsl/reference.hpp"                // Reference: GSL
 #include "lattice/integrators/event_corrected.hpp"  // evolve
 #include "lattice/model/chain.hpp"                  // Chain, State, vary, contact_push
@@ -116,11 +116,11 @@ whose amplitude $A$, with one harmonic kept, follows from $\omega^2A = 2c_1(2A)^
 0.458$ of $\cos t$ in $(\cos t)_+^{3/2}$, and deform it in four steps, `part` = 0.25 to 1. Between walls we start from
 the same $A$, though a bead meets a wall with overlap $A$, not $2A$. */
 Chain uneven_chain(std::size_t sites, Ends ends, double alpha, double part) {
-  Chain chain{sites, None{}, PowerContact{1.5 + part * (alpha - 1.5)}, ends};
+  Chain chain{sites, NoWell{}, PowerContact{1.5 + part * (alpha - 1.5)}, ends};
   std::vector<double> mass(sites, 1), gamma(sites + 1, 1);
-  gamma = shaken(gamma, unevenness * part, contact_seed);    // random
-  if (ends == Ends::periodic) gamma.back() = gamma.front();  // one contact of a ring
-  vary(chain, shaken(mass, unevenness * part, mass_seed), gamma);
+  gamma = perturbed(gamma, unevenness * part, contact_seed);  // random
+  if (ends == Ends::periodic) gamma.back() = gamma.front();   // one contact of a ring
+  vary(chain, perturbed(mass, unevenness * part, mass_seed), gamma);
   return chain;
 }
 
@@ -181,9 +181,9 @@ void report_means(Report& report, const std::vector<Motion>& motions) {
     // A ring has its first contact twice
     const std::size_t contacts = m.chain.ends == Ends::periodic ? m.chain.sites : m.chain.sites + 1;
     for (std::size_t i = 0; i < contacts; ++i) {
-      if (!m.chain.pushes(i)) continue;  // a free end
+      if (!m.chain.has_contact(i)) continue;  // a free end
       table.add(
-          {{"motion", m.name}, {"n", i + 1}, {"force", compare(coarse.push[i], fine.push[i])}});
+          {{"motion", m.name}, {"n", i + 1}, {"force", with_error(coarse.push[i], fine.push[i])}});
     }
   }
 }
@@ -198,7 +198,7 @@ beside the central bead, averaged from the start up to $t$ (by the trapezoidal r
 event-corrected (event_corrected.hpp), and half of their length gives the error. The program stops if the motion reaches
 an end of the chain or the energy drifts: such a loss could pass for dispersal. */
 std::vector<Motion> localized(const State<double>& breather, double duration) {
-  const Chain free{long_chain, None{}}, wells{long_chain, Harmonic{}};
+  const Chain free{long_chain, NoWell{}}, wells{long_chain, Harmonic{}};
   const std::size_t middle = long_chain / 2;
   const State<double> rest(long_chain), standing = resized(breather, long_chain);
   State<double> displaced = rest, kicked = rest, pair = rest;
@@ -267,8 +267,8 @@ void report_dispersal(Report& report, const State<double>& breather) {
     for (std::size_t i = 0; i < fine.t.size(); ++i)
       table.add({{"motion", m.name},
                  {"t", fine.t[i]},
-                 {"core", compare(coarse.core[i], fine.core[i])},
-                 {"mean", compare(coarse.mean[i], fine.mean[i])}});
+                 {"core", with_error(coarse.core[i], fine.core[i])},
+                 {"mean", with_error(coarse.mean[i], fine.mean[i])}});
   }
 }
 

@@ -205,7 +205,7 @@ Estimate limit(const std::vector<Estimate>& values) {
     const Estimate &a = values[last - 1], &b = values[last];
     return Estimate{2 * b.value - a.value, 2 * b.error + a.error};
   };
-  return compare(from(values.size() - 2), from(values.size() - 1));
+  return with_error(from(values.size() - 2), from(values.size() - 1));
 }
 
 /**

@@ -85,7 +85,7 @@ BreatherPair find_pair(double s, double omega) {
 /// thousand.
 void measure(BreatherPair& pair) {
   measure_in<double>(pair);
-  if (!settled(pair.equal_frequency) || !settled(pair.equal_area)) measure_in<Wide>(pair);
+  if (!settled(pair.equal_frequency) || !settled(pair.equal_action)) measure_in<Wide>(pair);
 }
 
 /**
@@ -122,11 +122,11 @@ $E_{PN}$, at [1.0146](cell:sign_changes/s=0/zero=1/omega), is already felt:
 |---|---|---|---|---|
 | ratio over $-\delta/5$ | [1.01](cell:key_pairs/s=0/omega=1.0005/over_law) | [1.02](cell:omega=1.001/over_law) | [1.04](cell:omega=1.002/over_law) | [1.48](cell:omega=1.01/over_law) |
 
-<!-- barrier.equal_area -->
+<!-- barrier.equal_action -->
 As $\omega_b \to 1$ the barrier between the site- and bond-centred breathers at equal area ($2\pi$ times the action) is
 $-(\omega_b-1)/5$ times that at equal frequency: much smaller and of opposite sign. At $\omega_b = 1.1$ in the linear
 well it is -2.352e-13, against 1.624e-11 at equal frequency. (computed)
-<!-- /barrier.equal_area --> */
+<!-- /barrier.equal_action --> */
 constexpr std::array small_amplitude{1.0005, 1.001, 1.002};  // of the law, linear well only
 constexpr std::array key_frequencies{1.01, 1.1, near_zero - beside, near_zero, near_zero + beside,
                                      1.5};
@@ -157,11 +157,11 @@ void report_key(Report& report) {
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const BreatherPair& pair = pairs[i];
       const double law = (pair.omega - 1) / 5;  // times -1
-      const Estimate ratio = quotient(pair.equal_area, pair.equal_frequency);
+      const Estimate ratio = quotient(pair.equal_action, pair.equal_frequency);
       table.add({{"s", s},
                  {"omega", pair.omega},
                  {"equal_frequency", pair.equal_frequency},
-                 {"equal_area", pair.equal_area},
+                 {"equal_area", pair.equal_action},
                  {"energy_site", pair.energy[0]},
                  {"energy_bond", pair.energy[1]},
                  {"over_law", Estimate{-ratio.value / law, ratio.error / law}},
@@ -213,9 +213,9 @@ Families report_barriers(Report& report) {
            {"energy_bond", energy_bond},
            {"amplitude_bond", amplitude_bond},
            {"equal_frequency", pair.equal_frequency},
-           {"equal_area", pair.equal_area},
-           {"predicted", Estimate{pair.equal_area.value - pair.omega * pair.slope_area.value,
-                                  pair.equal_area.error + pair.omega * pair.slope_area.error}},
+           {"equal_area", pair.equal_action},
+           {"predicted", Estimate{pair.equal_action.value - pair.omega * pair.slope_action.value,
+                                  pair.equal_action.error + pair.omega * pair.slope_action.error}},
            {"relative", modulus(quotient(pair.equal_frequency, energy_bond))}});
     }
   }
@@ -231,7 +231,7 @@ void report_zeros(Report& report, const Families& families) {
     int area = 0;
     for (std::size_t k = 1; k < pairs.size(); ++k) {
       const BreatherPair &left = pairs[k - 1], &right = pairs[k];
-      area += left.equal_area.value * right.equal_area.value < 0;
+      area += left.equal_action.value * right.equal_action.value < 0;
       if (left.equal_frequency.value * right.equal_frequency.value > 0) continue;
       before.push_back(left);
       after.push_back(right);
@@ -346,8 +346,8 @@ void report_accuracy(Report& report) {
   BreatherPair pair = find_pair(linear, printed_omega);
   measure_in<Wide>(pair);
   report.table("accuracy")
-      .add({{"energy", compare(energy_of_residual(2e-6), energy_of_residual(1e-6))},
-            {"energy_of_variation", compare(energy_of_variation(1), energy_of_variation(0))},
+      .add({{"energy", with_error(energy_of_residual(2e-6), energy_of_residual(1e-6))},
+            {"energy_of_variation", with_error(energy_of_variation(1), energy_of_variation(0))},
             {"excess",
              Estimate{printed_barrier - pair.equal_frequency.value, pair.equal_frequency.error}}});
 }

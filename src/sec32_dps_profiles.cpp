@@ -28,7 +28,7 @@ its quasi-continuum approximation.
 #include "lattice/model/quasi_continuum.hpp"
 #include "lattice/model/sites.hpp"
 #include "lattice/numerics/estimate.hpp"
-#include "lattice/quadruple/extended.hpp"
+#include "lattice/quadruple/quadruple.hpp"
 #include "lattice/standing/stationary.hpp"
 #include "report/program.hpp"
 
@@ -245,7 +245,7 @@ void reproduce(Report& report) {
   report.table("support").add(Row{
       {"half_width", position(1, 1)}, {"residual", departure(1)}, {"control", departure(0.99)}});
   report.table("norms").add(
-      Row{{"gap", compare(gap(site.coarse, bond.coarse), gap(site.fine, bond.fine))}});
+      Row{{"gap", with_error(gap(site.coarse, bond.coarse), gap(site.fine, bond.fine))}});
 }
 
 /**

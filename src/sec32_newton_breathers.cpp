@@ -160,7 +160,7 @@ Row row_of(const char* equations, std::size_t k, const TwoRuns<Path>& paths,
   };
   const auto condition = [&](const Path& path) { return path[k].soft.condition; };
   const auto pinning = [&](const Path& path) {
-    return alignment(path[k].soft.softest, gradient({path[k].x.begin(), path[k].x.end()}));
+    return alignment(path[k].soft.softest, discrete_gradient({path[k].x.begin(), path[k].x.end()}));
   };
   return Row{{"equations", equations},
              {"steps", k},
@@ -219,7 +219,7 @@ void report_symmetry(Report& report) {
       const auto found = without_symmetry(conditions(centre, omega), perturbation, seed);
       table.add({{"centre", name_of(centre)},
                  {"omega", omega},
-                 {"broken", compare(0.0, found.broken)},
+                 {"broken", with_error(0.0, found.broken)},
                  {"condition", found.condition}});
     }
 }
@@ -297,7 +297,7 @@ void report_persistence(Report& report) {
   for (std::size_t i = 0; i < start.y.size(); ++i)
     table.add({{"n", site_number(i, start.y.size())},
                {"y_start", start.y[i]},
-               {"y_end", compare(end.coarse.y[i], end.fine.y[i])}});
+               {"y_end", with_error(end.coarse.y[i], end.fine.y[i])}});
 }
 
 /**
@@ -326,7 +326,7 @@ void report_tail(Report& report) {
     const double before = n == 0 ? undefined.value : wide.exponent(n < 0 ? n + 1 : n - 1);
     table.add({{"n", n},
                {"size", known ? Estimate{size(n), std::abs(double(size(n) - wide(n)))} : undefined},
-               {"exponent", compare(before, wide.exponent(n))},
+               {"exponent", with_error(before, wide.exponent(n))},
                {"double_log", wide.double_log(n)},
                {"law", wide.double_log(last) + double(std::abs(n) - last) * std::log(alpha)}});
   }
@@ -366,7 +366,7 @@ void report_branches(Report& report) {
                {"amplitude_site", pair.amplitude[0]},
                {"energy_bond", pair.energy[1]},
                {"energy_site", pair.energy[0]},
-               {"asymmetry", compare(asymmetry(coarse), asymmetry(pair.orbit[0]))},
+               {"asymmetry", with_error(asymmetry(coarse), asymmetry(pair.orbit[0]))},
                {"amplitude_gap", Estimate{ratio.value - 1, ratio.error}},
                {"energy_gap", quotient(pair.equal_frequency, pair.energy[1])}};
   };
@@ -401,8 +401,8 @@ void report_small_amplitude(Report& report) {
       const auto orbits = breathers_at(conditions(centre, omega_b, well), {1.0005, lowest, 1.01});
       others.add({{"s", double(well)},
                   {"centre", name_of(centre)},
-                  {"exponent", compare(growth_exponent(orbits.at(1), orbits.at(2)),
-                                       growth_exponent(orbits.at(0), orbits.at(1)))}});
+                  {"exponent", with_error(growth_exponent(orbits.at(1), orbits.at(2)),
+                                          growth_exponent(orbits.at(0), orbits.at(1)))}});
     }
   }
 }

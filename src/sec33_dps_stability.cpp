@@ -46,7 +46,7 @@ returns both signs of it. */
 #include "commands/one_spectrum.hpp"
 #include "lattice/dps/evolve.hpp"
 #include "lattice/numerics/parallel.hpp"
-#include "lattice/quadruple/extended.hpp"
+#include "lattice/quadruple/quadruple.hpp"
 #include "report/program.hpp"
 #include "sec33/dps_motion.hpp"
 
@@ -72,8 +72,8 @@ PinnedBreather breather_at_rest(Centre centre) {
   return PinnedBreather(stationary<double>(centre, mu_in_motion, sites_of(centre, alpha), alpha));
 }
 
-DpsRun follow(const PinnedBreather& breather, Field v, double time, const Accuracy& accuracy,
-              const DpsObserver& observer = {}) {
+DpsRun run_from(const PinnedBreather& breather, Field v, double time, const Accuracy& accuracy,
+                const DpsObserver& observer = {}) {
   const Dps chain{.sites = v.size(), .near_end = Ends::free, .exponent = alpha, .rate = 1};
   const auto samples = std::size_t(std::ceil(accuracy.samples * time));
   const double rest = breather.centre == Centre::bond ? 0.5 : 0, start = energy(v, false, alpha);
@@ -92,7 +92,7 @@ DpsRun follow(const PinnedBreather& breather, Field v, double time, const Accura
     observer(t, now);
   };
   const double norm_drift =
-      evolve_dps(TurningDps{chain, breather.mu}, v, time, samples, accuracy.tolerance, observe);
+      evolve_dps(RotatingDps{chain, breather.mu}, v, time, samples, accuracy.tolerance, observe);
   run.drift = std::max(run.drift, norm_drift);
   if (run.drift > largest_drift) throw Failure("norm or energy drifts by " + short_text(run.drift));
   return run;
@@ -223,7 +223,7 @@ Estimate depinning_push(const PinnedBreather& bond, int halvings) {
   const auto depins = [&](double push, const Accuracy& accuracy) {
     Field v = bond.u;
     bond.pair.add({0, push}, v);
-    return follow(bond, v, 12 / bond.pair.rate, accuracy).farthest() > 1;
+    return run_from(bond, v, 12 / bond.pair.rate, accuracy).farthest() > 1;
   };
   double low = 0.8 * bond.pendulum_push(), high = 1.2 * bond.pendulum_push();
   for (int k = 0; k < halvings; ++k) {
@@ -269,8 +269,8 @@ void run_seeds(NoiseGroup& group, bool quick) {
   group.runs.fine.resize(seeds);
   parallel_for("perturbed breathers", seeds, [&](std::size_t i) {
     const Field v = group.perturbed(i + 1);
-    group.runs.coarse[i] = follow(group.breather, v, group.time, loose);
-    group.runs.fine[i] = follow(group.breather, v, group.time, tight);
+    group.runs.coarse[i] = run_from(group.breather, v, group.time, loose);
+    group.runs.fine[i] = run_from(group.breather, v, group.time, tight);
   });
 }
 
@@ -281,11 +281,12 @@ constexpr std::size_t map_seed = 10;
 
 void report_map(Report& report, const NoiseGroup& group) {
   Table& map = report.table(std::string("map_") + group.start);
-  follow(group.breather, group.perturbed(map_seed), run_time, {tight.tolerance, 0.5},
-         [&](double t, const Field& now) {
-           for (std::size_t i = 0; i < now.size(); ++i)
-             map.add({{"t", t}, {"n", site_number(i, now.size())}, {"density", std::norm(now[i])}});
-         });
+  run_from(
+      group.breather, group.perturbed(map_seed), run_time, {tight.tolerance, 0.5},
+      [&](double t, const Field& now) {
+        for (std::size_t i = 0; i < now.size(); ++i)
+          map.add({{"t", t}, {"n", site_number(i, now.size())}, {"density", std::norm(now[i])}});
+      });
 }
 
 /**
@@ -327,10 +328,10 @@ void add_departures(Table& table, const NoiseGroup& group) {
 
 void add_outcomes(Table& outcomes, Table& pushes, const NoiseGroup& group, const Estimate& least) {
   const double off = off_pendulum(group.runs.fine, least.value);
-  outcomes.add(
-      {{"noise", group.noise.name},
-       {"predicted", group.predicted_by(least)},
-       {"off_pendulum", compare(off_pendulum(group.runs.coarse, least.value + least.error), off)}});
+  outcomes.add({{"noise", group.noise.name},
+                {"predicted", group.predicted_by(least)},
+                {"off_pendulum",
+                 with_error(off_pendulum(group.runs.coarse, least.value + least.error), off)}});
   for (std::size_t i = 0; i < group.runs.fine.size(); ++i) {
     const DpsRun& run = group.runs.fine[i];
     pushes.add({{"noise", group.noise.name},

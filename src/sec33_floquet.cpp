@@ -71,13 +71,13 @@ $s$. `find_breather` solves the conditions on a breather by Newton's method from
 chain of `problem_at`, of 21 or 22 sites (the force on a bead beyond its ends would be below machine precision), and
 `newton_from` starts from a neighbouring breather. `spectrum` (exchange.hpp) integrates $F$, ending a step at every
 contact event, and takes the eigenvalues of $K$ perpendicular to $f$ (`floquet_pairs`), the smallest $|\kappa|$ first.
-The error of $\kappa$ is the difference from a tolerance 16 times as large, plus the symplectic defect of $F$. */
+The error of $\kappa$ is the difference from a tolerance 16 times as large, plus the symplectic error of $F$. */
 constexpr double omega_b = 1.1;   // figures 11 to 13
 constexpr int steps_to_one = 20;  // values of s between 0 and 1
 
 /// A breather at a place of the plane of omega_b and s, with its pairs.
 struct BreatherAt {
-  Spot spot;
+  PlanePoint spot;
   Orbit<double> orbit{};
   Spectrum spectrum{};
 };
@@ -187,7 +187,7 @@ Family family_of(Centre centre, int steps) {
   // Six more breathers
   add_beside(family, 0.001);
   const Estimate narrow = add_beside(family, 0.004), wide = add_beside(family, 0.01);
-  family.slope = compare(narrow, wide);
+  family.slope = with_error(narrow, wide);
   std::sort(all.begin(), all.end(),
             [](const auto& a, const auto& b) { return a.spot.s < b.spot.s; });
   return family;
@@ -263,11 +263,12 @@ void report_printed_exchanges(Report& report) {
   for (const auto& [centre, printed] : printed_exchanges)
     for (const double rounding : {-0.005, 0.0, 0.005}) {
       const auto problem = problem_at(centre, {omega_printed, printed + rounding});
-      const Pair pinning = spectrum<double>(problem, find_breather(problem)).pairs.front();
+      const MultiplierPair pinning =
+          spectrum<double>(problem, find_breather(problem)).pairs.front();
       table.add({{"centre", name_of(centre)},
                  {"s", printed + rounding},
                  {"kappa", Estimate{pinning.kappa.real(), pinning.error}},
-                 {"beyond_one", from_one(pinning)}});
+                 {"beyond_one", distance_from_one(pinning)}});
     }
 }
 
@@ -287,15 +288,15 @@ void report_pinning_mode(Report& report, Table& harmonic, Centre centre) {
   const auto problem = problem_at(centre, {omega_b, 0});
   const Orbit<double> orbit = find_breather(problem);
   const Spectrum all = spectrum<Wide>(problem, orbit);
-  const Vector<double> g = gradient(orbit.start.y).normalized();
+  const Vector<double> g = discrete_gradient(orbit.start.y).normalized();
   const double in_double = alignment(spectrum<double>(problem, orbit).mode, g);
   const double cosine = alignment(all.mode, g);
   const auto degrees = [](double x) { return std::acos(x) * 180 / std::numbers::pi; };
   harmonic.add({{"centre", name_of(centre)},
                 {"kappa", all.kappa()},
                 {"others", excess(all.pairs, 1)},
-                {"cosine", compare(in_double, cosine)},
-                {"angle", compare(degrees(in_double), degrees(cosine))}});
+                {"cosine", with_error(in_double, cosine)},
+                {"angle", with_error(degrees(in_double), degrees(cosine))}});
 
   // Both vectors, bead by bead; the sign of an eigenvector is chosen as that of the gradient
   const Vector<double> mode = all.mode.dot(g) < 0 ? -all.mode : all.mode;
@@ -344,7 +345,7 @@ Estimate extrapolated_to_zero(const std::vector<Estimate>& x) {
   const auto line = [](const Estimate& far, const Estimate& near) {
     return Estimate{2 * near.value - far.value, 2 * near.error + far.error};
   };
-  return compare(line(x[n - 3], x[n - 2]), line(x[n - 2], x[n - 1]));
+  return with_error(line(x[n - 3], x[n - 2]), line(x[n - 2], x[n - 1]));
 }
 
 void report_slow(Report& report) {
@@ -418,8 +419,8 @@ void report_plane(Report& report, Table& table, const Family& near) {
       table.add({{"centre", name_of(near.centre)},
                  {"omega", spot.omega_b},
                  {"s", spot.s},
-                 {"fourth", from_one(all.pairs[0])},
-                 {"fifth", from_one(all.pairs[1])},
+                 {"fourth", distance_from_one(all.pairs[0])},
+                 {"fifth", distance_from_one(all.pairs[1])},
                  {"others", excess(all.pairs, 1)},
                  {"largest", excess(all.pairs)},
                  {"at_edge", at_edge(all.pairs, spot.omega_b)}});

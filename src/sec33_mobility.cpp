@@ -226,7 +226,7 @@ TwoRuns<KickedPath> report_weak(Report& report, const Plan& plan, const Breather
   Table& drawn = report.table("paths");
   const auto centre = [](const TwoRuns<KickedPath>& path, std::size_t i) {
     const auto& [coarse, fine] = path;
-    return i < fine.centre.size() ? compare(coarse.centre[i], fine.centre[i]) : undefined;
+    return i < fine.centre.size() ? with_error(coarse.centre[i], fine.centre[i]) : undefined;
   };
   for (std::size_t i = 0; i < site.fine.t.size(); i += 8)
     drawn.add(Row{{"t", site.fine.t[i]},
@@ -343,7 +343,7 @@ struct Threshold {
   RestingBreather at;
   Prediction law{};
   TwoRuns<Depinning> runs{};
-  Estimate found() const { return compare(runs.coarse.threshold, runs.fine.threshold); }
+  Estimate found() const { return with_error(runs.coarse.threshold, runs.fine.threshold); }
 };
 
 std::vector<Threshold> report_thresholds(Report& report, const Plan& plan, const Breathers& at,
@@ -352,7 +352,7 @@ std::vector<Threshold> report_thresholds(Report& report, const Plan& plan, const
   std::vector<Threshold> all{{"bond_stretched", at.stretched}, {"bond_compressed", at.compressed}};
   parallel_for("thresholds", all.size(), [&](std::size_t i) {
     Threshold& one = all[i];
-    one.law = predict_threshold(one.at, pair.equal_area);
+    one.law = predict_threshold(one.at, pair.equal_action);
     const double c = one.law.threshold.value;
     one.runs = {depinning(one.at, c, plan.threshold.coarse, longest_run),
                 depinning(one.at, c, plan.threshold.fine, longest_run)};
@@ -360,8 +360,10 @@ std::vector<Threshold> report_thresholds(Report& report, const Plan& plan, const
   });
   // The table
   const double barrier = std::abs(pair.equal_frequency.value);
-  const auto length = [](const RestingBreather& one) { return 1 / gradient(one.rest.y).norm(); };
-  const Estimate norm = compare(length(on_longer_chain.stretched), length(at.stretched));
+  const auto length = [](const RestingBreather& one) {
+    return 1 / discrete_gradient(one.rest.y).norm();
+  };
+  const Estimate norm = with_error(length(on_longer_chain.stretched), length(at.stretched));
   Table& table = report.table("thresholds");
   for (const Threshold& one : all) {
     const Estimate c = one.found(), energy{c.value * c.value / 2, c.value * c.error};
@@ -434,7 +436,7 @@ Estimate speed_over_a_site(const RestingBreather& at, double c, const Method& me
   const KickedPath path = at.after(c, method, longest, [&](const KickedPath& so_far, auto&...) {
     return std::abs(so_far.travelled()) < until_moved;
   });
-  return compare(path.mean_speed(1, 1), path.mean_speed(1, 0));
+  return with_error(path.mean_speed(1, 1), path.mean_speed(1, 0));
 }
 
 void report_speeds(Report& report, const Plan& plan, const RestingBreather& site,
@@ -443,8 +445,8 @@ void report_speeds(Report& report, const Plan& plan, const RestingBreather& site
   Table& table = report.table("speeds");
   const auto add = [&](const char* name, const RestingBreather& at, double phi, const auto& kicks) {
     const auto row = [&](double c) {
-      const Estimate speed = compare(speed_over_a_site(at, c, plan.unchecked.coarse),
-                                     speed_over_a_site(at, c, plan.unchecked.fine));
+      const Estimate speed = with_error(speed_over_a_site(at, c, plan.unchecked.coarse),
+                                        speed_over_a_site(at, c, plan.unchecked.fine));
       const double start = omega / std::numbers::pi * c * std::sqrt(std::abs(phi) / (2 * barrier));
       return Row{{"centre", name},
                  {"c", c},

@@ -133,7 +133,7 @@ struct Packet {
   /// A number of the path.
   template <class Number>
   Estimate of(Number number) const {
-    Estimate e = compare(number(coarse), number(fine));
+    Estimate e = with_error(number(coarse), number(fine));
     e.error += std::abs(number(less_smooth) - number(fine));
     return e;
   }

@@ -208,9 +208,9 @@ void report_dps(Report& report, const Case& impact, const TwoRuns<DpsRun>& runs)
   Table& in_time = report.table("residue_in_time");
   for (std::size_t i = 0; i < fine.size(); ++i)
     in_time.add({{"tau", fine[i].tau},
-                 {"first_ten", compare(coarse[i].first_ten, fine[i].first_ten)},
-                 {"first_forty", compare(coarse[i].first_forty, fine[i].first_forty)},
-                 {"sharing", compare(coarse[i].sharing, fine[i].sharing)}});
+                 {"first_ten", with_error(coarse[i].first_ten, fine[i].first_ten)},
+                 {"first_forty", with_error(coarse[i].first_forty, fine[i].first_forty)},
+                 {"sharing", with_error(coarse[i].sharing, fine[i].sharing)}});
 }
 
 /**
@@ -236,7 +236,7 @@ void report_figures(Report& report, const Case& impact, const TwoRuns<DpsRun>& d
   Table& profiles = report.table("impact_profiles");
   for (std::size_t n = 0; n < impact.sites; ++n)
     profiles.add({{"n", n + 1},
-                  {"y_lattice", compare(coarse.end.y[n], fine.end.y[n])},
+                  {"y_lattice", with_error(coarse.end.y[n], fine.end.y[n])},
                   {"y_dps", dps_end.y[n]}});
 
   Table& maps = report.table("impact_density_maps");
@@ -332,8 +332,8 @@ Discrepancy discrepancy(const Case& impact, const TwoRuns<DpsRun>& dps,
       return largest_over(sites, run.path, run.displacement).value;
     });
   };
-  return {.speed = compare(speed(2 * fit_from), speed(fit_from)),
-          .amplitude = compare(amplitude(20), amplitude(1))};
+  return {.speed = with_error(speed(2 * fit_from), speed(fit_from)),
+          .amplitude = with_error(amplitude(20), amplitude(1))};
 }
 
 // The chain from its own start, and from that of the approximation

@@ -343,7 +343,7 @@ struct SurfaceMode {
 SurfaceMode surface_mode(const WatchedBeads& run) {
   const std::size_t sites = 16;  // its force on the next bead would be below rounding
   // No contact force is neglected; an orbit even in time begins at rest
-  const Chain chain{sites, Quartic{very_soft}, Hertz{.floor = 0}};
+  const Chain chain{sites, Quartic{very_soft}, Hertz{.negligible = 0}};
   const double omega = run.beads[0].frequency();
   Vector<double> guess = Vector<double>::Zero(sites);
   for (std::size_t n = 0; n < locked; ++n) guess[Eigen::Index(n)] = run.mean_at_turns(n);
@@ -408,7 +408,7 @@ void report_snapshot(Report& report) {
   const auto runs =
       refined(tolerance, [&](const EventCorrected& method) { return strike(method, impact); });
   for (std::size_t n = 0; n < impact.chain.sites; ++n)
-    profile.add({{"n", n + 1}, {"v", compare(runs.coarse.end.v[n], runs.fine.end.v[n])}});
+    profile.add({{"n", n + 1}, {"v", with_error(runs.coarse.end.v[n], runs.fine.end.v[n])}});
   const auto visible = [](const ImpactRun& run) {
     return prominence(run.end.v, *front_packet(run.density));
   };

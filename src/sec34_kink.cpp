@@ -183,7 +183,7 @@ void report_least_energy(Report& report) {
     }
     return energy(chain, state);
   };
-  const Estimate potential = compare(least(4), least(8));
+  const Estimate potential = with_error(least(4), least(8));
   const double v = std::sqrt(2 * potential.value);
   Table& table = report.table("least_energy");
   table.add({{"potential", potential}, {"velocity", Estimate(v, potential.error / v)}});
@@ -296,7 +296,7 @@ void report_shape(Report& report) {
   };
   const auto length = [](const Passage& p) { return p.length; };
   // The constants of the pulse, and the pulse that moves each bead by this displacement
-  const TwoRuns<Passage> pulse = twice(None{}, 5);
+  const TwoRuns<Passage> pulse = twice(NoWell{}, 5);
   const auto d = [](const Passage& p) { return p.shift / std::pow(p.largest, 0.8); };
   const auto b = [](const Passage& p) { return p.speed_far / std::pow(p.largest, 0.2); };
   report.table("pulse").add({{"d", pulse.of(d)}, {"b", pulse.of(b)}, {"length", pulse.of(length)}});

@@ -171,10 +171,10 @@ void report_packet(Report& report, const TwoRuns<WatchedRun>& runs) {
   const Estimate arrival =
       runs.of([](const WatchedRun& run) { return mean_speed(run, article, watched_site); });
   report.table("packet").add(
-      {{"velocity", compare(coarse.velocity, fine.velocity)},
-       {"deflection", compare(coarse.deflection * 1e6, fine.deflection * 1e6)},
-       {"force", compare(coarse.force, fine.force)},
-       {"period", compare(coarse.period * 1e3, fine.period * 1e3)},
+      {{"velocity", with_error(coarse.velocity, fine.velocity)},
+       {"deflection", with_error(coarse.deflection * 1e6, fine.deflection * 1e6)},
+       {"force", with_error(coarse.force, fine.force)},
+       {"period", with_error(coarse.period * 1e3, fine.period * 1e3)},
        {"frequency", runs.of(frequency_of)},
        {"small_period", exact(2 * std::numbers::pi * scales.tau_c() * 1e3)},
        {"speed", slope(20, 60)},
@@ -376,7 +376,7 @@ Trapped trapped(const StruckArray& setup, double ratio, double step) {
     v.push_back(now.v[setup.array.defect - 1]);
   };
   const Impact dense = setup.impact({.ratio = ratio, .sample = 0.1});
-  follow(EventCorrected{step}, dense, run, setup.scales.time(later), record);
+  continue_strike(EventCorrected{step}, dense, run, setup.scales.time(later), record);
   const std::vector<double> turns = upward_crossings(t, v);
   const double periods = double(turns.size() - 1);
   return {{first, run.density}, 2 * std::numbers::pi * periods / (turns.back() - turns.front())};

@@ -161,11 +161,12 @@ Motion motion_after(const Strike& strike, double refinement) {
   };
   const bool closes = strike.closed < strike.time;
   double largest_stretch = 0;
-  follow(EventCorrected{strike.step / refinement}, impact, run,
-         std::min(strike.closed, strike.time), watch);
+  continue_strike(EventCorrected{strike.step / refinement}, impact, run,
+                  std::min(strike.closed, strike.time), watch);
   if (closes)
-    follow(WatchedSplitting{{blanes_moan_6_14(), closed_step / refinement}, &largest_stretch},
-           impact, run, strike.time, watch);
+    continue_strike(
+        WatchedSplitting{{blanes_moan_6_14(), closed_step / refinement}, &largest_stretch}, impact,
+        run, strike.time, watch);
   if (run.run.escaped()) throw Failure("a bead escapes");
   if (run.run.energy_drift > (closes ? drift_closed : drift_open)) throw Failure("energy is lost");
   if (closes && largest_stretch > strike.compression) throw Failure("a contact opens late");
@@ -173,7 +174,7 @@ Motion motion_after(const Strike& strike, double refinement) {
 }
 
 /**
-Every run is made with a step and with half of it, and an error is the difference of the two. `follow` fails if the far
+Every run is made with a step and with half of it, and an error is the difference of the two. `continue_strike` fails if the far
 end moves. From $t =$ `closed` on the splitting is used, and it is checked after each step that no contact is open.
 
 ## Where phonons are unstable (figure 25)
@@ -293,7 +294,7 @@ void report_modulated_ring(Report& report) {
   for (std::size_t n = 0; n < soft.ring.N; ++n)
     table.add({{"n", n + 1},
                {"y_start", start.y[n]},
-               {"y", compare(coarse.state.y[n], fine.state.y[n])},
+               {"y", with_error(coarse.state.y[n], fine.state.y[n])},
                {"amplitude", fine.envelope.amplitude[n] / fine.envelope.omega}});
 
   // Whether the energy is localized, and the sech of the packet
@@ -309,7 +310,7 @@ void report_modulated_ring(Report& report) {
       .add({{"speed", packet_of(runs[0]).speed},
             {"sech_width", sech.of([](const Sech& fit) { return fit.width; })},
             {"sech_misfit", sech.of([](const Sech& fit) { return fit.residual; })},
-            {"apart", compare(0.0, distance(coarse.state, fine.state))}});
+            {"apart", with_error(0.0, distance(coarse.state, fine.state))}});
 }
 
 /**
@@ -438,7 +439,7 @@ void report_traits(Report& report, const std::vector<Struck>& all) {
       return TwoRuns{traits(runs.coarse.samples, part), traits(runs.fine.samples, part)};
     };
     const TwoRuns<Traits> most = since(0.25), half = since(0.5);
-    const auto of = [&](auto exponent) { return compare(half.of(exponent), most.of(exponent)); };
+    const auto of = [&](auto exponent) { return with_error(half.of(exponent), most.of(exponent)); };
     table.add({{"s", strike.s},
                {"compression", strike.compression},
                {"velocity", strike.velocity},
@@ -456,7 +457,7 @@ void report_trains(Report& report, const std::vector<Struck>& all) {
       history.add({{"s", strike.s},
                    {"d", strike.compression},
                    {"t", fine.samples[k].t},
-                   {"centre", compare(coarse.samples[k].centre, fine.samples[k].centre)},
+                   {"centre", with_error(coarse.samples[k].centre, fine.samples[k].centre)},
                    {"share", fine.samples[k].share}});
     if (strike.compression < d) continue;
     // Velocities and the sech, at the times of the figures
@@ -468,7 +469,7 @@ void report_trains(Report& report, const std::vector<Struck>& all) {
         profiles.add({{"s", strike.s},
                       {"t", shot.state.t},
                       {"n", n + 1},
-                      {"v", compare(coarse.shown[k].state.v[n], shot.state.v[n])},
+                      {"v", with_error(coarse.shown[k].state.v[n], shot.state.v[n])},
                       {"sech", near ? shot.sech.at(site) : std::nan("")}});
       }
     }
@@ -511,7 +512,7 @@ void report_breather(Report& report, const std::vector<Struck>& all) {
       };
       sites.add({{"compression", strike.compression},
                  {"t", strike.figures[k]},
-                 {"sites", compare(over(averaged / 2), over(averaged))},
+                 {"sites", with_error(over(averaged / 2), over(averaged))},
                  {"width", shot.of([](const Snapshot& at) { return packet_width(at.density); })}});
       if (strike.compression < d) continue;
       const auto tail = [&](int side) {

@@ -304,7 +304,7 @@ void report_segment(Report& report) {
   for (int levels = 1; levels <= 8; ++levels) {
     const auto error = [&](double exponent) {
       const double x = extrapolated(levels, exponent);
-      return compare(std::abs(x - nearly), std::abs(x - exact));
+      return with_error(std::abs(x - nearly), std::abs(x - exact));
     };
     segment.add({{"levels", levels}, {"in_t", error(1)}, {"in_u", error(2)}});
   }

@@ -21,7 +21,7 @@ RestingBreather breather(Centre centre, double omega, Phase phase = Phase::compr
 }
 
 /// The path after a kick, up to its decision.
-KickedPath follow(const RestingBreather& at, double c, double time, double step = 0.1) {
+KickedPath kicked_path(const RestingBreather& at, double c, double time, double step = 0.1) {
   return at.after(c, EventCorrected{step}, time,
                   [](const KickedPath& path, const State<double>&, const auto&) {
                     return mobility_of(path) == Mobility::undecided;
@@ -37,9 +37,9 @@ KickedPath path_of(std::vector<double> X, std::vector<double> t = {}) {
 }
 
 /// The pairs on 31 sites: that of `second` beside the pinning pair, all others at the edge.
-std::vector<Pair> pairs_with(std::complex<double> second) {
+std::vector<MultiplierPair> pairs_with(std::complex<double> second) {
   const double edge = -std::pow(std::sin(M_PI / 1.1), 2);
-  std::vector<Pair> all{{1e-8, 1e-12}, {second, 1e-12}};
+  std::vector<MultiplierPair> all{{1e-8, 1e-12}, {second, 1e-12}};
   while (all.size() + 1 < 31) all.push_back({edge, 1e-12});
   return all;
 }
@@ -70,8 +70,8 @@ TEST_CASE("free and pinned are told from the path", "[unit][kick]") {
 TEST_CASE("a breather that is not kicked stays, and opposite kicks are mirror images",
           "[property][kick]") {
   const RestingBreather at = breather(Centre::bond, 1.1);
-  const KickedPath rest = follow(at, 0, 1000), right = follow(at, 1e-4, 1000),
-                   left = follow(at, -1e-4, 1000);
+  const KickedPath rest = kicked_path(at, 0, 1000), right = kicked_path(at, 1e-4, 1000),
+                   left = kicked_path(at, -1e-4, 1000);
   CHECK(std::abs(right.travelled()) > 0.2);
   CHECK(std::abs(rest.travelled()) < 1e-5 * std::abs(right.travelled()));
   check_close(right.travelled(), -left.travelled(), 2e-3);
@@ -122,7 +122,7 @@ TEST_CASE("the pinning mode is of length one and close to the discrete gradient"
 TEST_CASE("a breather swings at the frequency of linear theory", "[published][kick]") {
   const RestingBreather at = breather(Centre::bond, 1.1);
   const double omega = std::sqrt(pinning_of(at).frequency2);
-  const KickedPath path = follow(at, 2e-6, 8 / omega, 0.3);
+  const KickedPath path = kicked_path(at, 2e-6, 8 / omega, 0.3);
   REQUIRE(mobility_of(path) == Mobility::pinned);
   std::size_t top = 0;
   for (std::size_t k = 0; k < path.centre.size(); ++k)
@@ -176,16 +176,17 @@ TEST_CASE("four multipliers near one, and pairs that leave the circle", "[unit]"
   CHECK(at_edge(pairs_with(-0.013), 1.1) == 56);
   CHECK(excess(pairs_with(-0.013), 1).value < 1e-15);
   CHECK(excess(pairs_with(-1.013), 1).value > 0.1);  // beyond -1
-  CHECK(from_one(pairs_with(-0.013)[1]).value > 0.1);
-  CHECK(from_one(pairs_with(-1e-4)[1]).value < 0.1);
+  CHECK(distance_from_one(pairs_with(-0.013)[1]).value > 0.1);
+  CHECK(distance_from_one(pairs_with(-1e-4)[1]).value < 0.1);
   // The larger multiplier counts, beyond +1 as beyond -1 and off the axis
-  const std::vector<Pair> pairs{{0.25, 1e-12}, {-1.25, 1e-12}, {{-0.5, 0.1}, 1e-12}, {-0.5, 1e-12}};
+  const std::vector<MultiplierPair> pairs{
+      {0.25, 1e-12}, {-1.25, 1e-12}, {{-0.5, 0.1}, 1e-12}, {-0.5, 1e-12}};
   check_close(excess(pairs).value, 0.5 + std::sqrt(1.25), 1e-14);
   check_close(excess({pairs[0]}).value, 0.5 + std::sqrt(1.25), 1e-14);
   check_close(excess(pairs, 1).value, 0.5 + std::sqrt(1.25), 1e-14);
   CHECK(excess(pairs, 2).value > 0.1);
   CHECK(excess(pairs, 3).value < 1e-15);
-  check_close(from_one(pairs[0]).value, 0.5 + std::sqrt(1.25), 1e-14);
+  check_close(distance_from_one(pairs[0]).value, 0.5 + std::sqrt(1.25), 1e-14);
 }
 
 TEST_CASE("a kick and the path after it by hand", "[unit][kick]") {

@@ -48,9 +48,9 @@ py::tuple drive_chain(const Chain& chain, const Numbers& y, const Numbers& v, do
   };
   const auto coarse = all(pair.coarse), fine = all(pair.fine);
   double error = 0;
-  for (std::size_t k : {0, 1, 2}) error = std::max(error, compare(coarse[k], fine[k]).error);
+  for (std::size_t k : {0, 1, 2}) error = std::max(error, with_error(coarse[k], fine[k]).error);
   const auto known = [&](std::size_t k) {
-    return py::make_tuple(fine[k], fine[k] == 0 ? compare(coarse[k], fine[k]).error : error);
+    return py::make_tuple(fine[k], fine[k] == 0 ? with_error(coarse[k], fine[k]).error : error);
   };
   return py::make_tuple(samples.t, samples.y, samples.v, pair.error, pair.fine.imbalance, known(0),
                         known(1), known(2), array_of(injected), array_of(dissipated),

@@ -54,7 +54,7 @@ $$\dot y_n(T_b/2) = 0 \quad\text{from}\quad \dot y_n(0) = 0$$
 for its positions *and* for the parameter, $s$ or $\omega_b$, at which it exists there (held.hpp). In double precision
 the error of the parameter would exceed the whole interval. So each breather is solved twice in extended precision (a
 64-bit mantissa), with tolerances that differ by a factor of sixteen; the error is their difference plus that from the
-symplectic defect of the linearised flow. */
+symplectic error of the linearised flow. */
 /// A breather of the family: Q, s or omega_b with and without its error, and energy and stability.
 struct ThirdBreather {
   double centre = 0;
@@ -75,7 +75,7 @@ ThirdBreather third_breather(const Cut& cut, const Exchange& from, double centre
                              const Vector<double>& near) {
   const auto held = third_problem<Wide>(cut, from, centre);
   std::array<Vector<Wide>, 2> x;
-  std::array<Pairs<Wide>, 2> pairs;
+  std::array<MultiplierPairs<Wide>, 2> pairs;
   for (std::size_t coarser : {0U, 1U}) {
     const NewtonRule<Wide> how = rule<Wide>(int(coarser));
     x[coarser] = newton(held.equations(), Vector<Wide>(near.cast<Wide>()), how).x;
@@ -85,8 +85,9 @@ ThirdBreather third_breather(const Cut& cut, const Exchange& from, double centre
   const Eigen::Index last = x[0].size() - 1;
   const double apart = double(magnitude<Wide>(x[1][last] - x[0][last]));
   ThirdBreather out{centre, x[0][last], energy(held.at(x[0]).chain, held.start(x[0]))};
-  out.place = {double(out.parameter), apart + double(pairs[0].defect) / std::abs(from.slope)};
-  const Spectrum all{compare_pairs(pairs[1], pairs[0]), {}};
+  out.place = {double(out.parameter),
+               apart + double(pairs[0].symplectic_error) / std::abs(from.slope)};
+  const Spectrum all{pairs_with_errors(pairs[1], pairs[0]), {}};
   out.kappa = all.kappa();
   out.largest_modulus = all.largest_modulus();
   return out;
@@ -352,7 +353,7 @@ void report_exchanges(Report& report, const Chart& grid) {
               "sign of kappa: +1 where the pinning pair is off the unit circle; may be nan")});
   for (const auto& column : grid)
     for (const Node& n : column)
-      map.add({n.spot.omega_b, n.spot.s, n.kappa, n.defect,
+      map.add({n.spot.omega_b, n.spot.s, n.kappa, n.kappa_error,
                n.exists() ? (n.kappa > 0 ? 1.0 : -1.0) : n.kappa});
 
   // The curves of exchange, point by point
@@ -360,7 +361,7 @@ void report_exchanges(Report& report, const Chart& grid) {
   const auto row = [](const CrossedEdge& c) {
     const Exchange found =
         exchange_between(Centre::site, c.cut, c.low, c.high, c.near->orbit, 1e-3, chart_rule());
-    const Spot spot = c.cut.at(found.place.value);
+    const PlanePoint spot = c.cut.at(found.place.value);
     return Cells{spot.omega_b, spot.s, found.place.error};
   };
   report

@@ -192,7 +192,7 @@ Estimate critical_s(double velocity, int bisections, double site = horizon) {
   const auto middle = [&](double low, double high) { return (low + high) / 2; };
   const auto [coarse, fine] =
       bisect_twice({std::log(0.5), std::log(60.0)}, bisections, middle, escapes);
-  Estimate s = compare(s_of(coarse), s_of(fine));
+  Estimate s = with_error(s_of(coarse), s_of(fine));
   s.error += s.value * std::log(60 / 0.5) / std::ldexp(1.0, bisections);
   return s;
 }
@@ -323,7 +323,7 @@ void report_any_s(Report& report) {
   };
   const auto middle = [](double low, double high) { return std::sqrt(low * high); };
   const auto [coarse, fine] = bisect_twice({slowest, fastest}, bisections, middle, escapes);
-  Estimate v0 = compare(coarse, fine);
+  Estimate v0 = with_error(coarse, fine);
   v0.error += v0.value * std::log(fastest / slowest) / std::ldexp(1.0, bisections);
   report.table("needed").add(
       {{"velocity", "impact above which packets turn before site 40 at s = 0.005", v0, "",
@@ -394,7 +394,7 @@ void report_absorbers(Report& report) {
          {"until", "end of the run", list[k].until},
          {"returned", "how many of the two runs have the packet back",
           int(coarse.late == Late::returns) + int(fine.late == Late::returns)},
-         {"furthest", "farthest mean centre", compare(coarse.furthest, fine.furthest), "site"}});
+         {"furthest", "farthest mean centre", with_error(coarse.furthest, fine.furthest), "site"}});
   }
 }
 
@@ -440,7 +440,7 @@ void report_distances(Report& report) {
     for (int k : {0, 1}) run.fate[k] = late_fate(run.impact, k ? step : 2 * step, until, length);
     const auto& [coarse, fine] = run.fate;
     return Cells{run.impact.s, run.impact.velocity, run.impact.behind,
-                 fine.late,    coarse.late,         compare(coarse.furthest, fine.furthest),
+                 fine.late,    coarse.late,         with_error(coarse.furthest, fine.furthest),
                  fine.when};
   };
   report

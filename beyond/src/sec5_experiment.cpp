@@ -76,7 +76,7 @@ constexpr std::size_t beams = 200;
 /// Beams with the energy lifetime T_E in ms (0: no losses), contacts with the viscous time `viscous`.
 DrivenChain damped_array(double lifetime, double viscous = 0) {
   // After twenty lifetimes the strongest overlaps are 1e-100, so that no overlap counts as none
-  return {Chain{beams, Harmonic{}, Hertz{.floor = 0}}, {units.rate(lifetime), viscous}};
+  return {Chain{beams, Harmonic{}, Hertz{.negligible = 0}}, {units.rate(lifetime), viscous}};
 }
 
 /// The packet of an impact of `velocity` (m/s), followed for the time `ms` in steps of `h`.
@@ -327,7 +327,7 @@ void report_instability(Report& report) {
   const auto shortest = [&](const auto& branch) {
     return lifetime_of_growth(branch, limit, std::numbers::e);
   };
-  const Estimate found = compare(shortest(coarse), shortest(fine));
+  const Estimate found = with_error(shortest(coarse), shortest(fine));
   const auto times = [&](double factor) {
     return Estimate{found.value * factor, found.error * factor};
   };
@@ -341,8 +341,8 @@ void report_instability(Report& report) {
                        branches + ", known to 2 per cent"),
               estimate("lifetime", "with which a shift grows by a factor of e", "ms", branches),
               estimate("quality", "quality factor that belongs to it", "", branches)})
-      .add({compare(loose.multiplier() - 1, start.multiplier() - 1),
-            exact(std::expm1(nu * turn / 4)), compare(shift(coarse), shift(fine)),
+      .add({with_error(loose.multiplier() - 1, start.multiplier() - 1),
+            exact(std::expm1(nu * turn / 4)), with_error(shift(coarse), shift(fine)),
             times(units.milliseconds(1)), times(start.omega)});
 }
 
@@ -393,8 +393,8 @@ SolutionCurve non_emitting(double lifetime, double omega, std::size_t steps, dou
 
 /// With two numbers of steps in a period, and two distances between the points of the curve.
 Estimate fold_of(double lifetime, double omega) {
-  return compare(non_emitting(lifetime, omega, 32, 0.1, 1).fold,
-                 non_emitting(lifetime, omega, 64, 0.05, 1).fold);
+  return with_error(non_emitting(lifetime, omega, 32, 0.1, 1).fold,
+                    non_emitting(lifetime, omega, 64, 0.05, 1).fold);
 }
 
 /**
@@ -696,7 +696,7 @@ struct ChainPoint {
   Estimate growth{};
 
   void measure() {
-    growth = compare(chain_rates(wave, eps, 12).growth, chain_rates(wave, eps, 24).growth);
+    growth = with_error(chain_rates(wave, eps, 12).growth, chain_rates(wave, eps, 24).growth);
   }
 };
 
@@ -759,7 +759,7 @@ void report_chain(Report& report) {
   for (std::size_t last = sizes.size() - 1; last < points.size(); last += sizes.size()) {
     const ChainPoint* at = &points[last];
     orders.add(
-        {at->wave.sites, at->wave.waves, compare(order(at[-2], at[-1]), order(at[-1], *at))});
+        {at->wave.sites, at->wave.waves, with_error(order(at[-2], at[-1]), order(at[-1], *at))});
   }
 
   const ChainPoint& one = points[1];
@@ -770,7 +770,7 @@ void report_chain(Report& report) {
       .table("run_of_a_wave",
              {estimate("over_eigenvalue",
                        "growth in the run of q = pi at eps = 1e-3, over that of its eigenvalue")})
-      .add({compare(run(0.2), run(0.1))});
+      .add({with_error(run(0.2), run(0.1))});
 }
 
 /**
@@ -791,8 +791,8 @@ void report_array(Report& report) {
              {estimate("chain", "periods in which the fastest modulation of q = pi grows by e", "",
                        "from two rings and two numbers of steps"),
               estimate("dps", "the same in the DpS equation", "", "difference of two precisions")})
-      .add({compare(compare(on_ring(54, 12), on_ring(54, 24)),
-                    compare(on_ring(62, 12), on_ring(62, 24))),
+      .add({with_error(with_error(on_ring(54, 12), on_ring(54, 24)),
+                       with_error(on_ring(62, 12), on_ring(62, 24))),
             in_two_precisions(std::numbers::pi, [&](const auto& wave) {
               return periods(wave.growth(wave.fastest()));
             })});

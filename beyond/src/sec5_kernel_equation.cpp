@@ -370,7 +370,7 @@ void report_type_two(Report& report) {
   report
       .table("type_two", {estimate("turns", "shift time of the first wave of type II, over 2 pi",
                                    "", "difference of two grids")})
-      .add({compare(turns(usual_grids[0]), turns(usual_grids[1]))});
+      .add({with_error(turns(usual_grids[0]), turns(usual_grids[1]))});
 }
 
 /**
@@ -402,7 +402,7 @@ struct OneKernelWave {
     q.add("action", w(&KernelWave::action), "",
           "integral over all times of d_+^(alpha+1), with d the compression of a contact");
     q.add("peak", w(&KernelWave::peak), "", "largest compression of a contact");
-    q.add("contacts", compare(w.grids[0].contacts(), w.fine().contacts()), "",
+    q.add("contacts", with_error(w.grids[0].contacts(), w.fine().contacts()), "",
           "number of time intervals in which a contact is compressed by more than 2.2e-16 of the "
           "peak");
     q.add("quotient", w(&KernelWave::quotient), "",

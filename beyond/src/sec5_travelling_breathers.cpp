@@ -163,8 +163,8 @@ void report_exactness(Report& report, const std::vector<Exact>& all) {
       return Estimate{most, most};
     };
     table.add({k, size(wide_plus), size(wide_minus),
-               compare(minus.orbit.energy - plus.orbit.energy,
-                       double(wide_minus.energy - wide_plus.energy))});
+               with_error(minus.orbit.energy - plus.orbit.energy,
+                          double(wide_minus.energy - wide_plus.energy))});
   }
 }
 
@@ -260,11 +260,11 @@ void report_stability(Report& report, const std::vector<Exact>& orbits) {
   for (const Exact& e : orbits) {
     const auto in_double = phase_and_rest(type_one<double>(e.k), e.orbit, {});
     const auto wide = phase_and_rest(type_one<long double>(e.k), in_extended_precision(e), {});
-    const Estimate kappa = compare(in_double.first, wide.first);
+    const Estimate kappa = with_error(in_double.first, wide.first);
     const double root = std::sqrt(std::max(kappa.value, 0.0));
     const Estimate growth =
         root > 0 ? Estimate{2 * std::asinh(root), kappa.error / root} : exact(0);
-    table.add({e.k, e.sign, kappa, growth, compare(in_double.second, wide.second)});
+    table.add({e.k, e.sign, kappa, growth, with_error(in_double.second, wide.second)});
   }
 }
 
@@ -286,7 +286,7 @@ struct Family {
   std::vector<Exact> found{};
 };
 
-void follow(Family& f, double step) {
+void follow_family(Family& f, double step) {
   const Orbit<double> start = TypeOneOrbits(f.sign).orbit_at(f.k);
   f.members = follow_family(start, two_pi * f.fastest, step);
   for (std::size_t i = 1; i < f.members.size(); ++i) {
@@ -294,8 +294,9 @@ void follow(Family& f, double step) {
     const Orbit<double> orbit = type_two(f.members[i - 1], f.members[i]);
     const auto problem = with_free_time(travelling_problem(shift_time(orbit)));
     const auto wide = newton(in_precision<long double>(problem), orbit);
-    f.found.push_back({2, f.k, f.sign, orbit, compare(shift_time(orbit), double(shift_time(wide))),
-                       compare(orbit.energy, double(wide.energy))});
+    f.found.push_back({2, f.k, f.sign, orbit,
+                       with_error(shift_time(orbit), double(shift_time(wide))),
+                       with_error(orbit.energy, double(wide.energy))});
   }
 }
 
@@ -303,7 +304,7 @@ std::vector<Family> families(bool quick) {
   std::vector<Family> all{{1, 1, 0.88}};
   if (!quick) all = {{1, 1, 0.70}, {1, -1, 0.70}, {2, 1, 1.50}, {3, 1, 2.60}, {4, 1, 3.70}};
   parallel_for(all.size(), [&](std::size_t i) {
-    follow(all[i], quick ? 0.2 : all[i].k == 1 ? 0.06 : 0.1);
+    follow_family(all[i], quick ? 0.2 : all[i].k == 1 ? 0.06 : 0.1);
   });
   return all;
 }
@@ -338,7 +339,7 @@ void report_left_behind(Report& report, const std::vector<Family>& all) {
   for (const Family& f : all)
     table.fill(f.members, [&](const Orbit<double>& m) -> Cells {
       const double tail = 2 * std::abs(std::sin(shift_time(m) / 2) * velocity_sum(m));
-      const Estimate beads = compare(beads_behind(m, 0.1), beads_behind(m, 0.05));
+      const Estimate beads = with_error(beads_behind(m, 0.1), beads_behind(m, 0.05));
       return {f.k, f.sign, shift_time(m) / two_pi, m.energy, log(tail), beads, log(beads.value)};
     });
 }
@@ -466,7 +467,7 @@ struct PacketRow {
 };
 using Course = std::vector<PacketRow>;
 
-Course follow(double v0, const Frame& frame, std::size_t rows) {
+Course course_after(double v0, const Frame& frame, std::size_t rows) {
   const Chain chain{frame.sites};
   State<double> state(chain.sites);  // y_n = 0
   state.v[0] = v0;                   // Eq. (26)
@@ -534,7 +535,7 @@ Estimate at_the_end(const TwoRuns<Course>& runs, auto of) {
     return of(late_line(c, rows, &PacketRow::angle, &PacketRow::speed).intercept,
               late_line(c, rows, &PacketRow::angle, &PacketRow::energy).intercept);
   };
-  Estimate e = compare(end(runs.coarse, half), end(runs.fine, half));
+  Estimate e = with_error(end(runs.coarse, half), end(runs.fine, half));
   e.error += std::max(std::abs(end(runs.fine, quarter) - e.value),
                       std::abs(end(runs.fine, decade) - e.value));
   return e;
@@ -628,7 +629,7 @@ void report_courses(Report& report, const std::vector<double>& velocities,
   for (std::size_t k = 0; k < runs.size(); ++k)
     for (std::size_t i = 0; i < runs[k].fine.size(); ++i) {
       const PacketRow &c = runs[k].coarse[i], &f = runs[k].fine[i];
-      table.add({velocities[k], f.site, compare(c.left, f.left), compare(c.angle, f.angle),
+      table.add({velocities[k], f.site, with_error(c.left, f.left), with_error(c.angle, f.angle),
                  1 / f.angle, 1 / (two_pi * f.speed), f.energy});
     }
 }
@@ -638,7 +639,7 @@ void report_packets(Report& report) {
   std::vector<TwoRuns<Course>> runs(impacts.size());
   parallel_for(2 * impacts.size(), [&](std::size_t i) {
     (i % 2 ? runs[i / 2].fine : runs[i / 2].coarse) =
-        follow(impacts[i / 2], frames[i % 2], report.quick ? 24 : 36);
+        course_after(impacts[i / 2], frames[i % 2], report.quick ? 24 : 36);
   });
   report_courses(report, impacts, runs);
   const TypeOneLine line = line_of_type_one();
@@ -693,8 +694,8 @@ void report_small_amplitude(Report& report, const std::vector<Exact>& plus) {
       {label("equation", "dps, or chain: its orbits of type I, extrapolated to k = infinity"),
        estimate("energy", "over the fourth power of the speed", "",
                 "two tolerances, or without the slowest orbit")});
-  table.add({"dps", compare(dps(1e-12), dps(1e-13))});
-  table.add({"chain", compare(limit_of({plus.begin(), plus.end() - 1}), limit_of(plus))});
+  table.add({"dps", with_error(dps(1e-12), dps(1e-13))});
+  table.add({"chain", with_error(limit_of({plus.begin(), plus.end() - 1}), limit_of(plus))});
 }
 
 /**

@@ -41,7 +41,7 @@ BeadVelocities watch_beads(std::size_t sites, double duration, double step, doub
   BeadVelocities out;
   out.v.resize(beads.size());
   out.end = struck(sites, 1);
-  evolve(EventCorrected{step}, Chain{sites, None{}}, out.end, duration, sample,
+  evolve(EventCorrected{step}, Chain{sites, NoWell{}}, out.end, duration, sample,
          [&](const State<double>& now) {
            out.t.push_back(now.t);
            for (std::size_t k = 0; k < beads.size(); ++k) out.v[k].push_back(now.v[beads[k] - 1]);
@@ -154,7 +154,7 @@ Estimate pulse_amplitude() {
     return std::pair(largest_modulus(run.t, run.v[0]), largest_modulus(run.t, run.v[1]));
   };
   const auto coarse = heights(0.04), fine = heights(0.02);
-  const Estimate by_step = compare(coarse.second, fine.second);
+  const Estimate by_step = with_error(coarse.second, fine.second);
   return {by_step.value, by_step.error + std::abs(fine.second - fine.first)};
 }
 
@@ -201,7 +201,7 @@ void report_pulse(Report& report) {
         Estimate{energy * V * V, 2 * energy * V * amplitude.error}, "energy of the impact",
         "from the amplitude"},
        {"sampled_width", "width at a hundredth of the peak, sampled every 2 microseconds",
-        compare(sampled_width(0.04, speed), sampled_width(0.02, speed)), "sites"}});
+        with_error(sampled_width(0.04, speed), sampled_width(0.02, speed)), "sites"}});
 }
 
 /**
@@ -218,7 +218,7 @@ void report_rebounds(Report& report) {
   for (std::size_t n : {1u, 2u, 4u, 8u, 16u})
     rebounds.add({{"ball", "counted from the end that is hit", n},
                   {"velocity", "velocity with which it flies back",
-                   compare(struck_with * coarse[n - 1], struck_with * fine[n - 1]), "m/s"}});
+                   with_error(struck_with * coarse[n - 1], struck_with * fine[n - 1]), "m/s"}});
 }
 
 /**
@@ -341,10 +341,10 @@ Estimate lossless(const Search& search, const Fineness& at) {
 /// With runs between two pairs of sites.
 Estimate lossless(const Search& search, bool quick) {
   if (quick)
-    return compare(lossless(search, {41, 71, 1e-9, 0.005}),
-                   lossless(search, {41, 71, 1e-9, 0.003}));
-  return compare(lossless(search, {41, 71, 1e-9, 0.003}),
-                 lossless(search, {71, 121, 1e-11, 0.0015}));
+    return with_error(lossless(search, {41, 71, 1e-9, 0.005}),
+                      lossless(search, {41, 71, 1e-9, 0.003}));
+  return with_error(lossless(search, {41, 71, 1e-9, 0.003}),
+                    lossless(search, {71, 121, 1e-11, 0.0015}));
 }
 
 void report_dimers(Report& report) {

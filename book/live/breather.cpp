@@ -42,7 +42,7 @@ The history shows how fast Newton's method ends; the residual is that of a whole
 any symmetry. Where rounding stops the iteration, its last step, which it could not make smaller, is
 a part of the error. */
 Estimate known(double rough, double good, double step) {
-  Estimate both = compare(rough, good);
+  Estimate both = with_error(rough, good);
   both.error += 2 * step * std::abs(good);
   return both;
 }
@@ -61,7 +61,7 @@ void report_orbit(const Fitted& found, const Orbit<double>& rough) {
   page::fact("sites", exact(double(orbit.start.y.size())));
   page::fact("amplitude", known(rough.amplitude, orbit.amplitude, step));
   page::fact("energy", known(rough.energy, orbit.energy, step));
-  page::fact("area", known(rough.area, orbit.area, step));
+  page::fact("area", known(rough.action_integral, orbit.action_integral, step));
   page::fact("residual", {miss, run.error});
 }
 
@@ -77,8 +77,8 @@ void report_multipliers(const Fitted& found, const Orbit<double>& rough) {
   const auto bad = floquet_pairs(chain, rough.start, period, coarser().events);
   std::vector<double> points;
   double unstable = 0;
-  const std::vector<Pair> pairs = compare_pairs(bad, good);
-  for (const Pair& pair : pairs) {
+  const std::vector<MultiplierPair> pairs = pairs_with_errors(bad, good);
+  for (const MultiplierPair& pair : pairs) {
     for (int sign : {1, -1}) {
       const auto m = multiplier(pair.kappa, sign);
       points.insert(points.end(), {m.real(), m.imag(), pair.multiplier_error()});
@@ -97,7 +97,7 @@ void report_multipliers(const Fitted& found, const Orbit<double>& rough) {
 
 The path of the centre comes from two runs with different steps. It says something only while the
 energy drifts by far less than the kick has brought. */
-KickedPath follow(const Fitted& found, const Request& r, int halvings) {
+KickedPath kicked_path(const Fitted& found, const Request& r, int halvings) {
   const Chain chain{found.problem.chain.sites, Quartic{r.s}};
   const EventCorrected method{halvings ? 0.05 : 0.1};
   const double sample = sample_of_mean(found.problem.period());
@@ -112,12 +112,12 @@ KickedPath follow(const Fitted& found, const Request& r, int halvings) {
 
 void report_kick(const Request& r) {
   const Fitted found = find(r, r.bond != 0 ? 52 : 53);
-  const KickedPath rough = follow(found, r, 0), good = follow(found, r, 1);
-  page::fact("travelled", compare(rough.travelled(), good.travelled()));
-  page::fact("speed", compare(rough.speed_during(r.time / 16, r.time),
-                              good.speed_during(r.time / 16, r.time)));
+  const KickedPath rough = kicked_path(found, r, 0), good = kicked_path(found, r, 1);
+  page::fact("travelled", with_error(rough.travelled(), good.travelled()));
+  page::fact("speed", with_error(rough.speed_during(r.time / 16, r.time),
+                                 good.speed_during(r.time / 16, r.time)));
   page::fact("margin", exact(good.drift_margin(r.kick, found.orbit.energy)));
-  page::fact("share", compare(rough.share, good.share));
+  page::fact("share", with_error(rough.share, good.share));
   const bool agree = mobility_of(rough) == mobility_of(good);
   page::fact("fate", exact(agree ? double(int(mobility_of(good))) : 0));
 }

@@ -66,7 +66,7 @@ void divide_energy(const StruckArray& struck, double radius) {
   }
   const char* names[] = {"reflected",     "near",     "transmitted",
                          "net_reflected", "net_near", "net_transmitted"};
-  for (std::size_t i = 0; i < 6; ++i) page::fact(names[i], compare(found[0][i], found[1][i]));
+  for (std::size_t i = 0; i < 6; ++i) page::fact(names[i], with_error(found[0][i], found[1][i]));
   page::fact("budget", Estimate{found[1][6], std::abs(found[0][6])});
 }
 

@@ -78,7 +78,7 @@ struct DpsStrike {
   Table quantities(const Found& runs) const {
     const auto both = [&](auto of) {
       const bool none = runs[0].path.t.empty() || runs[1].path.t.empty();
-      return none ? undefined : compare(of(runs[0]), of(runs[1]));
+      return none ? undefined : with_error(of(runs[0]), of(runs[1]));
     };
     const double to = way_end(runs[1].end.size());
     const Path& path = runs[1].path;

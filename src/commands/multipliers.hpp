@@ -28,7 +28,7 @@ inline Columns multiplier_columns() {
 /// Every multiplier with its error, the two of the time-translation pair first.
 inline std::vector<std::pair<std::complex<double>, double>> multipliers_of(const Spectrum& all) {
   std::vector<std::pair<std::complex<double>, double>> out{{1, 0}, {1, 0}};
-  for (const Pair& pair : all.pairs)
+  for (const MultiplierPair& pair : all.pairs)
     for (int sign : {1, -1})
       out.emplace_back(multiplier(pair.kappa, sign), pair.multiplier_error());
   return out;
@@ -53,7 +53,7 @@ struct Multipliers : ChosenBreather {
   /// What a shift along the chain does is said by the pair next to +1, whether the breather is stable by all of them.
   Table quantities(const Spectrum& found) const {
     Answers q;
-    const Pair& pinning = found.pairs.front();
+    const MultiplierPair& pinning = found.pairs.front();
     const bool real = std::abs(pinning.kappa.imag()) <= pinning.radius();
     q.add_small(
         "kappa", real ? found.kappa() : undefined, "",

@@ -48,7 +48,7 @@ struct OneBarrier : ChosenBreather {
     Answers q;
     q.add_small("equal_frequency", found.equal_frequency, "",
                 "E_site - E_bond, both breathers at the frequency omega_b");
-    q.add_small("equal_area", found.equal_area, "",
+    q.add_small("equal_area", found.equal_action, "",
                 "E_site - E_bond, both breathers at the bond-centred one's area (2 pi times the "
                 "action), which a moving breather keeps");
     return q.table;

@@ -27,7 +27,7 @@ struct FoundOrbit : Fitted {
   /// A number of the orbit, with the difference of the two precisions.
   template <class Of>
   Estimate of(Of number) const {
-    return compare(double(number(orbit)), double(number(wide)));
+    return with_error(double(number(orbit)), double(number(wide)));
   }
 };
 
@@ -73,7 +73,7 @@ inline FoundOrbit in_two_precisions(const Fitted& found) {
   const Orbit<Wide> coarse = solve(other, false);
   double worst = 0;
   for (std::size_t n = 0; n < coarse.start.y.size(); ++n) {
-    out.y.push_back(compare(double(coarse.start.y[n]), double(out.wide.start.y[n])));
+    out.y.push_back(with_error(double(coarse.start.y[n]), double(out.wide.start.y[n])));
     const auto& [y, error, is_exact] = out.y.back();
     if (std::abs(y) > 0.01 * found.orbit.amplitude) worst = std::max(worst, error / std::abs(y));
   }
@@ -91,7 +91,7 @@ inline void add_orbit(Answers& q, const FoundOrbit& found, const Estimate& ampli
   q.add("amplitude", amplitude, "", meaning);
   q.add("energy", found.of([](const auto& o) { return o.energy; }), "",
         "energy of the whole chain, Eq. (6)");
-  q.add("area", found.of([](const auto& o) { return o.area; }), "",
+  q.add("area", found.of([](const auto& o) { return o.action_integral; }), "",
         "integral over a period of the sum of mass times squared velocity, 2 pi times the action");
   q.add_small("residual", {miss, double(run.error) * orbit.amplitude / size},
               "relative to amplitude",

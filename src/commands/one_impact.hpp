@@ -33,7 +33,7 @@ inline void add_strongest(Answers& q, const ImpactRun& coarse, const ImpactRun& 
   Estimate e = undefined;
   std::string reason = fine.density.size() > 5 ? "nothing has moved beyond the first five sites"
                                                : "the chain has no site beyond the first five";
-  if (a && b) e = compare(*a, *b);
+  if (a && b) e = with_error(*a, *b);
   if (e.error > e.value) {
     reason =
         "sites " + std::to_string(*a) + " and " + std::to_string(*b) + " are almost equally strong";

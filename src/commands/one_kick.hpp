@@ -69,8 +69,8 @@ struct OneKick : KickedBreather {
     const auto runs = find();
     const auto& [coarsest, coarse, fine] = runs;
     const auto of = [&runs](auto number) {
-      return after_halving(compare(number(runs[0]), number(runs[1])),
-                           compare(number(runs[1]), number(runs[2])));
+      return after_halving(with_error(number(runs[0]), number(runs[1])),
+                           with_error(number(runs[1]), number(runs[2])));
     };
     const double ends = std::min({coarsest.run.t_end, coarse.run.t_end, fine.run.t_end});
     const double way = std::abs(fine.travelled());
@@ -109,7 +109,7 @@ struct OneThreshold : KickedBreather {
   cent above it must get over. */
   Table table() const {
     const RestingBreather at = at_rest();
-    const Prediction p = predict_threshold(at, barriers_at(omega_b).equal_area);
+    const Prediction p = predict_threshold(at, barriers_at(omega_b).equal_action);
     if (!p.exists())
       throw UsageError("--centre: this breather at omega_b = " + short_text(omega_b) +
                        " is unstable, so any kick moves it (allowed: the other centre)");
@@ -124,7 +124,7 @@ struct OneThreshold : KickedBreather {
     parallel_for("thresholds", 2, [&](std::size_t i) {
       found[i] = depinning(at, p.threshold.value, i ? EventCorrected{0.15} : fine, limit).threshold;
     });
-    const Estimate c = compare(found[1], found[0]);
+    const Estimate c = with_error(found[1], found[0]);
     parallel_for("bracket", 2, [&](std::size_t i) {
       const double beside = (i ? 1.01 : 0.99) * c.value;
       const Mobility found_to_be = mobility_of(decided_path(at, beside, fine, limit));

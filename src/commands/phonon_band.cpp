@@ -46,7 +46,7 @@ Table Band::table() const {
 
   // The band, its inflection, and where modulations grow
   Answers q;
-  q.add("lower_edge", compare(1.0, 1.0), "", "frequency at q = 0, that of a bead in its well");
+  q.add("lower_edge", with_error(1.0, 1.0), "", "frequency at q = 0, that of a bead in its well");
   q.add("upper_edge",
         in_two_precisions(
             [](auto x) {

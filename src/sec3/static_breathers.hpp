@@ -41,7 +41,7 @@ inline FreeBreather without_symmetry(const Shooting<double>& problem, double per
   even.symmetry = even_in_time(sites);
   State<double> start = find_breather(problem).start;
   const auto symmetric = even.evaluate(even.reduce(start), {});
-  start.y = shaken(start.y, perturbation, seed);
+  start.y = perturbed(start.y, perturbation, seed);
   const auto free = in_precision<Wide>(even);
   const Orbit<Wide> orbit = newton(free, newton(even, even.reduce(start)));
   State<Wide> image = orbit.start;
@@ -49,8 +49,8 @@ inline FreeBreather without_symmetry(const Shooting<double>& problem, double per
   Wide most = 0;
   for (std::size_t n = 0; n < sites; ++n)
     most = std::max(most, std::abs(orbit.start.y[n] + image.y[sites - 1 - n]));
-  return {double(most / orbit.amplitude), compare(condition_of(symmetric.jacobian).condition,
-                                                  condition_of(orbit.jacobian).condition)};
+  return {double(most / orbit.amplitude), with_error(condition_of(symmetric.jacobian).condition,
+                                                     condition_of(orbit.jacobian).condition)};
 }
 
 /// The largest |y_n(0) - y_-n(0)|, relative to the largest |y_n(0)|.
@@ -68,7 +68,7 @@ inline Estimate width_of(const Shooting<double>& problem) {
     for (double& y_n : squares) y_n *= y_n;
     return participation(squares);
   };
-  return compare(width(1), width(0));
+  return with_error(width(1), width(0));
 }
 
 /// The article's residual of positions x at t = 0: the change of positions and velocities after a whole period, over the

@@ -77,8 +77,8 @@ static double distance(bool equal_frequency, std::size_t sites, double eps, doub
 WaveDistances wave_distances(std::size_t sites, double eps, double alpha) {
   if (64 * 24 % sites != 0) throw std::invalid_argument("this wavelength does not fit the samples");
   const auto estimate = [&](bool equal_frequency) {
-    return compare(distance(equal_frequency, sites, eps, alpha, 24),
-                   distance(equal_frequency, sites, eps, alpha, 48));
+    return with_error(distance(equal_frequency, sites, eps, alpha, 24),
+                      distance(equal_frequency, sites, eps, alpha, 48));
   };
   return {estimate(true), estimate(false)};
 }

@@ -19,7 +19,7 @@ struct PinnedBreather {
   Centre centre;
   double mu;                ///< its frequency
   Field u;                  ///< its profile, real
-  PinningPair pair;         ///< with that sign
+  PinningMode pair;         ///< with that sign
   double centre_per_shift;  ///< g: how far the centre moves, in sites, for a unit of a
 
   explicit PinnedBreather(const Stationary<double>& state);

@@ -33,15 +33,15 @@ Spectrum spectrum(const Shooting<T>& in_t, const Orbit<double>& orbit, double ra
     const Orbit<T> found = newton(in_t, guess, how);
     return floquet_pairs<T>(in_t.chain, found.start, found.period(), how.events);
   };
-  const Pairs<T> fine = pairs(0);
+  const MultiplierPairs<T> fine = pairs(0);
   progress.tick();
-  return {compare_pairs(pairs(1), fine), fine.mode.template cast<double>()};
+  return {pairs_with_errors(pairs(1), fine), fine.mode.template cast<double>()};
 }
 
 // A bead at rest turns with frequency one, which is its multiplier
-int at_edge(const std::vector<Pair>& pairs, double omega_b) {
+int at_edge(const std::vector<MultiplierPair>& pairs, double omega_b) {
   const double edge = -std::pow(std::sin(pi<double>() / omega_b), 2);
-  return 2 * int(std::count_if(pairs.begin() + 1, pairs.end(), [&](const Pair& pair) {
+  return 2 * int(std::count_if(pairs.begin() + 1, pairs.end(), [&](const MultiplierPair& pair) {
            return std::abs(pair.kappa - edge) < 1e-4;
          }));
 }
@@ -53,11 +53,11 @@ Orbit<double> lengthened(const Shooting<double>& longer, const Orbit<double>& or
   return newton(longer, longer.reduce(start));
 }
 
-Estimate from_one(const Pair& pair) {
+Estimate distance_from_one(const MultiplierPair& pair) {
   return {std::abs(multiplier(pair.kappa, 1) - 1.0), pair.multiplier_error()};
 }
 
-double quick_kappa(Centre centre, const Spot& spot, Orbit<double>& orbit,
+double quick_kappa(Centre centre, const PlanePoint& spot, Orbit<double>& orbit,
                    const NewtonRule<double>& how) {
   const auto problem = problem_at(centre, spot);
   orbit = newton_from(problem, orbit, how);

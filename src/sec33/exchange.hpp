@@ -19,12 +19,12 @@ namespace lattice {
 
 /// A place in the plane, and how many sites more than necessary: up to omega_b = 2 a bead missing at the ends of 21
 /// sites, or 22 around a bond, would be pushed by less than rounding.
-struct Spot {
+struct PlanePoint {
   double omega_b, s;
   std::size_t more = 0;
 };
 /// The problem of a breather in quartic wells at that place of the plane.
-inline Shooting<double> problem_at(Centre centre, const Spot& spot) {
+inline Shooting<double> problem_at(Centre centre, const PlanePoint& spot) {
   return breather_problem(centre, spot.omega_b, spot.s,
                           sites_of(centre, Length::shortest) + spot.more);
 }
@@ -37,7 +37,7 @@ Orbit<double> newton_from(const Shooting<double>& problem, const Orbit<double>& 
 /// The pairs of a breather from two computations: their tolerances differ by a factor of 16, and the coarser one has to
 /// find the orbit again from a point beside it.
 struct Spectrum {
-  std::vector<Pair> pairs;
+  std::vector<MultiplierPair> pairs;
   Vector<double> mode;  ///< of the pinning pair, positions at t = 0
   /// That of the pinning pair.
   Estimate kappa() const { return {pairs.front().kappa.real(), pairs.front().error}; }
@@ -61,13 +61,13 @@ inline std::string name_of(Centre centre) {
 }
 
 /// How many multipliers but the first two lie within 1e-4 in kappa of their accumulation, exp(+-2 pi i / omega_b).
-int at_edge(const std::vector<Pair>& pairs, double omega_b);
+int at_edge(const std::vector<MultiplierPair>& pairs, double omega_b);
 
 /// The breather of a longer chain near that of a shorter one, with beads at rest beyond the old ends. Throws NewtonFailed.
 Orbit<double> lengthened(const Shooting<double>& longer, const Orbit<double>& orbit);
 
 /// How far the multipliers of a pair are from +1.
-Estimate from_one(const Pair& pair);
+Estimate distance_from_one(const MultiplierPair& pair);
 
 /// A cut runs along s at fixed omega_b, or along omega_b at fixed s.
 struct Cut {
@@ -75,7 +75,9 @@ struct Cut {
   double fixed;          ///< the other one of the two
   std::size_t more = 0;  ///< sites
   /// The place on the cut with this parameter.
-  Spot at(double p) const { return along_s ? Spot{fixed, p, more} : Spot{p, fixed, more}; }
+  PlanePoint at(double p) const {
+    return along_s ? PlanePoint{fixed, p, more} : PlanePoint{p, fixed, more};
+  }
 };
 
 /// A zero of kappa on a cut, the slope of kappa there, and the breather.
@@ -86,7 +88,7 @@ struct Exchange {
 };
 
 /// kappa in double precision and without an error; `orbit` is replaced by the one at `spot`.
-double quick_kappa(Centre centre, const Spot& spot, Orbit<double>& orbit,
+double quick_kappa(Centre centre, const PlanePoint& spot, Orbit<double>& orbit,
                    const NewtonRule<double>& how = {});
 
 /// The parameter of a cut, and kappa there.

@@ -105,12 +105,12 @@ double hill_speed(const KickedPath& path) {
   return (a[3] > 0 ? a[1] - a[2] * a[2] / (3 * a[3]) : a[1]) / half;
 }
 
-// Newton's method, on a chain without a floor; the runs have one
+// Newton's method, with no overlap negligible; the runs neglect the faintest
 RestingBreather resting_breather(Centre centre, Phase phase, double omega_b, std::size_t sites,
                                  double s) {
   const Fitted found =
       fit_chain(centre, omega_b, Quartic{s}, centre == Centre::site ? sites | 1 : sites,
-                sites_of(centre, Length::spare), 1e-16, phase);
+                sites_of(centre, Length::for_kicks), 1e-16, phase);
   const State<double>& rest = found.orbit.start;
   return {centre,
           Chain{rest.y.size(), simplest(Well(Quartic{s}))},
@@ -149,7 +149,7 @@ Prediction predict_threshold(const RestingBreather& at, const Estimate& barrier)
     if (i == 0) rule.tolerance *= 16;
     found[i] = pinning_of(at, rule);
   }
-  const auto pair = [&](auto of) { return compare(of(found[0]), of(found[1])); };
+  const auto pair = [&](auto of) { return with_error(of(found[0]), of(found[1])); };
   Prediction out;
   out.phi = pair([](const Pinning& p) { return p.phi; });
   out.along = pair([](const Pinning& p) { return p.along; });
@@ -186,7 +186,7 @@ Depinning depinning(const RestingBreather& at, double predicted, const Method& m
     const double c1 = out.c[i], v1 = out.speed[i], c2 = out.c[k], v2 = out.speed[k];
     return std::sqrt((c1 * c1 * v2 * v2 - c2 * c2 * v1 * v1) / (v2 * v2 - v1 * v1));
   };
-  const Estimate one = compare(from(0, 2), from(0, 1)), two = compare(from(1, 2), from(0, 1));
+  const Estimate one = with_error(from(0, 2), from(0, 1)), two = with_error(from(1, 2), from(0, 1));
   out.threshold = {one.value, std::max(one.error, two.error)};
   return out;
 }

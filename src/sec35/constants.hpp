@@ -21,11 +21,12 @@ inline void report_beam(Report& report, const CantileverArray& array) {
     const double x = ClampedBeam{steps, load}.wavenumber();
     return std::sqrt(192 / (mass(root) + load)) / (x * x);
   };
-  const Estimate stiffness = compare(ClampedBeam{200}.stiffness(0), ClampedBeam{400}.stiffness(0)),
-                 model = compare(model_over_beam(200), model_over_beam(400));
+  const Estimate stiffness =
+                     with_error(ClampedBeam{200}.stiffness(0), ClampedBeam{400}.stiffness(0)),
+                 model = with_error(model_over_beam(200), model_over_beam(400));
   report.table("beam").add({{"stiffness", stiffness},
-                            {"frequency", compare(shooting * shooting, root * root)},
-                            {"mass", compare(mass(shooting), mass(root))},
+                            {"frequency", with_error(shooting * shooting, root * root)},
+                            {"mass", with_error(mass(shooting), mass(root))},
                             {"model", model}});
 }
 
@@ -69,7 +70,7 @@ inline void report_hertz(Report& report, const CantileverArray& array) {
   for (double first : radii)
     for (double second : radii) {
       const Estimate ours =
-          compare(hertz(array, first, second, 16), hertz(array, first, second, 32));
+          with_error(hertz(array, first, second, 16), hertz(array, first, second, 32));
       const double eta = std::sqrt(2 * first * second / (first + second));
       const auto over = [&](double modulus) {
         return quotient(exact(array.gamma(modulus) * eta), ours);

@@ -48,7 +48,7 @@ double growth_rate(const PlaneWave& wave, double modulation);
 template <class Of>
 Estimate at_zero_amplitude(double a, Of of) {
   const double x = of(a), y = of(a / 2), z = of(a / 4);
-  return compare((4 * y - x) / 3, (4 * z - y) / 3);
+  return with_error((4 * y - x) / 3, (4 * z - y) / 3);
 }
 
 }  // namespace lattice

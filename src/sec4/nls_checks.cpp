@@ -115,7 +115,7 @@ static void report_instability(Report& report, double d, std::span<const double>
         top = std::max(top, coefficients(pi * k / points, d, s).phi);
       return top;
     };
-    in_wells.add({{"s", s}, {"largest_phi", compare(largest(2000), largest(4000))}});
+    in_wells.add({{"s", s}, {"largest_phi", with_error(largest(2000), largest(4000))}});
   }
 }
 
@@ -165,8 +165,8 @@ static void report_edge_waves(Report& report, double d) {
                {"s", s},
                {"edge", q > 0 ? "pi" : "zero"},
                {"side", side},
-               {"growth", compare(six, twelve)},
-               {"growth_over_nls", compare(six / by_nls, twelve / by_nls)}});
+               {"growth", with_error(six, twelve)},
+               {"growth_over_nls", with_error(six / by_nls, twelve / by_nls)}});
   }
 }
 

@@ -278,7 +278,7 @@ RingPair side_by_side(const Chain& ring, const State<double>& start, double step
     }
     progress.reach(state[1].t / longest);
     out.agree = Estimate{state[1].t, interval};
-    out.stretch = compare(stretch[0], stretch[1]);
+    out.stretch = with_error(stretch[0], stretch[1]);
     if (!(distance(state[0], state[1]) < 0.1)) return out;
     out.samples.push_back(seen);
     if (out.localized.value > 0 || !seen[0].localized || !seen[1].localized) continue;
@@ -295,7 +295,7 @@ Estimate RingPair::width() const {
   for (const auto& [coarse, fine] : samples)
     if (fine.t >= localized.value && fine.t <= 1.5 * localized.value &&
         !(fine.width >= least.value))
-      least = compare(coarse.width, fine.width);
+      least = with_error(coarse.width, fine.width);
   return least;
 }
 
@@ -309,7 +309,7 @@ PulseSplits pulse_splits(const RingPair& pair, double round) {
   if (seen.empty()) return {};
   Estimate largest{0, 0};
   for (const auto& [coarse, fine] : seen)
-    if (fine.second > largest.value) largest = compare(coarse.second, fine.second);
+    if (fine.second > largest.value) largest = with_error(coarse.second, fine.second);
   const auto two = std::ranges::find_if(
       seen, [](const Pair& both) { return std::max(both[0].second, both[1].second) >= 0.5; });
   const double until = two == seen.end() ? seen.back()[1].t : (*two)[1].t;
@@ -321,7 +321,7 @@ PulseSplits pulse_splits(const RingPair& pair, double round) {
     const auto least = std::min_element(from, from + samples, [](const Pair& a, const Pair& b) {
       return a[1].second < b[1].second;
     });
-    if ((*least)[1].second > kept.value) kept = compare((*least)[0].second, (*least)[1].second);
+    if ((*least)[1].second > kept.value) kept = with_error((*least)[0].second, (*least)[1].second);
   }
   return {{until - pair.localized.value, interval}, largest, kept};
 }

@@ -133,7 +133,7 @@ Estimate in_two_precisions(Formula formula, Arguments... x) {
   };
   const std::array<double, sizeof...(x)> given{x...};
   const long double value = fine(given);
-  Estimate out = compare(double(formula(x...)), double(value));
+  Estimate out = with_error(double(formula(x...)), double(value));
   for (std::size_t i = 0; i < given.size(); ++i) {
     long double most = 0;
     for (double side : {-HUGE_VAL, HUGE_VAL}) {

@@ -99,7 +99,7 @@ static Estimate top(const Data& coefficients) {
     all.push_back(at["phi"]);
     if (all.size() % 2 == 1) second.push_back(all.back());
   }
-  return compare(largest_of(second), largest_of(all));
+  return with_error(largest_of(second), largest_of(all));
 }
 
 STATEMENT("pre.phi") {
@@ -216,7 +216,7 @@ STATEMENT("pre.nls_order") {
   // The last order, with the one before it as its error
   const Data errors = table("ansatz_error");
   const auto last = [&](const char* order) {
-    return compare(errors.at("eps", 0.05)[order], errors.at("eps", 0.025)[order]);
+    return with_error(errors.at("eps", 0.05)[order], errors.at("eps", 0.025)[order]);
   };
   answer(last("order_l2"), "");
   reading("largest", last("order_largest"));

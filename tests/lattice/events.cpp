@@ -60,19 +60,19 @@ TEST_CASE("the extrapolation is worth its name", "[unit][formulas]") {
   CHECK(switching.error < 3e-12);
 }
 
-TEST_CASE("the area counts the masses", "[unit][formulas]") {
+TEST_CASE("the action integral counts the masses", "[unit][formulas]") {
   Chain chain{1};
   vary(chain, {4}, {1, 1});
   State<double> s(1);
   s.y[0] = 0.3;
   // v = -0.15 sin(t / 2): 4 * 0.15^2 * 2 pi over the period 4 pi.
-  check_close(flow(chain, s, 4 * M_PI).area, 0.18 * M_PI, 1e-12);
+  check_close(flow(chain, s, 4 * M_PI).action_integral, 0.18 * M_PI, 1e-12);
   check_close(s.y[0], 0.3, 1e-12);
 }
 
 TEST_CASE("the event-driven flow is exact, reversible and conserves energy", "[property][events]") {
-  const Chain chain{16, Quartic{0.5}, Hertz{.floor = 0}};
-  const auto start = shaken(16, 1);
+  const Chain chain{16, Quartic{0.5}, Hertz{.negligible = 0}};
+  const auto start = random_state(16, 1);
   auto s = start;
   const auto there = flow(chain, s, 6.0);
   CHECK(there.energy_drift < 1e-12);
@@ -135,13 +135,13 @@ TEST_CASE("beads that move alike touch by roundings, which are no events", "[pro
 }
 
 TEST_CASE("tiny contacts in a tail are neither missed nor looped on", "[property][events]") {
-  const Chain chain{12, {}, Hertz{.floor = 0}};
+  const Chain chain{12, {}, Hertz{.negligible = 0}};
   State<double> s(12);
   for (std::size_t n = 0; n < 12; ++n)
     s.y[n] = (n % 2 ? -0.1 : 0.1) * std::pow(10.0, -3.0 * double(n));  // down to 1e-34
   const auto start = s;
   EventTolerance<double> rule;
-  rule.floor = 0;
+  rule.slowest_event = 0;
   const auto f = flow(chain, s, 6.0, rule);
   CHECK(f.steps < 5000);
   CHECK(f.contact_events > 10);
@@ -269,19 +269,19 @@ TEST_CASE("the tangent of any chain is the derivative of the flow", "[property][
   std::vector<double> mass, eta(11, 1);
   for (std::size_t n = 0; n < 10; ++n) mass.push_back(1 + 0.5 * double(n % 3));
   eta[5] = 0.7, eta[6] = 1.3;
-  const Chain plain[]{{10, None{}, whole}, {10, Hill{}, whole}};
+  const Chain plain[]{{10, NoWell{}, whole}, {10, Hill{}, whole}};
   for (Chain chain : plain) {
     check_tangent(chain);
     vary(chain, mass, eta);
     check_tangent(chain);
   }
-  check_tangent({10, None{}, CompressedHertz{0.5}});
+  check_tangent({10, NoWell{}, CompressedHertz{0.5}});
   check_tangent({10, {}, CompressedHertz{0.5}, Ends::periodic});
 }
 
 TEST_CASE("the tangent map is symplectic, and good to twelve digits", "[property][events]") {
-  const Chain chain{8, Quartic{0.5}, Hertz{.floor = 0}};
-  const auto start = shaken(8, 0.7);
+  const Chain chain{8, Quartic{0.5}, Hertz{.negligible = 0}};
+  const auto start = random_state(8, 0.7);
   Tangent<double> m(8, 16);
   Tangent<long double> fine(8, 16);
   carried(chain, start, 6, &m);
@@ -307,7 +307,7 @@ TEST_CASE("at rest the tangent is drift, rotation or growth, exactly", "[unit][t
         check_close(t(i, k), same ? entry : 0, 1e-13);
       }
   };
-  check(Chain{4, None{}}, 1, time, 0);
+  check(Chain{4, NoWell{}}, 1, time, 0);
   check(Chain{4}, std::cos(time), std::sin(time), -std::sin(time));
   Chain heavy{4};  // beads of mass 4 turn with the frequency 1/2
   vary(heavy, {4, 4, 4, 4}, {});
@@ -316,7 +316,7 @@ TEST_CASE("at rest the tangent is drift, rotation or growth, exactly", "[unit][t
 }
 
 TEST_CASE("a bead light enough to feel a faint contact belongs to the core", "[unit][tangent]") {
-  Chain chain{3, {}, Hertz{.floor = 0}};
+  Chain chain{3, {}, Hertz{.negligible = 0}};
   StepRecord<double> record;
   const std::vector<double> wells_and_links{1, 1, 1, 0, 1e-18, 0, 0};
   std::copy(wells_and_links.begin(), wells_and_links.end(), record.nodes.add(3, 0, 0));

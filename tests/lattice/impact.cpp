@@ -125,9 +125,9 @@ TEST_CASE("a chain is long enough for what travels in it", "[unit][model]") {
     double velocity, time;
   };
   for (const auto& [like, velocity, time] : {Run{{0, Quartic{1}}, 1.9, 200},
-                                             {{0, None{}}, 1.9, 200},
-                                             {{0, None{}}, 100, 60},
-                                             {{0, None{}, CompressedHertz{4}}, 1, 60}}) {
+                                             {{0, NoWell{}}, 1.9, 200},
+                                             {{0, NoWell{}}, 100, 60},
+                                             {{0, NoWell{}, CompressedHertz{4}}, 1, 60}}) {
     const Impact impact = on_long_chain({velocity, like, time});
     CAPTURE(velocity, impact.chain.sites);
     CHECK(impact.chain.sites < 4 * std::size_t(time) + 100);
@@ -149,8 +149,8 @@ TEST_CASE("an impact in two parts is the impact", "[unit][model]") {
   const Impact impact{1.9, {60, Quartic{1}}, 60};
   const ImpactRun whole = strike(EventCorrected{0.1}, impact);
   ImpactRun parts{struck(60, 1.9)};
-  follow(EventCorrected{0.1}, impact, parts, 20);
-  follow(EventCorrected{0.1}, impact, parts, 60);
+  continue_strike(EventCorrected{0.1}, impact, parts, 20);
+  continue_strike(EventCorrected{0.1}, impact, parts, 60);
   CHECK(whole.end.y == parts.end.y);
   CHECK(whole.density == parts.density);
   CHECK(whole.run.steps == parts.run.steps);

@@ -24,16 +24,16 @@ double hand_set() {
 }  // namespace
 
 TEST_CASE("estimates are never without an error unless they are exact", "[unit][accuracy]") {
-  CHECK(compare(1.0, 1.0).error > 0);
-  CHECK(compare(0.0, 0.0).error > 0);
-  CHECK(compare(2.0, 1.5).error == 0.5);
-  CHECK_FALSE(compare(1.0, 1.0).is_exact);
-  CHECK(std::isnan(compare(std::nan(""), 1.0).error));
+  CHECK(with_error(1.0, 1.0).error > 0);
+  CHECK(with_error(0.0, 0.0).error > 0);
+  CHECK(with_error(2.0, 1.5).error == 0.5);
+  CHECK_FALSE(with_error(1.0, 1.0).is_exact);
+  CHECK(std::isnan(with_error(std::nan(""), 1.0).error));
   CHECK(exact(3).is_exact);
-  CHECK(compare(3, 3).is_exact);
-  CHECK_FALSE(compare(3, 4).is_exact);
-  CHECK(compare(3, 4).error == 1);
-  check_close(compare(Estimate{1, 0.1}, Estimate{1.5, 0.2}).error, 0.7, 1e-15);
+  CHECK(with_error(3, 3).is_exact);
+  CHECK_FALSE(with_error(3, 4).is_exact);
+  CHECK(with_error(3, 4).error == 1);
+  check_close(with_error(Estimate{1, 0.1}, Estimate{1.5, 0.2}).error, 0.7, 1e-15);
   // Nor can one be written: a double is known to its last digit
   for (double x : {3.0, -1e-30, 0.0}) CHECK(Estimate{x, 0}.error >= 1e-16 * std::abs(x));
   CHECK(Estimate{0, 0}.error > 0);
@@ -45,7 +45,7 @@ TEST_CASE("estimates are never without an error unless they are exact", "[unit][
 
 TEST_CASE("two resolutions that agree by chance have the error of the step before",
           "[unit][accuracy]") {
-  const Estimate before = compare(1.0, 1.064), last = compare(1.064, 1.064 + 1e-9);
+  const Estimate before = with_error(1.0, 1.064), last = with_error(1.064, 1.064 + 1e-9);
   check_close(after_halving(before, last).error, 0.001, 1e-9);
   CHECK(after_halving(before, last, 2).error > 0.03);
   CHECK(after_halving(last, before).error == before.error);

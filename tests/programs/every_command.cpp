@@ -57,15 +57,15 @@ TEST_CASE("every option takes what --describe says, and nothing beyond", "[cli]"
   std::size_t seen = 0;
   for (const auto& [offer, help] : offers()) {
     if (offer.find(' ') != std::string::npos) continue;
-    const Table told = table_of(offer + " --describe");
-    for (std::size_t k = 0; k < told.rows.size(); ++k) {
-      const auto text = [&](const char* column) { return told.texts(column)[k]; };
+    const Table described = table_of(offer + " --describe");
+    for (std::size_t k = 0; k < described.rows.size(); ++k) {
+      const auto text = [&](const char* column) { return described.texts(column)[k]; };
       const std::string command = text("command"), name = text("option"), takes = text("takes"),
                         line = offer + (command.empty() ? "" : " " + command);
       CHECK((name.empty() || offers().at(line).find("\n  --" + name + " ") != std::string::npos));
       if (name.empty() || takes == "flag" || name == "threads") continue;
-      check(line + " --" + name, takes, told.numbers("lowest")[k], told.numbers("highest")[k],
-            text("default"));
+      check(line + " --" + name, takes, described.numbers("lowest")[k],
+            described.numbers("highest")[k], text("default"));
       ++seen;
     }
   }

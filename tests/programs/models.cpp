@@ -21,7 +21,7 @@ const std::string boomeron = "sec34_boomeron run --time 60 ";
 
 /// By how much a chain with these wells misses its start after one period, relative to the amplitude.
 double missed(const Well& well, const std::vector<double>& y, double omega) {
-  const Chain chain{y.size(), well, Hertz{.floor = 0}};
+  const Chain chain{y.size(), well, Hertz{.negligible = 0}};
   State<double> start(y.size());
   start.y = y;
   State<double> end = start;

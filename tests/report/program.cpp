@@ -131,7 +131,7 @@ TEST_CASE("an answer that is nan has a reason, and one that is smaller than its 
   q.add("centre", {3, nan}, "site", "of the packet");
   q.add("width", {5, 5}, "site", "of the packet", "not said of a number");
   CHECK_THROWS_AS(q.add("centre", {1, 0.1}, "site", ""), std::invalid_argument);  // no meaning
-  q.add("count", compare(0.0, 0.0), "", "of packets");  // with the error of a rounding
+  q.add("count", with_error(0.0, 0.0), "", "of packets");  // with the error of a rounding
   q.add_small("drift", {1e-9, 2e-9}, "", "of the energy");
   CHECK(q.table.columns.back().name == "reason");
   CHECK(q.table.texts("reason") ==

@@ -28,5 +28,5 @@ inline lattice::Estimate dps_deviation(const lattice::Field& start, double eps,
     return most;
   };
   const int looks = int(std::ceil(5 / std::sqrt(eps)));
-  return lattice::compare(largest(looks, 1e-9), largest(2 * looks, 1e-11));
+  return lattice::with_error(largest(looks, 1e-9), largest(2 * looks, 1e-11));
 }

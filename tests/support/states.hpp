@@ -7,7 +7,7 @@
 
 /// Displacements and velocities of up to `size`, without any order; the same on every machine.
 template <class T = double>
-lattice::State<T> shaken(std::size_t sites, double size = 1, unsigned seed = 1) {
+lattice::State<T> random_state(std::size_t sites, double size = 1, unsigned seed = 1) {
   std::mt19937_64 bits(seed);
   lattice::State<T> s(sites);
   for (auto* x : {&s.y, &s.v})

@@ -29,7 +29,7 @@ template std::pair<double, double> phase_and_rest(const Shooting<long double>&,
                                                   const EventTolerance<long double>&);
 
 /// The largest modulus of a multiplier; one where no growth shows above the error.
-static Estimate largest_multiplier(const Pair& phase, const Estimate& rest) {
+static Estimate largest_multiplier(const MultiplierPair& phase, const Estimate& rest) {
   if (rest.value > 1 + rest.error) return rest;
   const bool grows = phase.kappa.real() > phase.error;
   return {grows ? multiplier(phase.kappa, 1).real() : 1, phase.multiplier_error()};
@@ -181,19 +181,19 @@ Table OneOrbit::quantities(const Found& f) const {
   const auto narrow = phase_and_rest(f.problem, f.orbit, coarse);
   const auto better = t < 30 ? phase_and_rest(f.wide_problem, f.wide, {})
                              : phase_and_rest(f.problem, f.orbit, fine);
-  const Pair phase{better.first, compare(narrow.first, better.first).error};
+  const MultiplierPair phase{better.first, with_error(narrow.first, better.first).error};
   const double tail = left_behind(f.problem, f.orbit, shifts, fine);
   // A tail or a residual that is only rounding is printed as it is, because its smallness is the result. Two tolerances
   // share the rounding of the start, so that their difference is not its error
   Answers q;
-  q.add("shift_time", compare(t, t_wide), "time",
+  q.add("shift_time", with_error(t, t_wide), "time",
         "time T after which every bead repeats the motion of its neighbour behind, one site of "
         "travel");
-  q.add("speed", compare(1 / t, 1 / t_wide), "site per unit of time",
+  q.add("speed", with_error(1 / t, 1 / t_wide), "site per unit of time",
         "speed of the breather, one site per shift time");
-  q.add("energy", compare(f.orbit.energy, double(f.wide.energy)), "",
+  q.add("energy", with_error(f.orbit.energy, double(f.wide.energy)), "",
         "energy of the whole chain, Eq. (6)");
-  q.add("peak", compare(peak(f.problem, f.orbit), peak(f.wide_problem, f.wide)), "",
+  q.add("peak", with_error(peak(f.problem, f.orbit), peak(f.wide_problem, f.wide)), "",
         "largest energy density of a site at t = 0");
   q.add_small("tail", {tail, std::max(tail, left_behind(f.problem, f.orbit, shifts, coarse))},
               "relative to amplitude",
@@ -201,8 +201,8 @@ Table OneOrbit::quantities(const Found& f) const {
   q.add_small("residual", {residual_of(f), residual_of(f)}, "relative to amplitude",
               "difference between the printed profile and itself one shift time later and one site "
               "further on");
-  q.add("multiplier_modulus", largest_multiplier(phase, compare(narrow.second, better.second)), "",
-        "largest modulus of a multiplier per shift; 1 where no perturbation is seen to grow");
+  q.add("multiplier_modulus", largest_multiplier(phase, with_error(narrow.second, better.second)),
+        "", "largest modulus of a multiplier per shift; 1 where no perturbation is seen to grow");
   return q.table;
 }
 

@@ -26,14 +26,14 @@ void visit(Node& node, const Node& from) {
     node.orbit = newton_from(problem, from.orbit, chart_rule());
     if (!same_family(node.orbit, from.orbit)) {
       if (node.spot.s < 0) return;
-      const Spot half{node.spot.omega_b, (node.spot.s + from.spot.s) / 2};
+      const PlanePoint half{node.spot.omega_b, (node.spot.s + from.spot.s) / 2};
       const auto between = newton_from(problem_at(Centre::site, half), from.orbit, chart_rule());
       node.orbit = newton_from(problem, between, chart_rule());
       if (!same_family(between, from.orbit) || !same_family(node.orbit, between)) return;
     }
     const auto found =
         floquet_pairs(problem.chain, node.orbit.start, node.orbit.period(), chart_rule().events);
-    node.kappa = found.pinning(), node.defect = found.defect;
+    node.kappa = found.pinning(), node.kappa_error = found.symplectic_error;
   } catch (const NewtonFailed&) {
   }
 }

@@ -15,9 +15,9 @@ namespace lattice {
 
 /// A place of the plane with its breather, if there is one.
 struct Node {
-  Spot spot{};
+  PlanePoint spot{};
   Orbit<double> orbit{};
-  double kappa = std::nan(""), defect = std::nan("");  ///< its error is the symplectic defect
+  double kappa = std::nan(""), kappa_error = std::nan("");  ///< the symplectic error
   bool exists() const { return std::isfinite(kappa); }
 };
 using Nodes = std::vector<Node>;   ///< of one frequency, from s = -1 to 1

@@ -21,7 +21,7 @@ BranchMember member_at(Centre centre, double omega, bool fine) {
   EventTolerance<double> rule;
   if (!fine) rule.tolerance *= 1000;
   const auto pairs = floquet_pairs(problem.chain, orbit.start, orbit.period(), rule);
-  BranchMember out{omega, orbit.area, pairs.pinning(), 0};
+  BranchMember out{omega, orbit.action_integral, pairs.pinning(), 0};
   if (out.kappa > 0) out.growth = 2 * std::asinh(std::sqrt(out.kappa)) / orbit.period();
   return out;
 }

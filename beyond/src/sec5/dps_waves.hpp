@@ -70,8 +70,8 @@ struct DpsWave {
 /// A quantity of the wave q. Formulas have no step to halve, so their error is the difference of two precisions.
 template <class Of>
 Estimate in_two_precisions(double q, Of of, double amplitude = 1) {
-  return compare(double(of(DpsWave<double>{q, amplitude})),
-                 double(of(DpsWave<long double>{q, amplitude})));
+  return with_error(double(of(DpsWave<double>{q, amplitude})),
+                    double(of(DpsWave<long double>{q, amplitude})));
 }
 
 /// A plane wave and a modulation that fit on a ring.

@@ -40,7 +40,7 @@ double highest_top(Drive::By by, double depth) {
 }
 
 Estimate highest_top(Drive::By by) {
-  return compare(highest_top(by, 90), highest_top(by, 60));
+  return with_error(highest_top(by, 90), highest_top(by, 60));
 }
 
 }  // namespace
@@ -160,7 +160,7 @@ std::vector<DrivenQuantity> DrivenArray::quantities() const {
   const Emission fine = array.run(step), between = array.run(1.65 * step);
   // What steps leave depends on where in a step a contact opens or closes, and two runs may agree by chance
   const auto of = [&](auto what) {
-    Estimate e = compare(double(what(coarse)), double(what(fine)));
+    Estimate e = with_error(double(what(coarse)), double(what(fine)));
     e.error = std::max(e.error, std::abs(what(between) - e.value));
     return e;
   };

@@ -86,10 +86,10 @@ Vector<double> cut_packet(double velocity, double from, double to, int sign,
 Estimate energy_of_type_one(std::size_t k, const Orbit<double>& orbit) {
   NewtonRule<double> coarse;
   coarse.events.tolerance *= 8;
-  Orbit<double> shaken = orbit;
-  shaken.x *= 1 + 1e-7;
+  Orbit<double> off = orbit;
+  off.x *= 1 + 1e-7;
   const auto problem = type_one<double>(k, orbit.start.y.size() / 2 - 1);
-  return compare(newton(problem, shaken, coarse).energy, orbit.energy);
+  return with_error(newton(problem, off, coarse).energy, orbit.energy);
 }
 
 // A straight line through two members predicts the next, but for the far tail

@@ -37,7 +37,7 @@ Shooting<T> travelling_problem(const T& shift_time, double s = 0,
   Shooting<T> problem;
   problem.chain.sites = 2 * half_length + 2;
   problem.chain.well = Quartic{s};
-  problem.chain.contact = Hertz{.floor = 0};
+  problem.chain.contact = Hertz{.negligible = 0};
   problem.symmetry = travelling_reversible(half_length, false);
   problem.omega = T(2) * pi<T>() / shift_time;
   return problem;

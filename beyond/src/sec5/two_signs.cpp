@@ -78,7 +78,7 @@ Estimate TwoSigns::difference() const {
   const auto ratio = [&](std::size_t i) {
     return plus.grids[i].quotient() / minus.grids[i].quotient() - 1;
   };
-  const Estimate apart = compare(ratio(0), ratio(1));
+  const Estimate apart = with_error(ratio(0), ratio(1));
   return {apart.value, std::max(apart.error, rounding_of_quotients)};
 }
 
@@ -89,7 +89,8 @@ std::vector<TwoSigns> compare_signs(const std::vector<double>& alphas) {
     const double alpha = alphas[i / 2];
     found[i].push_back(wave_on_two_grids(1, i % 2 ? -1 : 1, alpha, dense_grids));
     const TwoGridWave& w = found[i].front();
-    if (alpha >= hertz_exponent) kappa[i] = compare(kappa_of(w.grids[0], 8), kappa_of(w.fine(), 1));
+    if (alpha >= hertz_exponent)
+      kappa[i] = with_error(kappa_of(w.grids[0], 8), kappa_of(w.fine(), 1));
   });
   // Both signs of an exponent side by side
   std::vector<TwoSigns> all;
@@ -117,7 +118,7 @@ Estimate exchange_of_quotients(const TwoSigns& low, const TwoSigns& high) {
       return plus(alpha).quotient() / minus(alpha).quotient() - 1;
     });
   };
-  Estimate out = compare(zero(0), zero(1));
+  Estimate out = with_error(zero(0), zero(1));
   // A zero is known no better than the rounding of the difference over its slope
   const double slope =
       (high.difference().value - low.difference().value) / (high.alpha - low.alpha);
@@ -131,7 +132,7 @@ Estimate exchange_of_stability(const TwoSigns& low, const TwoSigns& high, int si
     return find_sign_change(low.alpha, high.alpha,
                             [&](double alpha) { return kappa_of(wave(alpha), tolerance); });
   };
-  return compare(zero(0, 8), zero(1, 1));
+  return with_error(zero(0, 8), zero(1, 1));
 }
 
 }  // namespace lattice

@@ -37,7 +37,7 @@ struct TwoGridWave {
   /// A function or a member of the wave, with its error.
   template <class Of>
   Estimate operator()(Of of) const {
-    return compare(double(std::invoke(of, grids[0])), double(std::invoke(of, grids[1])));
+    return with_error(double(std::invoke(of, grids[0])), double(std::invoke(of, grids[1])));
   }
   const KernelWave& fine() const { return grids[1]; }
 };

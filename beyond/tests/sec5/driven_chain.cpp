@@ -105,9 +105,9 @@ TEST_CASE("a driven chain runs with the length of its masses and in states of th
     other.sites = sites;
     for (const Chain& chain : {other, twelve, Chain{12}}) refused(chain, struck(sites, 1));
   }
-  State<double> torn = struck(12, 1);
-  torn.v.pop_back();
-  refused(twelve, torn);
+  State<double> ragged = struck(12, 1);
+  ragged.v.pop_back();
+  refused(twelve, ragged);
   // Masses without stiffnesses, and the other way round
   Chain half{12};
   half.mass = half.inverse_mass = twelve.mass;

@@ -8,7 +8,7 @@
 
 #include <boost/numeric/interval.hpp>
 
-#include "lattice/quadruple/extended.hpp"
+#include "lattice/quadruple/quadruple.hpp"
 #include "sec5/circle.hpp"
 #include "sec5/contraction.hpp"
 #include "sec5/counted.hpp"

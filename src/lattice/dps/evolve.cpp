@@ -8,7 +8,7 @@
 
 namespace lattice {
 
-void TurningDps::operator()(double tau, const double* w, double* dw) const {
+void RotatingDps::operator()(double tau, const double* w, double* dw) const {
   dps(tau, w, dw);
   for (std::size_t n = 0; n < dps.sites; ++n) {
     dw[2 * n] += mu * w[2 * n + 1];

@@ -20,7 +20,7 @@ perturbation left to follow: at equal tolerance it needs half the time and keeps
 namespace lattice {
 
 /// The DpS equation in the frame that turns with e^{i mu t}, and at mu = 0 the equation itself.
-struct TurningDps {
+struct RotatingDps {
   Dps dps;
   double mu;  ///< frequency of the frame, per unit of slow time
 
@@ -36,7 +36,7 @@ using DpsObserver = Observer<double, Field>;
 
 /// Carries `field` over the slow time `duration` and calls `observe` at the start and after each of
 /// `samples` equal intervals; returns the largest relative change of the norm. `equation` is a Dps or a
-/// TurningDps. Throws std::runtime_error if GSL cannot go on.
+/// RotatingDps. Throws std::runtime_error if GSL cannot go on.
 double evolve_dps(const Rhs& equation, Field& field, double duration, std::size_t samples,
                   const Tolerance& tolerance, const DpsObserver& observe = {});
 

@@ -51,8 +51,8 @@ T largest_difference(const T* a, const T* b, std::size_t count) {
 /// What integrating across a segment gives.
 template <class T>
 struct SmoothSegment {
-  std::vector<T> z;                    ///< positions, velocities and area, 2 * sites + 1 numbers
-  T error = T(0);                      ///< the sum of those of its steps
+  std::vector<T> z;  ///< positions, velocities, action integral: 2 * sites + 1 numbers
+  T error = T(0);    ///< the sum of those of its steps
   std::vector<StepRecord<T>> records;  ///< for the columns; without nodes if no tangent vector
 };
 
@@ -70,7 +70,7 @@ class SegmentIntegrator {
     rule_.tolerance = std::max(rule.tolerance, T(16) * std::numeric_limits<T>::epsilon());
   }
 
-  /// Integrates across a segment of the given length (in time) from positions, velocities and area in `z`; with a
+  /// Integrates across a segment of the given length (in time) from positions, velocities and action integral in `z`; with a
   /// tangent vector it leaves records for the columns. The first step tries the whole interval. What remains is always
   /// divided evenly, so that no sliver is left.
   SmoothSegment<T> integrate(const std::vector<T>& z, T length, bool tangent_vector) {
@@ -130,7 +130,7 @@ class SegmentIntegrator {
     return error;
   }
 
-  /// Relative to the amplitude for the orbit, to its square for the area, and absolute for the tangent vector; infinite
+  /// Relative to the amplitude for the orbit, to its square for the action integral, and absolute for the tangent vector; infinite
   /// if anything is not a finite number.
   T difference(const std::vector<T>& a, const std::vector<T>& b) const {
     const std::size_t orbit = 2 * chain_.sites;
@@ -163,10 +163,10 @@ struct ContactEvent {
 
 /**
 An event at speed $u$ inside a step of length $h$ makes an error of the order $0.1\,u^{1/2}h^{3/2}$ in the tangent and
-$0.1\,u^{3/2}h^{5/2}$ in the state. It need not be located if $u$ is below `floor`: the square of the tolerance for a
+$0.1\,u^{3/2}h^{5/2}$ in the state. It need not be located if $u$ is below `slowest`: the square of the tolerance for a
 tangent, its power 3/4 for an orbit alone. So the tail of a breather soon drops out, and with it the risk of chasing
-rounding errors. With a floor of zero every event is located, however faint; one that is missed counts as a fault only
-above `serious`, the floor that the tolerance would have set.
+rounding errors. If `slowest` is set to zero, every event is located, however faint; one that is missed counts as a
+fault only above `serious`, the speed that the tolerance would have set.
 
 An event located with an error $\delta$ costs an error $\delta^{3/2}$. Events within `slack`, the power 3/4
 of the tolerance, therefore count as one: a pair related by symmetry needs one segment. Where an overlap
@@ -174,14 +174,14 @@ only touches zero, $x \simeq c(t-t^*)^2$, its stiffness has a corner, and an err
 time leaves an error $\delta^2$: we locate such an extremum within `near`. */
 template <class T>
 struct EventThresholds {
-  T floor, serious, slack, near;
+  T slowest, serious, slack, near;
 
   EventThresholds(const EventTolerance<T>& rule, T amplitude, bool tangent) {
     using std::sqrt;
     const T fine = tangent ? rule.tolerance : rule.tolerance * amplitude;
     const T by_tolerance = tangent ? fine * fine / T(16) : power34(fine);
-    floor = rule.floor >= T(0) ? rule.floor : by_tolerance;
-    serious = std::max(floor, by_tolerance);
+    slowest = rule.slowest_event.value_or(by_tolerance);
+    serious = std::max(slowest, by_tolerance);
     slack = power34(rule.tolerance) / T(4);
     near = sqrt(rule.tolerance) / T(16);
   }
@@ -197,7 +197,7 @@ template <class T>
 T search_step_for(const Chain& chain, double amplitude) {
   double fastest = 0;
   for (std::size_t i = 0; i <= chain.sites; ++i) {
-    if (!touches(chain, i)) continue;
+    if (!counts_contact(chain, i)) continue;
     const double inverse = (i > 0 ? inverse_mass<double>(chain, i - 1) : 0) +
                            (i < chain.sites ? inverse_mass<double>(chain, i) : 0);
     const double d = chain.contact.opening(), eta = chain.eta_of(i);
@@ -253,14 +253,14 @@ class EventIntegrator {
     return flow_;
   }
 
-  /// Positions, velocities and the area (location.hpp), 2 * sites + 1 numbers.
+  /// Positions, velocities and the action integral (location.hpp), 2 * sites + 1 numbers.
   const std::vector<T>& end() const { return z_; }
 
  private:
   /// Positions and velocities are in `z`, accelerations in `a`, which may be empty if they do not matter. A missing
   /// contact counts as open.
   Overlap<T> overlap(const std::vector<T>& z, const std::vector<T>& a, std::size_t i) const {
-    if (!touches(chain_, i)) return {T(-1), T(0), T(0)};
+    if (!counts_contact(chain_, i)) return {T(-1), T(0), T(0)};
     return {T(chain_.contact.opening()) - stretch(chain_, z.data(), i),
             -stretch(chain_, z.data() + chain_.sites, i),
             a.empty() ? T(0) : -stretch(chain_, a.data(), i)};
@@ -277,7 +277,7 @@ class EventIntegrator {
       leapfrog.step(now, dt);
       first.ahead = dt;
       for (std::size_t i = 0; i <= chain_.sites; ++i)
-        if (touches(chain_, i)) check_contact(before, now, dt, i, gone == T(0), first);
+        if (counts_contact(chain_, i)) check_contact(before, now, dt, i, gone == T(0), first);
       first.ahead = gone + first.ahead;
       gone += dt;
     }
@@ -380,7 +380,7 @@ class EventIntegrator {
   /// Whether an overlap of this `size` is too small to be located: by the thresholds, or because two beads move alike and
   /// their positions are rounded.
   bool is_faint(const std::vector<T>& z, std::size_t i, const T& size) const {
-    if (size <= thresholds_.floor) return true;
+    if (size <= thresholds_.slowest) return true;
     const T units = T(64) * std::numeric_limits<T>::epsilon();
     if (size > units * largest_) return false;
     T near(chain_.contact.opening());
@@ -450,7 +450,7 @@ FlowReport<T> flow(const Chain& chain, State<T>& state, std::type_identity_t<T> 
   return report;
 }
 
-// From event to event; energy, area and time are added at the end
+// From event to event; energy, action integral and time are added at the end
 template <class T>
 FlowReport<T> try_flow(const Chain& chain, State<T>& state, std::type_identity_t<T> duration,
                        const EventTolerance<T>& rule, Tangent<T>* tangent) {
@@ -460,7 +460,7 @@ FlowReport<T> try_flow(const Chain& chain, State<T>& state, std::type_identity_t
   const auto middle = integrator.end().begin() + long(chain.sites);
   state.y.assign(integrator.end().begin(), middle);
   state.v.assign(middle, integrator.end().end() - 1);
-  result.area = integrator.end().back();
+  result.action_integral = integrator.end().back();
   state.t += duration;
   const T change = magnitude(energy(chain, state) - before);
   result.energy_drift = before != T(0) ? change / magnitude(before) : change;

@@ -140,7 +140,7 @@ void Leapfrog<T>::evaluate(const T* y, T* well, T* link) {
   // The vectorised sweep leaves out the two end contacts and the stiffnesses eta_n
   for (std::size_t i : {std::size_t(0), n}) {
     push_[i] = contact_push(chain_, y, i);
-    link[i] = chain_.pushes(i)
+    link[i] = chain_.has_contact(i)
                   ? T(chain_.eta_of(i)) * chain_.contact.stiffness(stretch(chain_, y, i))
                   : T(0);
   }

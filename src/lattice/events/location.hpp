@@ -9,6 +9,7 @@ event_driven.cpp extrapolates it across a segment and finds the ends. */
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "lattice/events/tangent.hpp"
@@ -38,7 +39,8 @@ T span(T s, T e) {
 template <class T>
 struct EventTolerance {
   T tolerance = T(128) * std::numeric_limits<T>::epsilon();  ///< sixteen units at least
-  T floor = T(-1);  ///< slower events are not located (`EventThresholds`); < 0: from the tolerance
+  std::optional<T>
+      slowest_event{};  ///< slower ones are not located; by default the tolerance tells
   int levels = 2 + std::numeric_limits<T>::digits10 / 2;  ///< of the extrapolation, at most
 };
 
@@ -51,14 +53,14 @@ struct FlowReport {
   std::size_t steps = 0;           ///< of the segments as accepted
   std::size_t evaluations = 0;     ///< of the force on the whole chain
   T error = T(0);
-  T energy_drift = T(0);  ///< relative
-  T area = T(0);          ///< time integral of sum mu_n v_n^2
+  T energy_drift = T(0);     ///< relative
+  T action_integral = T(0);  ///< time integral of sum mu_n v_n^2
 };
 
 /**
 The orbit takes an arbitrary tangent vector along. It shows how accurate the columns of a tangent will be before we
 advance all of them: the orbit is smoother than its tangent by one derivative and would be content with too long a step.
-Positions, velocities, the area $\int\sum\mu_n\dot y_n^2\,dt$ as one more position and, if there is a tangent vector,
+Positions, velocities, the action integral $\int\sum\mu_n\dot y_n^2\,dt$ as one more position and, if there is a tangent vector,
 its two halves lie in one array. The leapfrog drifts, kicks and drifts, so that it never evaluates a contact at the very
 instant of an event, where the square root would magnify rounding errors. */
 template <class T>

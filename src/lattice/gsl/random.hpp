@@ -32,7 +32,7 @@ class Random {
 };
 
 /// `x` with each entry changed by a random share of itself, at most `relative`.
-inline std::vector<double> shaken(std::vector<double> x, double relative, unsigned long seed) {
+inline std::vector<double> perturbed(std::vector<double> x, double relative, unsigned long seed) {
   Random random(seed);
   for (double& value : x) value *= 1 + random.uniform(-relative, relative);
   return x;

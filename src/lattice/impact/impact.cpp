@@ -35,14 +35,14 @@ bool is_quiet(const Impact& impact, const ImpactRun& run) {
 
 ImpactRun strike(const Method& method, const Impact& impact, const ImpactLook& watch) {
   ImpactRun run{struck(impact.chain.sites, impact.velocity)};
-  follow(method, impact, run, impact.time, watch);
+  continue_strike(method, impact, run, impact.time, watch);
   return run;
 }
 
 // If the energy is not conserved, a far end that moves says nothing, and the run is broken
 static void refuse_moving_end(const Impact& impact, ImpactRun& run) {
   if (is_quiet(impact, run)) return;
-  if (run.run.energy_defect > largest_defect) {
+  if (run.run.energy_error > largest_energy_error) {
     run.run.escape_time = run.end.t;
     return;
   }
@@ -55,8 +55,8 @@ static void refuse_moving_end(const Impact& impact, ImpactRun& run) {
 }
 
 // Look at every sample; the run ends where somebody wants it to, the far end moves, or the packet has passed
-void follow(const Method& method, const Impact& impact, ImpactRun& run, double time,
-            const ImpactLook& watch) {
+void continue_strike(const Method& method, const Impact& impact, ImpactRun& run, double time,
+                     const ImpactLook& watch) {
   const bool strongest = impact.packet == WhichPacket::strongest;
   const std::size_t each = impact.denser ? std::size_t(1) << std::max(method.halvings, 0) : 1;
   std::size_t k = 0;

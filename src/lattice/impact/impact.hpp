@@ -87,8 +87,8 @@ the difference of two runs. Then a run may only stop at instants that the coarse
 ImpactRun strike(const Method& method, const Impact& impact, const ImpactLook& watch = {});
 
 /// Carries a run on from where it is to `time`; in between the chain or the method may have been changed.
-void follow(const Method& method, const Impact& impact, ImpactRun& run, double time,
-            const ImpactLook& watch = {});
+void continue_strike(const Method& method, const Impact& impact, ImpactRun& run, double time,
+                     const ImpactLook& watch = {});
 
 /// The sum of a density.
 double total(const std::vector<double>& e);

@@ -34,7 +34,7 @@ Turn turn_of(const Path& path, double width) {
 TurnEstimate estimate_turn(const Path& coarse, const Path& fine) {
   const Turn a = turn_of(coarse), b = turn_of(fine), c = turn_of(fine, path_smoothing / 2);
   const auto both = [&](auto of) {
-    Estimate e = compare(of(a), of(b));
+    Estimate e = with_error(of(a), of(b));
     e.error += std::abs(of(c) - of(b));
     return e;
   };

@@ -188,20 +188,20 @@ struct NystromStep {
       enter(i, is_singular(x.x0, x.w0, x.x1, x.w1, at.small, reach) ? 3 : 2);
     };
     at.contacts.clear();
-    if (chain.pushes(0) && window.first == 0) try_end(0);
+    if (chain.has_contact(0) && window.first == 0) try_end(0);
     sweep_singular(state.y.data() + left, state.v.data() + left, at.y[base.last()].data() + left,
                    at.v.data() + left, contact.opening(), h, at.small, reach, now.tight,
                    at.flag.data(), inner);
     for (std::size_t k = 0; k < inner; ++k)
       if (at.flag[k]) enter(left + 1 + k, at.flag[k]);
-    if (chain.pushes(n) && window.last == n) try_end(n);
+    if (chain.has_contact(n) && window.last == n) try_end(n);
     return slow;
   }
 
   /// The true impulse of contact `i` less the one that the stages gave it, and likewise for the moments. A force that
   /// is always there, like that of precompression, is left out of both, so that it does not spoil the last digits.
-  Impulse defect(const State<double>& state, std::size_t i, double h,
-                 const NystromMemory& at) const {
+  Impulse impulse_error(const State<double>& state, std::size_t i, double h,
+                        const NystromMemory& at) const {
     const std::size_t last = base.last();
     const Quintic x = overlap_during(state, i, h, at);
     const double d = contact.opening(), eta = chain.eta_of(i), open = contact.force(d);
@@ -284,7 +284,7 @@ struct NystromStep {
     bool good = window.first == window.last || find(state, window, h, now, at) || last;
     if (at.contacts.empty() || !good) return good;
     for (std::size_t i : at.contacts) {
-      at.correction[i] = defect(state, i, h, at);
+      at.correction[i] = impulse_error(state, i, h, at);
       good &= last || !too_fast(i, at.correction[i].reach, state, now);
     }
     if (good) {

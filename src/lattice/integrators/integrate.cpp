@@ -48,7 +48,7 @@ TimeGrid time_grid(const Method& method, double duration, Every every) {
 Run joined(const Run& first, const Run& second) {
   Run both = second;
   both.energy_drift += first.energy_drift;
-  both.energy_defect += first.energy_defect;
+  both.energy_error += first.energy_error;
   both.work += first.work;
   both.steps += first.steps;
   return both;
@@ -85,10 +85,10 @@ class Audit {
     if (!std::isfinite(now)) return false;
     largest_ = std::max(largest_, kinetic);
     run.energy_drift = std::max(run.energy_drift, off / scale_);
-    run.energy_defect = std::max(run.energy_defect, off / largest_);
+    run.energy_error = std::max(run.energy_error, off / largest_);
     if (reach < rim_)
       run.leave_time = std::numeric_limits<double>::infinity();
-    else if (run.energy_defect <= largest_defect)
+    else if (run.energy_error <= largest_energy_error)
       run.leave_time = std::min(run.leave_time, state.t);
     run.t_end = state.t;
     return true;

@@ -80,10 +80,10 @@ At every sample the energy is compared with that at the start. A run may end ear
 a bead may run away, and then it is first seen beyond the rim, with the energy still conserved. Otherwise the steps
 are too long for the forces: such a run is *broken* and says nothing. */
 struct Run {
-  double energy_drift = 0;   ///< largest change of the energy, relative to the start
-  double energy_defect = 0;  ///< the same, relative to the largest kinetic energy if that is more
-  double work = 0;           ///< site-force evaluations
-  std::size_t steps = 0;     ///< time steps
+  double energy_drift = 0;  ///< largest change of the energy, relative to the start
+  double energy_error = 0;  ///< the same, relative to the largest kinetic energy if that is more
+  double work = 0;          ///< site-force evaluations
+  std::size_t steps = 0;    ///< time steps
   double error = 0;  ///< of the end state, relative; zero unless from `Converged` (refinement.hpp)
   double t_end = 0;  ///< time of the last sample that is not a runaway
   /// Times of the first sample that is one, and of that since which a bead has been beyond the rim of its well.
@@ -95,10 +95,10 @@ struct Run {
   bool broken() const { return escaped() && !std::isfinite(leave_time); }
 };
 
-/// With a larger `energy_defect` the energy is not conserved.
-inline constexpr double largest_defect = 1e-3;
+/// With a larger `energy_error` the energy is not conserved.
+inline constexpr double largest_energy_error = 1e-3;
 /// A smaller one is not worth a thought, whether it is rounding or not.
-inline constexpr double rounded_defect = 1e-5;
+inline constexpr double rounded_energy_error = 1e-5;
 
 /// Two runs one after the other, as one; drifts and defects add up.
 Run joined(const Run& first, const Run& second);

@@ -42,7 +42,7 @@ bool hopeless(double error, double tolerance, int halvings, int left) {
 }
 
 bool run_holds(const Run& run) {
-  return !run.escaped() && run.energy_defect <= largest_defect;
+  return !run.escaped() && run.energy_error <= largest_energy_error;
 }
 
 static const char* hopeless_advice(double error) {
@@ -62,21 +62,21 @@ static int halvings_left(int k, const Run& run, int held) {
 }
 
 // More is due to steps that are too long, or to forces that are wrong
-static double allowed_defect(double tolerance) {
-  return std::max(tolerance, rounded_defect);
+static double allowed_energy_error(double tolerance) {
+  return std::max(tolerance, rounded_energy_error);
 }
 
 // Zero if the defect of `b` is below the tolerance
 static double defect_difference(const Run& a, const Run& b, double tolerance) {
-  if (b.energy_defect <= allowed_defect(tolerance)) return 0;
-  return std::abs(a.energy_defect - b.energy_defect);
+  if (b.energy_error <= allowed_energy_error(tolerance)) return 0;
+  return std::abs(a.energy_error - b.energy_error);
 }
 
 static void assert_conserved(const Run& run, double tolerance) {
-  if (run.energy_defect <= allowed_defect(tolerance)) return;
+  if (run.energy_error <= allowed_energy_error(tolerance)) return;
   std::ostringstream text;
-  text << "the energy drifts by " << run.energy_defect
-       << ", also with half the step (allowed: " << allowed_defect(tolerance)
+  text << "the energy drifts by " << run.energy_error
+       << ", also with half the step (allowed: " << allowed_energy_error(tolerance)
        << "): a force may not be minus the derivative of its energy, or the motion is lost in the "
           "rounding of larger displacements; a larger tolerance allows more drift";
   throw RefinementFailed(text.str());
@@ -113,7 +113,7 @@ void Attempts::enter(const Run& run) {
   std::ostringstream text;
   text << (history.empty() ? "" : ", ") << "step " << std::ldexp(largest_step, -k) << ": ";
   if (lossy)
-    text << "changes the energy by " << run.energy_defect;
+    text << "changes the energy by " << run.energy_error;
   else if (held_ < 0)
     text << "fails at t = " << run.escape_time;
   else if (held_ == 0)

@@ -83,7 +83,7 @@ struct Refined : TwoRuns<Result> {
   template <class Number>
   Estimate of(Number number) const {
     const Estimate last = TwoRuns<Result>::of(number);
-    return coarsest ? after_halving(compare(number(*coarsest), number(this->coarse)), last, gain)
+    return coarsest ? after_halving(with_error(number(*coarsest), number(this->coarse)), last, gain)
                     : last;
   }
   /// The same of what is read from the end states. Where these differ two runs may agree on a number by chance; the finer

@@ -67,7 +67,7 @@ struct Chain {
   /// Whether contact `i` lies between two beads that are neighbours in the row.
   bool inside(std::size_t i) const { return i > 0 && i < sites; }
   /// Whether contact `i`, 0 <= i <= sites, exists and acts on the bead or beads next to it.
-  bool pushes(std::size_t i) const { return inside(i) || ends != Ends::free; }
+  bool has_contact(std::size_t i) const { return inside(i) || ends != Ends::free; }
   /// mu_n of bead `n`, from 0.
   double mass_of(std::size_t n) const { return mass.empty() ? 1 : mass[n]; }
   /// eta of contact `i`; contact 0 of a ring is its contact `sites`.
@@ -107,14 +107,14 @@ T stretch(const Chain& chain, const T* q, std::size_t i) {
 }
 
 /// Whether there is a contact `i`, each contact counted once: that of last and first bead of a ring as `sites`.
-inline bool touches(const Chain& chain, std::size_t i) {
+inline bool counts_contact(const Chain& chain, std::size_t i) {
   return chain.inside(i) || chain.ends == Ends::fixed || (chain.ends == Ends::periodic && i > 0);
 }
 
 /// Push of contact `i` on the bead to its right; zero where there is no contact.
 template <class T>
 T contact_push(const Chain& chain, const T* y, std::size_t i) {
-  if (!chain.pushes(i)) return T(0);
+  if (!chain.has_contact(i)) return T(0);
   return T(chain.eta_of(i)) * chain.contact.force(stretch(chain, y, i));
 }
 
@@ -153,7 +153,7 @@ std::vector<T> accelerations(const Chain& chain, const std::vector<T>& y);
 /// Energy of contact `i`, each contact counted once.
 template <class T>
 T contact_energy(const Chain& chain, const T* y, std::size_t i) {
-  if (!touches(chain, i)) return T(0);
+  if (!counts_contact(chain, i)) return T(0);
   return T(chain.eta_of(i)) * chain.contact.energy(stretch(chain, y, i));
 }
 

@@ -28,20 +28,19 @@ Two elastic spheres repel with the 3/2 power of their overlap $-r$ and do not at
 $V(r) = \frac25 (-r)_+^{5/2}$, where $(x)_+$ is $x$ if positive and zero otherwise. The power is
 written $x\sqrt x$, one correctly rounded root and one product: the same bits on every machine.
 
-The force has an explicit `floor`: an overlap at or below it exerts no force at all. Ahead of a front
-the displacements fall double-exponentially and would otherwise crawl through the subnormal numbers
+An overlap up to `negligible` exerts no force at all. Ahead of a front the displacements fall double-exponentially and would otherwise crawl through the subnormal numbers
 near $10^{-308}$, which cost the processor ten times as much. With the default of $10^{-60}$ the
 neglected force is $10^{-90}$, and beads ahead of the front are at rest *exactly*, so that they need not
-be integrated. Where the tail of a static breather is itself the subject, we set `floor = 0`. */
+be integrated. Where the tail of a static breather is itself the subject, we set `negligible = 0`. */
 struct Hertz {
-  double floor = 1e-60;  ///< the largest overlap that counts as none
+  double negligible = 1e-60;  ///< the largest overlap that counts as none
   static constexpr const char* name = "hertz";
 
-  /// (-r)_+, or zero up to the floor.
+  /// (-r)_+, or zero where that is negligible.
   template <class T>
   T overlap(T r) const {
     const T x = -r;
-    return x > T(floor) ? x : T(0);
+    return x > T(negligible) ? x : T(0);
   }
   template <class T>
   T energy(T r) const {
@@ -68,10 +67,10 @@ struct Hertz {
 If neighbours are pressed together by $d$ at rest, small motions leave the contacts closed, and the potential is that of
 Eq. (33): $V(r) = \frac25 (d-r)_+^{5/2} + d^{3/2} r - \frac25 d^{5/2}$. The linear term subtracts the constant force of
 the precompression, which cancels on every bead inside the chain, so that $V(0) = V'(0) = 0$. Ahead of a front the
-displacements fall as fast as between uncompressed beads, and a displacement up to the `floor` exerts no force. */
+displacements fall as fast as between uncompressed beads, and a displacement up to `negligible` exerts no force. */
 struct CompressedHertz {
-  double d = 0;          ///< compression at rest, not negative
-  double floor = 1e-60;  ///< the largest change of the distance that counts as none
+  double d = 0;               ///< compression at rest, not negative
+  double negligible = 1e-60;  ///< the largest change of the distance that counts as none
   static constexpr const char* name = "hertz";
   static constexpr auto parameters() {
     return std::array{Parameter<CompressedHertz>{
@@ -102,7 +101,7 @@ struct CompressedHertz {
     using std::abs, std::sqrt;
     const T x = overlap(r), p = sqrt(T(d)), w = sqrt(x);
     const T push = d > 0 ? -r * ((x + w * p + T(d)) / (w + p)) : x * w;
-    return x > T(0) ? abs(r) > T(floor) ? push : T(0) : -(T(d) * p);
+    return x > T(0) ? abs(r) > T(negligible) ? push : T(0) : -(T(d) * p);
   }
   template <class T>
   T stiffness(T r) const {
@@ -119,9 +118,9 @@ $\alpha \ge 1$: $V(r) = (d-r)_+^{\alpha+1}/(\alpha+1)$, plus the terms that make
 general power is slower, and its last bit depends on the mathematical library; for $\alpha = 3/2$ the
 square root of the other laws is used instead. */
 struct PowerContact {
-  double exponent = 1.5;  ///< alpha, at least one
-  double d = 0;           ///< compression at rest, not negative
-  double floor = 1e-60;   ///< the largest change of the distance that counts as none
+  double exponent = 1.5;      ///< alpha, at least one
+  double d = 0;               ///< compression at rest, not negative
+  double negligible = 1e-60;  ///< the largest change of the distance that counts as none
   static constexpr const char* name = "power";
   static constexpr auto parameters() {
     using P = Parameter<PowerContact>;
@@ -162,8 +161,8 @@ struct PowerContact {
   template <class T>
   T force(T r) const {
     using std::abs;
-    if (!(abs(r) > T(floor))) return T(0);
-    if (exponent == 1.5) return CompressedHertz{d, floor}.force(r);
+    if (!(abs(r) > T(negligible))) return T(0);
+    if (exponent == 1.5) return CompressedHertz{d, negligible}.force(r);
     const T rest = power(T(d));
     if (abs(r) < T(d) / T(8)) return rest * binomial_rest(r / T(d), T(exponent), 1);
     return power(overlap(r)) - rest;
@@ -213,8 +212,8 @@ struct Contact : OneOf<OwnContact, Hertz, CompressedHertz, PowerContact> {
 /// The same law by its simplest type: without precompression the 3/2 law is plain `Hertz`, with the
 /// same bits, and `PowerContact` with exponent 3/2 is one of the two laws of Hertz.
 inline Contact simplest(const Contact& contact) {
-  const auto hertz = [](double d, double floor) {
-    return d == 0 ? Contact{Hertz{floor}} : Contact{CompressedHertz{d, floor}};
+  const auto hertz = [](double d, double negligible) {
+    return d == 0 ? Contact{Hertz{negligible}} : Contact{CompressedHertz{d, negligible}};
   };
   if (const auto* c = std::get_if<CompressedHertz>(&contact)) return hertz(c->d, c->floor);
   if (const auto* c = std::get_if<PowerContact>(&contact); c && c->exponent == 1.5)

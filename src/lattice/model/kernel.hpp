@@ -158,7 +158,7 @@ void sweep_blocks(const Well& well, const Contact& contact, Y* y, T* out, const 
 /// `contact_push` of chain.hpp for a contact whose type is known.
 template <class T, class C>
 T push_at(const Chain& chain, const C& contact, const T* y, std::size_t i) {
-  if (!chain.pushes(i)) return T(0);
+  if (!chain.has_contact(i)) return T(0);
   return T(chain.eta_of(i)) * contact.force(stretch(chain, y, i));
 }
 

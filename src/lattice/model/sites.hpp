@@ -22,7 +22,7 @@ inline constexpr Centre both_centres[] = {Centre::site, Centre::bond};
 
 /// Default lengths of a chain: that of the article's figures; the shortest that holds a tail down to rounding up to
 /// omega_b = 2; and one with a little to spare, for breathers that are kicked.
-enum class Length { article, shortest, spare };
+enum class Length { article, shortest, for_kicks };
 
 /// The default length of a chain with this centre.
 constexpr std::size_t sites_of(Centre centre, Length length = Length::article) {

@@ -18,7 +18,7 @@ end; CONTRIBUTING.md shows one being added. A struct that is in no list serves a
 namespace lattice {
 
 /// No well at all, W = 0: beads that only their neighbours hold.
-struct None {
+struct NoWell {
   static constexpr const char* name = "none";
   template <class T>
   T energy(T) const {
@@ -135,7 +135,7 @@ struct OwnWell : OwnPotential {
 /**
 The wells that have a name, and the caller's own: `chain.well = Quartic{0.5}` sets one and
 `chain.well.as<Quartic>().s` reads it (potential.hpp). */
-struct Well : OneOf<OwnWell, None, Harmonic, Quartic, Pendulum> {
+struct Well : OneOf<OwnWell, NoWell, Harmonic, Quartic, Pendulum> {
   using OneOf::OneOf;
   Well() : OneOf(Harmonic{}) {}
 

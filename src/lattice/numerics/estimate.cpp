@@ -6,12 +6,12 @@
 
 namespace lattice {
 
-Estimate compare(double coarse, double fine) {
+Estimate with_error(double coarse, double fine) {
   return {fine, std::abs(fine - coarse)};
 }
 
-Estimate compare(const Estimate& coarse, const Estimate& fine) {
-  Estimate both = compare(coarse.value, fine.value);
+Estimate with_error(const Estimate& coarse, const Estimate& fine) {
+  Estimate both = with_error(coarse.value, fine.value);
   both.error += fine.error;
   return both;
 }

@@ -39,14 +39,14 @@ inline Estimate exact(double value) {
 }
 
 /// The finer result with its difference from the coarser one; if either is not a number, so is the error.
-Estimate compare(double coarse, double fine);
+Estimate with_error(double coarse, double fine);
 
 /// The same for results that have errors of their own: that of the finer one is added.
-Estimate compare(const Estimate& coarse, const Estimate& fine);
+Estimate with_error(const Estimate& coarse, const Estimate& fine);
 
 /// Counts are exact as soon as two resolutions agree on them.
 template <std::integral Count>
-Estimate compare(Count coarse, Count fine) {
+Estimate with_error(Count coarse, Count fine) {
   if (coarse == fine) return exact(double(fine));
   return {double(fine),
           coarse < fine ? double(fine) - double(coarse) : double(coarse) - double(fine)};
@@ -68,7 +68,7 @@ struct TwoRuns {
   /// What `number` reads from the finer one, with its difference from the coarser one.
   template <class Number>
   Estimate of(Number number) const {
-    return compare(number(coarse), number(fine));
+    return with_error(number(coarse), number(fine));
   }
 };
 

@@ -116,7 +116,7 @@ Contact bare(const Contact& contact) {
   Contact simple = simplest(contact);
   std::visit(
       [](auto& c) {
-        if constexpr (requires { c.floor; }) c.floor = 0;
+        if constexpr (requires { c.negligible; }) c.negligible = 0;
       },
       static_cast<Contact::List&>(simple));
   return simple;
@@ -181,7 +181,7 @@ Orbit<double> continue_to(Shooting<double> problem, const Orbit<double>& from,
   return here;
 }
 
-Vector<double> gradient(const std::vector<double>& y) {
+Vector<double> discrete_gradient(const std::vector<double>& y) {
   Vector<double> g = Vector<double>::Zero(Eigen::Index(y.size()));
   for (std::size_t i = 1; i + 1 < y.size(); ++i) g[Eigen::Index(i)] = y[i + 1] - y[i - 1];
   return g;
@@ -201,7 +201,7 @@ static bool is_even(const Well& well) {
   return true;
 }
 
-// Contacts without a floor, lest they cut off the tail, and symmetry about a bond or a site
+// Contacts in which no overlap is negligible, lest they cut off the tail, and symmetry about a bond or a site
 template <class T>
 Shooting<T> breather_problem(Centre centre, const T& omega, const Well& well, std::size_t sites) {
   if (sites < 3 || (sites % 2 == 0) != (centre == Centre::bond))
@@ -218,7 +218,7 @@ Shooting<T> breather_problem(Centre centre, const T& omega, const Well& well, st
   Shooting<T> problem;
   problem.chain.sites = sites;
   problem.chain.well = well;
-  problem.chain.contact = Hertz{.floor = 0};
+  problem.chain.contact = Hertz{.negligible = 0};
   problem.symmetry = centred(centre, sites);
   problem.omega = omega;
   return problem;
@@ -238,29 +238,30 @@ std::size_t sites_needed(const Orbit<double>& orbit, double precision, const Con
   return y.size() - 2 * cut;
 }
 
-// The barrier at the same frequency, and at the same area
+// The barrier at the same frequency, and at the same action
 template <class T>
 Barrier<T> barrier(const Shooting<T>& site_problem, const Orbit<T>& site, const Orbit<T>& bond,
                    const NewtonRule<T>& rule) {
   Barrier<T> out;
   out.equal_frequency = site.energy - bond.energy;
-  // Change the frequency of the site-centred breather until its area is that of the other
+  // Change the frequency of the site-centred breather until its action is that of the other
   Shooting<T> shifted = site_problem;
   Orbit<T> moved = site;
-  T left = bond.area - site.area, neglected(0);
+  T left = bond.action_integral - site.action_integral, neglected(0);
   const T rounding = std::numeric_limits<T>::epsilon() * magnitude(site.energy);
   for (int i = 0; i == 0 || neglected > rounding; ++i) {
     if (i == 10)
-      throw NewtonFailed("no site-centred breather with the bond-centred one's area is found", {});
+      throw NewtonFailed("no site-centred breather with the bond-centred one's action is found",
+                         {});
     const T area_omega = shifted.period() * moved.energy_omega, change = left / area_omega;
     shifted.omega += change;
     moved.x += change * moved.x_omega;
     moved = newton(shifted, moved, rule);
-    left = bond.area - moved.area;
+    left = bond.action_integral - moved.action_integral;
     neglected = magnitude(T(left * left / (T(4) * pi<T>() * area_omega)));
   }
-  // What is left of the difference in area becomes energy by dE = dA / T_b
-  out.equal_area = moved.energy + left / shifted.period() - bond.energy;
+  // What is left of the difference in action becomes energy by dE = dA / T_b
+  out.equal_action = moved.energy + left / shifted.period() - bond.energy;
   out.omega_site = shifted.omega;
   return out;
 }

@@ -22,7 +22,7 @@ namespace lattice {
 /// as it is half a period later.
 enum class Phase { compressed, stretched };
 
-/// The problem of a breather of frequency `omega` in wells of a kind. The contacts have no floor, because
+/// The problem of a breather of frequency `omega` in wells of a kind. No overlap is negligible, because
 /// the tail is part of the breather. Throws std::invalid_argument if the number of sites does not fit the
 /// centre, or if the well has not the frequency one at rest, is not even or loses digits (`loses_digits`).
 template <class T>
@@ -88,7 +88,7 @@ Fitted fit_chain(Centre centre, double omega, const Well& well, std::size_t site
 
 The quasi-continuum profile knows exponents of contacts but neither compression nor masses: such breathers are reached
 on a path from a chain whose breather is known, at one frequency. */
-/// The same law by its simplest type and without a floor, lest it cut off the tail.
+/// The same law by its simplest type, with no overlap negligible, lest the tail be cut off.
 Contact bare(const Contact& contact);
 
 /// The chain at `part` of the way from `a` to `b`, from 0 to 1, of the same length. Masses, stiffnesses, the
@@ -102,7 +102,7 @@ Chain between(const Chain& a, const Chain& b, double part);
 Orbit<double> continue_to(Shooting<double> problem, const Orbit<double>& from, const Chain& target);
 
 /// Discrete gradient of a profile, y_(n+1) - y_(n-1), not normalised, and zero at both ends: nearly the pinning mode.
-Vector<double> gradient(const std::vector<double>& y);
+Vector<double> discrete_gradient(const std::vector<double>& y);
 
 /// Cosine of the angle between two directions, without sign.
 double alignment(const Vector<double>& a, const Vector<double>& b);
@@ -111,15 +111,15 @@ double alignment(const Vector<double>& a, const Vector<double>& b);
 ## The barrier
 
 The Peierls-Nabarro barrier is the difference of the energies of site- and bond-centred breathers. The article, section
-3.2, takes it at the same frequency. The effective Hamiltonian that it refers to compares breathers of the same area
-$\mathcal A = \oint\sum\dot y_n^2\,dt$ instead. We keep the frequency of the bond-centred breather and correct that
-of the site-centred one until the areas agree. Along a branch $dE = d\mathcal A/T_b$, which turns the remaining
-difference of the areas into energy; what is neglected is of second order in it, less than rounding. */
+3.2, takes it at the same frequency. The effective Hamiltonian that it refers to compares breathers of the same action
+integral, $2\pi$ times the action (the article calls it area), $\mathcal A = \oint\sum\dot y_n^2\,dt$ instead. We keep the frequency of the bond-centred breather and correct that
+of the site-centred one until the action integrals agree. Along a branch $dE = d\mathcal A/T_b$, which turns the remaining
+difference of them into energy; what is neglected is of second order in it, less than rounding. */
 template <class T>
 struct Barrier {
   T equal_frequency{};  ///< E_site - E_bond at the same frequency
-  T equal_area{};       ///< the same at the same area
-  T omega_site{};       ///< frequency of the site-centred breather of the bond-centred one's area
+  T equal_action{};     ///< the same at the same action
+  T omega_site{};  ///< frequency of the site-centred breather with the bond-centred one's action
 };
 
 /// Both barriers, from the site-centred breather's problem and the two breathers of one frequency.

@@ -46,17 +46,17 @@ static void assess(BreatherPair& pair, const Measured<T>& coarse, const Measured
   }
   // The barriers are tiny, but their rounding is that of the energies they are differences of
   pair.equal_frequency = agree(coarse.gap.equal_frequency, fine.gap.equal_frequency, size);
-  pair.equal_area =
-      agree<T>(coarse.gap.equal_area, fine.gap.equal_area, fine.orbit[1].energy / T(4));
+  pair.equal_action =
+      agree<T>(coarse.gap.equal_action, fine.gap.equal_action, fine.orbit[1].energy / T(4));
   const auto slope = [](const Measured<T>& m) {
     return m.orbit[0].energy_omega - m.orbit[1].energy_omega;
   };
   pair.slope = agree(slope(coarse), slope(fine), fine.orbit[1].energy_omega);
-  // At equal area it is (omega_site/omega - 1) H'_bond, as dH = omega dA / 2 pi along both families
-  const auto slope_area = [&](const Measured<T>& m) {
+  // At equal action it is (omega_site/omega - 1) H'_bond, as dH = omega dA / 2 pi along both families
+  const auto slope_action = [&](const Measured<T>& m) {
     return m.orbit[1].energy_omega * (m.gap.omega_site / T(pair.omega) - T(1));
   };
-  pair.slope_area = agree(slope_area(coarse), slope_area(fine), fine.orbit[1].energy_omega);
+  pair.slope_action = agree(slope_action(coarse), slope_action(fine), fine.orbit[1].energy_omega);
   pair.wide = sizeof(T) > sizeof(double);
 }
 

@@ -39,12 +39,12 @@ template <class T>
 NewtonRule<T> scaled_rule() {
   NewtonRule<T> out = rule<T>(0);
   out.scaled = true;
-  out.events.floor = T(0);
+  out.events.slowest_event = T(0);
   return out;
 }
 
-/// In what two breathers agree when their energies are compared: frequency, or area (2 pi times the action).
-enum class Equal { frequency, area };
+/// In what two breathers agree when their energies are compared: frequency, or action.
+enum class Equal { frequency, action };
 
 /// A barrier and its derivative with respect to the frequency.
 struct Sloped {
@@ -56,10 +56,10 @@ struct BreatherPair {
   double s = 0, omega = 0;               ///< anharmonicity of the wells, frequency of both
   std::array<Orbit<double>, 2> orbit{};  ///< site, bond
   std::array<Estimate, 2> energy{}, amplitude{};
-  Estimate equal_frequency{}, equal_area{};  ///< the two barriers, E_site - E_bond
-  Estimate slope{}, slope_area{};            ///< their derivatives with respect to omega
-  bool wide = false;                         ///< whether extended precision was needed
-  std::vector<Shooting<double>> others{};    ///< both problems, if not those of `problem_of`
+  Estimate equal_frequency{}, equal_action{};  ///< the two barriers, E_site - E_bond
+  Estimate slope{}, slope_action{};            ///< their derivatives with respect to omega
+  bool wide = false;                           ///< whether extended precision was needed
+  std::vector<Shooting<double>> others{};      ///< both problems, if not those of `problem_of`
 
   /// The problem of one of the two.
   Shooting<double> problem(int k) const {
@@ -68,14 +68,14 @@ struct BreatherPair {
   /// One of the two barriers.
   Sloped gap(Equal equal) const {
     if (equal == Equal::frequency) return {equal_frequency, slope};
-    return {equal_area, slope_area};
+    return {equal_action, slope_action};
   }
 };
 
 /**
 The difference of the two is the error, but it may be small by chance. Comparison with quadruple precision shows errors
 of the energy of up to ten tolerances, so the error is never below sixteen: 2048 roundings of `size`, which is the
-energy or, where it is more, what 1/64 of the frequency changes of it. At equal area a quarter of the energy serves as
+energy or, where it is more, what 1/64 of the frequency changes of it. At equal action a quarter of the energy serves as
 size: an orbit makes $E - \mathcal A/T_b$ stationary, and this barrier suffers less from an error of the orbit. */
 /// `fine` with that error.
 template <class T>

@@ -162,7 +162,7 @@ Orbit<double> Branch::orbit_at(double target) {
 }
 
 Estimate fold_of(const Branch& branch) {
-  return compare(Branch(branch).fold(16), Branch(branch).fold(32));
+  return with_error(Branch(branch).fold(16), Branch(branch).fold(32));
 }
 
 }  // namespace lattice

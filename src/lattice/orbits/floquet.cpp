@@ -26,8 +26,8 @@ static Vector<T> shift_of(const Chain& chain, const State<T>& state) {
 /// The map takes a shift in time of the start to that of the end, whatever the orbit is. By how much it does not,
 /// relative to the terms of the product: then the tangent map was computed with other stiffnesses than those of the forces.
 template <class T>
-static T phase_defect(const Chain& chain, const State<T>& start, const State<T>& end,
-                      const Matrix<T>& map) {
+static T phase_residual(const Chain& chain, const State<T>& start, const State<T>& end,
+                        const Matrix<T>& map) {
   const Vector<T> before = shift_of(chain, start), after = shift_of(chain, end);
   const T terms = sup<T>(map.cwiseAbs() * before.cwiseAbs());
   return sup<T>(map * before - after) / std::max(terms, sup<T>(after));
@@ -45,7 +45,7 @@ Matrix<T> monodromy(const Chain& chain, const State<T>& start,
   const auto n = Eigen::Index(2 * chain.sites);
   Matrix<T> map = Eigen::Map<Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
       tangent.entries.data(), n, n);
-  const T off = phase_defect(chain, start, end, map);
+  const T off = phase_residual(chain, start, end, map);
   if (off > T(1e4) * std::max(rule.tolerance, std::numeric_limits<T>::epsilon()))
     throw NewtonFailed(
         number_label("the linearised flow does not reproduce a shift in time, by", double(off)) +
@@ -66,14 +66,14 @@ static Matrix<T> in_momenta(const Chain& chain, Matrix<T> f) {
 }
 
 template <class T>
-T symplectic_defect(const Matrix<T>& f) {
+T symplectic_error(const Matrix<T>& f) {
   const Eigen::Index n = f.rows() / 2;
   Matrix<T> turned(2 * n, 2 * n);
   turned << f.bottomRows(n), -f.topRows(n);
-  Matrix<T> defect = f.transpose() * turned;
-  defect.topRightCorner(n, n).diagonal().array() -= T(1);
-  defect.bottomLeftCorner(n, n).diagonal().array() += T(1);
-  return sup<T>(defect.reshaped());
+  Matrix<T> wrong = f.transpose() * turned;
+  wrong.topRightCorner(n, n).diagonal().array() -= T(1);
+  wrong.bottomLeftCorner(n, n).diagonal().array() += T(1);
+  return sup<T>(wrong.reshaped());
 }
 
 template <class T>
@@ -103,10 +103,10 @@ Matrix<T> perpendicular_to(const Vector<T>& f) {
 
 // Without the direction of the phase the pinning pair is a simple eigenvalue
 template <class T>
-Pairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f) {
+MultiplierPairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f) {
   const Matrix<T> basis = perpendicular_to(f);
   const Matrix<T> restricted = basis.transpose() * k * basis;
-  Pairs<T> pairs;
+  MultiplierPairs<T> pairs;
   pairs.kappa = eigenvalues_of(restricted);
   // The pinning pair is the one nearest to +1, with the smallest kappa; its mode is what shifts the breather
   std::stable_sort(pairs.kappa.begin(), pairs.kappa.end(),
@@ -119,8 +119,9 @@ Pairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f) {
 
 // An orbit at rest twice a period needs only half of it
 template <class T>
-Pairs<T> floquet_pairs(const Chain& chain, const State<T>& start,
-                       const std::type_identity_t<T>& period, const EventTolerance<T>& rule) {
+MultiplierPairs<T> floquet_pairs(const Chain& chain, const State<T>& start,
+                                 const std::type_identity_t<T>& period,
+                                 const EventTolerance<T>& rule) {
   for (const T& v : start.v)
     if (v != T(0)) throw std::invalid_argument("the orbit must begin at rest");
   const Matrix<T> half = in_momenta(chain, monodromy<T>(chain, start, period / T(2), rule));
@@ -129,33 +130,34 @@ Pairs<T> floquet_pairs(const Chain& chain, const State<T>& start,
   const std::vector<T> a = accelerations(chain, start.y);
   Vector<T> force(Eigen::Index(a.size()));
   for (std::size_t n = 0; n < a.size(); ++n) force[Eigen::Index(n)] = T(chain.mass_of(n)) * a[n];
-  Pairs<T> pairs = pairs_of(pair_matrix(half), force);
-  pairs.defect = symplectic_defect(half);
+  MultiplierPairs<T> pairs = pairs_of(pair_matrix(half), force);
+  pairs.symplectic_error = symplectic_error(half);
   return pairs;
 }
 
 // Beside each kappa of the finer run, the nearest one of the coarser that is still free
 template <class C, class T>
-std::vector<Pair> compare_pairs(const Pairs<C>& coarse, const Pairs<T>& fine) {
+std::vector<MultiplierPair> pairs_with_errors(const MultiplierPairs<C>& coarse,
+                                              const MultiplierPairs<T>& fine) {
   using Narrow = std::complex<double>;
   std::vector<std::complex<T>> left;
   for (const auto& k : coarse.kappa) left.emplace_back(T(k.real()), T(k.imag()));
-  std::vector<Pair> out;
+  std::vector<MultiplierPair> out;
   for (const std::complex<T>& here : fine.kappa) {
     const auto nearest = std::min_element(left.begin(), left.end(), [&](auto a, auto b) {
       return std::norm(a - here) < std::norm(b - here);
     });
     const std::complex<T> apart = *nearest - here;
     left.erase(nearest);
-    out.push_back(
-        {Narrow(double(here.real()), double(here.imag())),
-         std::abs(Narrow(double(apart.real()), double(apart.imag()))) + double(fine.defect)});
+    out.push_back({Narrow(double(here.real()), double(here.imag())),
+                   std::abs(Narrow(double(apart.real()), double(apart.imag()))) +
+                       double(fine.symplectic_error)});
   }
   return out;
 }
 
 // Of a pair the first multiplier is the larger one beyond +1, the second one beyond -1
-Estimate excess(const std::vector<Pair>& pairs, std::size_t first) {
+Estimate excess(const std::vector<MultiplierPair>& pairs, std::size_t first) {
   double found = 0, least = 0, most = 0;
   for (std::size_t k = first; k < pairs.size(); ++k) {
     const double error = pairs[k].multiplier_error();
@@ -168,16 +170,17 @@ Estimate excess(const std::vector<Pair>& pairs, std::size_t first) {
   return {found, std::max(found - least, most - found)};
 }
 
-#define LATTICE_INSTANCES(T)                                                  \
-  template Matrix<T> monodromy<T>(const Chain&, const State<T>&, const T&,    \
-                                  const EventTolerance<T>&);                  \
-  template T symplectic_defect<T>(const Matrix<T>&);                          \
-  template Matrix<T> pair_matrix<T>(const Matrix<T>&);                        \
-  template Matrix<T> perpendicular_to<T>(const Vector<T>&);                   \
-  template Pairs<T> pairs_of<T>(const Matrix<T>&, const Vector<T>&);          \
-  template Pairs<T> floquet_pairs<T>(const Chain&, const State<T>&, const T&, \
-                                     const EventTolerance<T>&);               \
-  template std::vector<Pair> compare_pairs<T, T>(const Pairs<T>&, const Pairs<T>&);
+#define LATTICE_INSTANCES(T)                                                              \
+  template Matrix<T> monodromy<T>(const Chain&, const State<T>&, const T&,                \
+                                  const EventTolerance<T>&);                              \
+  template T symplectic_error<T>(const Matrix<T>&);                                       \
+  template Matrix<T> pair_matrix<T>(const Matrix<T>&);                                    \
+  template Matrix<T> perpendicular_to<T>(const Vector<T>&);                               \
+  template MultiplierPairs<T> pairs_of<T>(const Matrix<T>&, const Vector<T>&);            \
+  template MultiplierPairs<T> floquet_pairs<T>(const Chain&, const State<T>&, const T&,   \
+                                               const EventTolerance<T>&);                 \
+  template std::vector<MultiplierPair> pairs_with_errors<T, T>(const MultiplierPairs<T>&, \
+                                                               const MultiplierPairs<T>&);
 #include "lattice/model/instances.hpp"
 
 }  // namespace lattice

@@ -34,7 +34,7 @@ Matrix<T> monodromy(const Chain& chain, const State<T>& start,
 /// $\Omega = \bigl(\begin{smallmatrix} 0 & 1\\ -1 & 0\end{smallmatrix}\bigr)$.
 /// Largest entry of F^T Omega F - Omega, zero for the derivative of an exact flow in momenta.
 template <class T>
-T symplectic_defect(const Matrix<T>& f);
+T symplectic_error(const Matrix<T>& f);
 
 /**
 ## Orbits that start from rest
@@ -72,11 +72,11 @@ Matrix<T> perpendicular_to(const Vector<T>& f);
 
 /// The pairs of an orbit, with how well $f^TK$ vanishes and $F$ is symplectic.
 template <class T>
-struct Pairs {
+struct MultiplierPairs {
   std::vector<std::complex<T>> kappa;  ///< all but that of the phase
-  Vector<T> mode;   ///< positions at t = 0 of the mode of kappa.front(), of length one
-  T defect{};       ///< of the half-period map, see symplectic_defect
-  T phase_error{};  ///< largest entry of f^T K for f of length one
+  Vector<T> mode;        ///< positions at t = 0 of the mode of kappa.front(), of length one
+  T symplectic_error{};  ///< of the half-period map, see symplectic_error
+  T phase_error{};       ///< largest entry of f^T K for f of length one
   /// kappa of the pinning pair.
   T pinning() const { return kappa.front().real(); }
 };
@@ -84,22 +84,23 @@ struct Pairs {
 /// Eigenvalues and the first mode of `k` restricted to the vectors perpendicular to `f`, sorted by the modulus of
 /// $\kappa$, that is by their distance from $+1$. Throws std::runtime_error if Eigen finds no eigenvalues.
 template <class T>
-Pairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f);
+MultiplierPairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f);
 
 /// The pairs of an orbit that begins at rest at `start`, even in time, with period `period`. Throws
 /// std::invalid_argument if it does not begin at rest, NewtonFailed if the flow is inaccurate.
 template <class T>
-Pairs<T> floquet_pairs(const Chain& chain, const State<T>& start,
-                       const std::type_identity_t<T>& period, const EventTolerance<T>& rule = {});
+MultiplierPairs<T> floquet_pairs(const Chain& chain, const State<T>& start,
+                                 const std::type_identity_t<T>& period,
+                                 const EventTolerance<T>& rule = {});
 
 /**
 ## Errors
 
 Computations with two tolerances or types give two values of every $\kappa$. The error is their difference plus the
-symplectic defect of the finer one. From $\kappa$ to the multiplier the error
+symplectic error of the finer one. From $\kappa$ to the multiplier the error
 grows by $|d\lambda/d\kappa| \sim |\kappa(1+\kappa)|^{-1/2}$, up to the square root of the error if $\kappa$ cannot
 be told from 0 or $-1$; what a double rounds off of $\kappa$ and $\lambda$ counts, too. */
-struct Pair {
+struct MultiplierPair {
   std::complex<double> kappa;
   double error;  ///< of kappa, absolute
   /// The error with what a double rounds off of kappa.
@@ -120,10 +121,11 @@ struct Pair {
 /// The pairs with their errors, in the order of `fine`. Each eigenvalue of the finer computation is compared with
 /// the nearest one of the coarser that has not been taken yet.
 template <class C, class T>
-std::vector<Pair> compare_pairs(const Pairs<C>& coarse, const Pairs<T>& fine);
+std::vector<MultiplierPair> pairs_with_errors(const MultiplierPairs<C>& coarse,
+                                              const MultiplierPairs<T>& fine);
 
 /// By how much the largest modulus of the pairs from number `first` on exceeds one; its error allows for those of all
 /// these pairs.
-Estimate excess(const std::vector<Pair>& pairs, std::size_t first = 0);
+Estimate excess(const std::vector<MultiplierPair>& pairs, std::size_t first = 0);
 
 }  // namespace lattice

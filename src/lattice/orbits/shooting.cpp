@@ -170,7 +170,7 @@ T reach(const Chain& chain, const State<T>& state, const std::type_identity_t<T>
   return most;
 }
 
-/// All but the two derivatives; the area of the period is that of the computed part times the number of parts.
+/// All but the two derivatives; the action integral of the period is that of the computed part times the number of parts.
 template <class T>
 Orbit<T> describe(const Shooting<T>& problem, const Solution<T>& found) {
   Orbit<T> orbit;
@@ -179,7 +179,7 @@ Orbit<T> describe(const Shooting<T>& problem, const Solution<T>& found) {
   orbit.omega = T(2) * pi<T>() / problem.period(found.x);
   if (!problem.symmetry.free_period) orbit.omega = problem.omega;
   orbit.energy = energy(problem.chain, orbit.start);
-  orbit.area = T(problem.symmetry.parts) * found.evaluation.flow.area;
+  orbit.action_integral = T(problem.symmetry.parts) * found.evaluation.flow.action_integral;
   orbit.amplitude = largest(orbit.start);
   orbit.history = found.history;
   orbit.error = found.evaluation.flow.error;

@@ -44,7 +44,7 @@ T& entry(State<T>& state, std::size_t i) {
 }
 
 /// The problem of finding a periodic orbit of `chain` with `symmetry`. The contacts of a localized orbit should have
-/// `floor = 0` (contact.hpp), because the tail is part of it.
+/// `negligible = 0` (contact.hpp), because the tail is part of it.
 template <class T>
 struct Shooting {
   Chain chain;
@@ -80,14 +80,14 @@ template <class T>
 T reach(const Chain& chain, const State<T>& state, const std::type_identity_t<T>& omega);
 
 /// What programs want to know of a solution. Orbits of neighbouring frequencies form a branch, along which the unknowns
-/// change by `x_omega` per unit of frequency. The area is $\mathcal A = \oint\sum_n\mu_n\dot y_n^2\,dt$ over the
+/// change by `x_omega` per unit of frequency. The action integral is $\mathcal A = \oint\sum_n\mu_n\dot y_n^2\,dt$ over the
 /// period.
 template <class T>
 struct Orbit {
   Vector<T> x;        ///< unknowns at t = 0, see Shooting::expand
   Vector<T> x_omega;  ///< their derivative along the branch; empty where the period is an unknown
   State<T> start;     ///< the chain at t = 0
-  T omega{}, energy{}, area{};
+  T omega{}, energy{}, action_integral{};
   T energy_omega{};         ///< derivative of the energy along the branch
   T amplitude{};            ///< largest modulus of positions and velocities at t = 0
   Matrix<double> jacobian;  ///< of the equations, for another `newton`

@@ -7,4 +7,4 @@ The compiler needs nearly as long for that as for all the rest of the library, s
 by this header. */
 
 #include "lattice/orbits/shooting.hpp"
-#include "lattice/quadruple/extended.hpp"
+#include "lattice/quadruple/quadruple.hpp"

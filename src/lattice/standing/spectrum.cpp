@@ -7,7 +7,7 @@
 #include "lattice/algebra/eigenvalues.hpp"
 #include "lattice/model/contact.hpp"
 #include "lattice/model/sites.hpp"
-#include "lattice/quadruple/extended.hpp"
+#include "lattice/quadruple/quadruple.hpp"
 
 namespace lattice {
 
@@ -42,7 +42,7 @@ ContactSpectrum<T> contact_spectrum(const Stationary<T>& state) {
   // The largest must be mu: keep by how much the solver misses it, and put mu itself in its place
   ContactSpectrum<T> out{state.mu, {}, state.exponent};
   for (Eigen::Index i = sites; i-- > 0;) out.m.push_back(solver.eigenvalues()(i));
-  out.phase_defect = out.m[0] - state.mu;
+  out.phase_residual = out.m[0] - state.mu;
   out.m[0] = state.mu;
   out.second = solver.eigenvectors().col(sites - 2);
   return out;
@@ -105,7 +105,7 @@ Margin margin_of(Centre centre, double mu, std::size_t sites, double alpha) {
   const auto [short_margin, short_exponent] = margin_and_exponent<double>(centre, mu, sites, alpha);
   const auto [long_margin, long_exponent] =
       margin_and_exponent<Fine>(centre, mu, sites + 10, alpha);
-  Margin out{compare(short_margin, margin), compare(short_exponent, exponent)};
+  Margin out{with_error(short_margin, margin), with_error(short_exponent, exponent)};
   out.margin.error += std::abs(margin - long_margin);
   out.exponent.error += std::abs(exponent - long_exponent);
   return out;
@@ -150,25 +150,25 @@ std::vector<std::complex<T>> full_exponents(const Stationary<T>& state) {
 }
 
 // The plane in which a breather is shifted and pushed along the chain
-PinningPair::PinningPair(const ContactSpectrum<double>& spectrum)
+PinningMode::PinningMode(const ContactSpectrum<double>& spectrum)
     : V(spectrum.second),
       mu(spectrum.mu),
       m(spectrum.m[1]),
       rate(lambda_modulus(mu, m, spectrum.exponent)),
       leverage((mu - m) / rate) {}
 
-std::complex<double> PinningPair::of(const Field& w) const {
+std::complex<double> PinningMode::of(const Field& w) const {
   std::complex<double> sum = 0;
   for (std::size_t i = 0; i < w.size(); ++i) sum += V(Eigen::Index(i)) * w[i];
   return sum;
 }
 
-double PinningPair::growing(const Field& w) const {
+double PinningMode::growing(const Field& w) const {
   const auto xy = of(w);
   return (xy.real() + leverage * xy.imag()) / 2;
 }
 
-void PinningPair::add(std::complex<double> z, Field& w) const {
+void PinningMode::add(std::complex<double> z, Field& w) const {
   for (std::size_t i = 0; i < w.size(); ++i) w[i] += z * V(Eigen::Index(i));
 }
 

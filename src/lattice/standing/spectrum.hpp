@@ -36,14 +36,14 @@ std::vector<T> contact_roots(const Stationary<T>& state);
 ## The spectrum of M
 
 The invariance under a change of phase, which gives the full problem a defective double eigenvalue $\lambda = 0$, is
-here the simple eigenvalue $m_1 = \mu$. The computed value checks state and solver at once: we keep its defect and put
+here the simple eigenvalue $m_1 = \mu$. The computed value checks state and solver at once: we keep its residual and put
 $\mu$ itself in its place, so that the exponent of the phase is exactly zero. */
 template <class T>
 struct ContactSpectrum {
   T mu;                   ///< frequency of the state
   std::vector<T> m;       ///< from the largest on; m[0] is known to be mu and set to it
   double exponent = 1.5;  ///< alpha of the state
-  T phase_defect{0};      ///< computed m[0] minus mu
+  T phase_residual{0};    ///< computed m[0] minus mu
   Vector<T> second{};     ///< unit eigenvector of m[1]
 };
 
@@ -125,13 +125,13 @@ The second eigenvector $V$ of $M$ looks like the derivative of the breather alon
 shifts the breather, and $iV$ pushes it. In the coordinates $x = V\cdot\mathrm{Re}\,w$ and $y = V\cdot\mathrm{Im}\,w$ a
 perturbation $w$ moves like a pendulum near one of its rest positions, $\dot x = (\mu-m)y$, $\dot y = (\alpha m-\mu)x$.
 The growing part is $\frac12(x + (\mu-m)y/\lambda)$: a push counts as much as a shift that is larger by its *leverage* $(\mu-m)/\lambda$. */
-struct PinningPair {
+struct PinningMode {
   Eigen::VectorXd V;   ///< of length one; its sign is arbitrary
   double mu, m, rate;  ///< rate: |lambda|
   double leverage;     ///< of a push: (mu - m) / |lambda|
 
   /// From a spectrum with its second eigenvector.
-  explicit PinningPair(const ContactSpectrum<double>& spectrum);
+  explicit PinningMode(const ContactSpectrum<double>& spectrum);
 
   /// (x, y) of the perturbation `w`. The projection is exact, since V has unit length and the
   /// eigenvectors of M are orthogonal.

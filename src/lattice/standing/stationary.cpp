@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "lattice/model/contact.hpp"
-#include "lattice/quadruple/extended.hpp"
+#include "lattice/quadruple/quadruple.hpp"
 
 namespace lattice {
 /// D of the strain r.

@@ -160,8 +160,8 @@ TEST_CASE("three families agree on the same problems", "[property][contact]") {
                 1e-8);
   };
   compare({30, Quartic{1}}, struck(30, 1.9), 15);
-  compare({12, Quartic{-0.1}, CompressedHertz{0.3}, Ends::fixed}, shaken(12, 0.6, 5), 10);
-  compare({12, Pendulum{}, {}, Ends::periodic}, shaken(12, 1, 7), 10);
+  compare({12, Quartic{-0.1}, CompressedHertz{0.3}, Ends::fixed}, random_state(12, 0.6, 5), 10);
+  compare({12, Pendulum{}, {}, Ends::periodic}, random_state(12, 1, 7), 10);
   // At this step the run errs by 5e-12. With a wrong sign in the correction of the positions or of the
   // stages' shift it errs by 3e-9 or 1e-10.
   for (double d : {0.0, 0.3}) {
@@ -195,7 +195,7 @@ TEST_CASE("a windowed run has the bits of the full run", "[property][window]") {
 TEST_CASE("contact-aware runs are symmetric, conserve energy and can be reversed",
           "[property][contact]") {
   const Chain chain{31, Quartic{1}};
-  const auto start = shaken(31, 0.8, 11);
+  const auto start = random_state(31, 0.8, 11);
   State<double> mirrored(31);
   for (std::size_t n = 0; n < 31; ++n) {
     mirrored.y[n] = -start.y[30 - n];

@@ -190,7 +190,7 @@ TEST_CASE("stiff contacts of light beads are regular, and followed both ways",
   vary(row, {0.1, 3, 0.5, 1, 4, 0.2, 0.7, 5, 0.3, 2, 1, 0.4},
        {1, 90, 5, 40, 0.3, 70, 2, 100, 8, 0.5, 30, 60, 10});
   for (const auto& [chain, size, tolerance] : {std::tuple(ring, 8e-5, 1e-4), {row, 9e-7, 3e-11}}) {
-    const State<double> start = shaken(chain.sites, size);
+    const State<double> start = random_state(chain.sites, size);
     State<double> s = start;
     const double forth = evolve(Converged{tolerance}, chain, s, 16.7, 16.7).error;
     for (double& v : s.v) v = -v;
@@ -214,7 +214,7 @@ TEST_CASE("a tolerance is met and reported, or refused with its history", "[prop
     CHECK(distance(s, exact) <= run.error);
   }
   // Chaos forbids any
-  const auto message = evolved({20, Quartic{1}}, shaken(20, 1.5), 1000, 1000);
+  const auto message = evolved({20, Quartic{1}}, random_state(20, 1.5), 1000, 1000);
   CHECK(message.find("step 0.1:") != std::string::npos);
 }
 
@@ -313,13 +313,13 @@ TEST_CASE("a step that is too long is halved until a run holds", "[convergence][
     CHECK(distance(runs.fine.end, finer.end) <= runs.error);
   }
   // Free flight is no escape, however far it leads
-  CHECK(evolved({2, None{}}, struck(2, 1000), 2000, 1000) == "");
+  CHECK(evolved({2, NoWell{}}, struck(2, 1000), 2000, 1000) == "");
 }
 
 TEST_CASE("nothing is said to leave a well without a rim", "[property][accuracy]") {
   for (double velocity : {3.0, 100.0})
     for (double alpha : {1.5, 10.0})
-      for (const Well& well : {Well(None{}), Well(Harmonic{}), Well(Quartic{10})}) {
+      for (const Well& well : {Well(NoWell{}), Well(Harmonic{}), Well(Quartic{10})}) {
         const Chain chain{6, well, PowerContact{alpha, 0}};
         CAPTURE(velocity, alpha, describe(well));
         CHECK(evolved(chain, struck(6, velocity), 2, 0.2).find("runs away") == std::string::npos);

@@ -19,7 +19,7 @@ template <class Check>
 void for_all_ends(Check check) {
   for (Ends ends : {Ends::free, Ends::fixed, Ends::periodic}) {
     CAPTURE(int(ends));
-    const Chain plain{12, Quartic{0.7}, {}, ends}, bare{12, None{}, PowerContact{2, 0.2}, ends};
+    const Chain plain{12, Quartic{0.7}, {}, ends}, bare{12, NoWell{}, PowerContact{2, 0.2}, ends};
     std::vector<double> mass(12, 1), eta(13, 1);
     mass[5] = 2.5, mass[11] = 0.3;
     eta[5] = 1.3, eta[6] = 0.7;
@@ -40,8 +40,8 @@ void for_all_ends(Check check) {
 
 TEST_CASE("accelerations are minus the gradient of the energy over the mass", "[unit][chain]") {
   for_all_ends([](const auto& chain) {
-    const auto s = shaken(12);
-    const auto wide = shaken<long double>(12);
+    const auto s = random_state(12);
+    const auto wide = random_state<long double>(12);
     const auto a = accelerations(chain, s.y);
     const auto b = accelerations(chain, wide.y);
     for (std::size_t n = 0; n < 12; ++n) {
@@ -64,7 +64,7 @@ TEST_CASE("accelerations are minus the gradient of the energy over the mass", "[
 
 TEST_CASE("the linearisation is the derivative of the force", "[unit][chain]") {
   for_all_ends([](const auto& chain) {
-    const auto y = shaken(12).y;
+    const auto y = random_state(12).y;
     const auto h = linearise(chain, y);
     for (std::size_t j = 0; j < 12; ++j) {
       auto p = y, q = y;
@@ -119,7 +119,7 @@ TEST_CASE("what rests has no energy, whatever the sum is over", "[unit][model]")
 TEST_CASE("runs of a varied chain agree in every scalar", "[property][chain]") {
   for_all_ends([](const auto& chain) {
     const auto run = [&]<class T>(T) {
-      State<T> x = shaken<T>(12);
+      State<T> x = random_state<T>(12);
       const T before = energy(chain, x);
       Window all{0, 12};
       Splitting{blanes_moan_6(), 0.01}.advance(chain, x, all, 0.01, 30);
@@ -130,7 +130,7 @@ TEST_CASE("runs of a varied chain agree in every scalar", "[property][chain]") {
     for (std::size_t n = 0; n < 12; ++n) {
       check_close(narrow[n], wide[n], 1e-12);
       check_close(widest[n], wide[n], 1e-15);
-      CHECK(narrow[n] != shaken(12).y[n]);
+      CHECK(narrow[n] != random_state(12).y[n]);
     }
   });
 }
@@ -201,9 +201,9 @@ TEST_CASE("a chain runs with the length of its masses and in states of that leng
     CHECK_THROWS_AS(between(other, Chain{sites}, 0.5), std::invalid_argument);
     CHECK_THROWS_AS(between(Chain{sites}, other, 1), std::invalid_argument);
   }
-  State<double> torn = struck(12, 1);
-  torn.v.pop_back();
-  refused(twelve, torn);
+  State<double> ragged = struck(12, 1);
+  ragged.v.pop_back();
+  refused(twelve, ragged);
   // Masses without stiffnesses, and the other way round
   Chain half{12};
   half.mass = half.inverse_mass = twelve.mass;

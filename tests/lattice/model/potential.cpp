@@ -110,8 +110,8 @@ TEST_CASE("wells and contacts by hand", "[unit][potential]") {
   check_close(CompressedHertz{4}.energy(5.0), 0.4 * -32 + 40, 1e-13);
   CHECK(Hertz{}.force(-0.25) == 0.125);  // (1/4)^(3/2)
   CHECK(Hertz{}.force(0.25) == 0);
-  CHECK(Hertz{}.force(-1e-61) == 0);  // below the floor
-  CHECK(Hertz{.floor = 0}.force(-1e-61) > 0);
+  CHECK(Hertz{}.force(-1e-61) == 0);  // negligible
+  CHECK(Hertz{.negligible = 0}.force(-1e-61) > 0);
   CHECK(CompressedHertz{0.25}.force(0.3) == -0.125);  // open: only the compression is missing
   CHECK(CompressedHertz{0.25}.force(-1e-61) == 0);
   check_close(CompressedHertz{0.25, 0}.force(-1e-61), 0.75e-61, 0, 1e-15);
@@ -193,7 +193,7 @@ TEST_CASE("a well and a contact are what they were made from", "[unit][model]") 
 }
 
 TEST_CASE("breathers begin only in wells of frequency one", "[unit][model]") {
-  CHECK_THROWS_AS(breather_problem(Centre::site, 1.1, None{}, 31), std::invalid_argument);
+  CHECK_THROWS_AS(breather_problem(Centre::site, 1.1, NoWell{}, 31), std::invalid_argument);
   CHECK_NOTHROW(breather_problem(Centre::site, 1.1, Pendulum{}, 31));
 }
 
@@ -452,7 +452,7 @@ TEST_CASE("a well that loses digits near zero is known", "[unit][potential]") {
 
 TEST_CASE("a well of one's own needs a place in a list for its name, no more",
           "[unit][potential]") {
-  using Wells = std::variant<None, Harmonic, Quartic, Pendulum, MyWell>;
+  using Wells = std::variant<NoWell, Harmonic, Quartic, Pendulum, MyWell>;
   CHECK(std::holds_alternative<MyWell>(named<Wells>("mine")));
   CHECK(comma_list(names_of<Wells>()) == "none, harmonic, quartic, pendulum, mine");
 }

@@ -116,7 +116,7 @@ TEST_CASE("the two phases of a bond-centred breather are half a period apart",
   flow(p.chain, later, p.period() / 2);
   CHECK(largest_difference(later, stretched.start) < 1e-12 * pressed.amplitude);
   check_close(pressed.energy, stretched.energy, 0, 1e-12);
-  check_close(pressed.area, stretched.area, 0, 1e-12);
+  check_close(pressed.action_integral, stretched.action_integral, 0, 1e-12);
 }
 
 TEST_CASE("breathers of other chains return by another integrator", "[property][chains]") {
@@ -258,7 +258,7 @@ TEST_CASE("what has no breather is refused in one line", "[unit][chains]") {
 
 TEST_CASE("the discrete gradient, its direction, and how many sites a tail needs",
           "[unit][orbits]") {
-  const Vector<double> g = gradient({1, 2, 4, 8, 16});
+  const Vector<double> g = discrete_gradient({1, 2, 4, 8, 16});
   CHECK(g == (Vector<double>(5) << 0, 3, 6, 12, 0).finished());
   check_close(alignment(g, -2 * g), 1, 1e-15);
   check_close(alignment(Vector<double>::Unit(5, 1), Vector<double>(g)), 3 / std::sqrt(189.0),
@@ -393,7 +393,7 @@ TEST_CASE("barriers agree with an independent computation", "[published][periodi
     check_close(double(wide_gap(omega, s, 1e-22)), expected, 0, 1e-5);
     auto moved = ps;
     moved.omega = gap.omega_site;
-    check_close(newton(moved, site.x).area, bond.area, 0, 1e-10);
+    check_close(newton(moved, site.x).action_integral, bond.action_integral, 0, 1e-10);
   }
 }
 
@@ -430,7 +430,7 @@ TEST_CASE("barriers of other wells and contacts", "[property][chains]") {
     if (alpha != 1.5) one = asked(omega, PowerContact{alpha});
     one.well = Quartic{s};
     CAPTURE(omega, s, alpha);
-    const Estimate area = found(one).equal_area;
+    const Estimate area = found(one).equal_action;
     check_close(area.value, gap, known + area.error);
     CHECK(area.error < 1e-7 * std::abs(gap));
   }
@@ -469,5 +469,5 @@ TEST_CASE("a zero of the barrier does not depend on the pairs around it",
     CHECK(a.error < 1e-8);
   };
   agree(zero(1.05, 1.075, Equal::frequency), zero(1.06, 1.065, Equal::frequency));
-  agree(zero(1.01, 1.025, Equal::area), zero(1.016, 1.02, Equal::area));
+  agree(zero(1.01, 1.025, Equal::action), zero(1.016, 1.02, Equal::action));
 }

@@ -30,7 +30,8 @@ TEST_CASE("along a branch dE = dA / T, and the slopes are exact", "[property][pe
     };
     const auto up = at(omega + h), down = at(omega - h), here = at(omega);
     check_close((up.energy - down.energy) / (2 * h), here.energy_omega, 0, 1e-6);
-    check_close((up.energy - down.energy) / (up.area - down.area), 1 / problem.period(), 0, 1e-6);
+    check_close((up.energy - down.energy) / (up.action_integral - down.action_integral),
+                1 / problem.period(), 0, 1e-6);
     const Vector<double> slope = (up.x - down.x) / (2 * h);
     CHECK(sup<double>(slope - here.x_omega) < 1e-5 * sup<double>(slope));
   }

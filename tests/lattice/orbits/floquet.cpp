@@ -16,7 +16,8 @@ using Problem = Shooting<double>;
 Problem small_problem(Centre centre, double omega, double s = 0) {
   return breather_problem(centre, omega, s, centre == Centre::site ? 15 : 16);
 }
-Pairs<double> pairs_at(const Problem& problem, const Orbit<double>& orbit, double coarser = 1) {
+MultiplierPairs<double> pairs_at(const Problem& problem, const Orbit<double>& orbit,
+                                 double coarser = 1) {
   EventTolerance<double> rule;
   rule.tolerance *= coarser;
   return floquet_pairs(problem.chain, orbit.start, orbit.period(), rule);
@@ -72,16 +73,16 @@ TEST_CASE("a pair follows from kappa", "[unit][floquet]") {
   CHECK(std::abs(std::abs(multiplier({-0.3, 0}, 1)) - 1) < 1e-15);
   check_close(std::log(multiplier({1e-18, 0}, 1).real()), 2e-9, 0, 1e-6);
   // An error of kappa costs its square root at +1 and no more than itself elsewhere.
-  CHECK((Pair{{0, 0}, 1e-14}.multiplier_error()) > 1e-7);
-  CHECK((Pair{{-0.3, 0}, 1e-14}.multiplier_error()) < 1e-13);
+  CHECK((MultiplierPair{{0, 0}, 1e-14}.multiplier_error()) > 1e-7);
+  CHECK((MultiplierPair{{-0.3, 0}, 1e-14}.multiplier_error()) < 1e-13);
   // Unstable is a pair beyond +1 or -1 or off circle and axis, by more than its error.
-  CHECK((Pair{{1e-6, 0}, 1e-9}.is_unstable()));
-  CHECK((Pair{{-1 - 1e-6, 0}, 1e-9}.is_unstable()));
-  CHECK((Pair{{-0.5, 1e-6}, 1e-9}.is_unstable()));
-  CHECK_FALSE((Pair{{1e-10, 0}, 1e-9}.is_unstable()));
-  CHECK_FALSE((Pair{{-1, 1e-10}, 1e-9}.is_unstable()));
+  CHECK((MultiplierPair{{1e-6, 0}, 1e-9}.is_unstable()));
+  CHECK((MultiplierPair{{-1 - 1e-6, 0}, 1e-9}.is_unstable()));
+  CHECK((MultiplierPair{{-0.5, 1e-6}, 1e-9}.is_unstable()));
+  CHECK_FALSE((MultiplierPair{{1e-10, 0}, 1e-9}.is_unstable()));
+  CHECK_FALSE((MultiplierPair{{-1, 1e-10}, 1e-9}.is_unstable()));
   // What a double rounds off can neither hide that a pair is at -1 nor take it off the circle.
-  const Pair rounded{{-1 - 2e-16, 0}, 1e-20};
+  const MultiplierPair rounded{{-1 - 2e-16, 0}, 1e-20};
   CHECK_FALSE(rounded.is_unstable());
   CHECK(rounded.multiplier_error() > 2e-8);
 }
@@ -90,7 +91,7 @@ TEST_CASE("the largest modulus allows for the errors of all pairs", "[unit][floq
   const auto contains = [](const Estimate& e, double x) {
     return std::abs(e.value - x) <= e.error;
   };
-  const Pair circle{-0.3, 1e-15}, quadruplet{{-0.5, 1e-3}, 1e-6}, at_one{1e-10, 1e-9};
+  const MultiplierPair circle{-0.3, 1e-15}, quadruplet{{-0.5, 1e-3}, 1e-6}, at_one{1e-10, 1e-9};
   CHECK(excess({circle}).value + excess({circle}).error < 1e-14);
   // A quadruplet shows beside a pinning pair on the circle: cosh ln|lambda| = |kappa| + |1 + kappa|
   const double off = std::acosh(2 * std::abs(std::complex<double>(0.5, 1e-3)));
@@ -136,7 +137,7 @@ TEST_CASE("beads without contact have the multipliers of a pendulum at rest", "[
   const Matrix<double> k = pair_matrix(half);
   const double expected = -std::pow(std::sin(1.0), 2);
   CHECK((k - expected * Matrix<double>::Identity(15, 15)).cwiseAbs().maxCoeff() < 1e-13);
-  CHECK(symplectic_defect(half) < 1e-13);
+  CHECK(symplectic_error(half) < 1e-13);
 }
 
 TEST_CASE("half a period gives the monodromy matrix of the whole one", "[property][floquet]") {
@@ -151,11 +152,11 @@ TEST_CASE("half a period gives the monodromy matrix of the whole one", "[propert
     CHECK((whole.topLeftCorner(n, n) - block).cwiseAbs().maxCoeff() < 1e-11);
     CHECK((whole.bottomRightCorner(n, n) - block.transpose()).cwiseAbs().maxCoeff() < 1e-11);
     // The multipliers in pairs have the trace of the matrix, with the two of the phase.
-    const Pairs<double> pairs = pairs_at(problem, orbit);
+    const MultiplierPairs<double> pairs = pairs_at(problem, orbit);
     std::complex<double> sum = 2;
     for (const auto& kappa : pairs.kappa) sum += multiplier(kappa, 1) + multiplier(kappa, -1);
     CHECK(std::abs(sum - whole.trace()) < 1e-11);
-    CHECK(pairs.defect < 1e-12);
+    CHECK(pairs.symplectic_error < 1e-12);
     CHECK(pairs.phase_error < 1e-12);
   }
 }
@@ -188,7 +189,7 @@ TEST_CASE("the blocks of the symmetries hold the same pinning pair", "[property]
   for (Centre centre : both_centres) {
     const Problem problem = small_problem(centre, 1.1);
     const Orbit<double> orbit = find_breather(problem);
-    const Pairs<double> pairs = pairs_at(problem, orbit);
+    const MultiplierPairs<double> pairs = pairs_at(problem, orbit);
     const Matrix<double> half = monodromy(problem.chain, orbit.start, orbit.period() / 2);
     const double other = pinning_by_symmetry(half, centre);
     CAPTURE(pairs.pinning());
@@ -203,8 +204,8 @@ TEST_CASE("a chain of two masses has the multipliers of its period map", "[prope
   chosen.like.sites = 5;
   vary(chosen.like, {1, 0.8, 1, 0.8, 1}, {});
   const Fitted found = find_chosen(chosen, 1e-17);
-  const Pairs<double> pairs = pairs_at(found.problem, found.orbit);
-  CHECK(pairs.defect < 1e-12);
+  const MultiplierPairs<double> pairs = pairs_at(found.problem, found.orbit);
+  CHECK(pairs.symplectic_error < 1e-12);
   CHECK(pairs.phase_error < 1e-12);
   const auto z = eigenvalues_of(
       monodromy<double>(found.problem.chain, found.orbit.start, found.orbit.period()));
@@ -218,8 +219,9 @@ TEST_CASE("a chain of two masses has the multipliers of its period map", "[prope
   // Far beads of mass 1 and .8 turn alone
   for (const double mass : {1.0, 0.8}) {
     const double turn = -std::pow(std::sin(pi<double>() / 1.3 / std::sqrt(mass)), 2);
-    CHECK(std::count_if(all.pairs.begin(), all.pairs.end(),
-                        [&](const Pair& p) { return std::abs(p.kappa - turn) < 1e-9; }) >= 4);
+    CHECK(std::count_if(all.pairs.begin(), all.pairs.end(), [&](const MultiplierPair& p) {
+            return std::abs(p.kappa - turn) < 1e-9;
+          }) >= 4);
   }
 }
 
@@ -227,7 +229,7 @@ TEST_CASE("two tolerances and two precisions agree within the error", "[converge
   for (Centre centre : both_centres) {
     const Problem problem = small_problem(centre, 1.1);
     const Orbit<double> orbit = find_breather(problem);
-    const auto narrow = compare_pairs(pairs_at(problem, orbit, 16), pairs_at(problem, orbit));
+    const auto narrow = pairs_with_errors(pairs_at(problem, orbit, 16), pairs_at(problem, orbit));
     const auto wide_problem = in_precision<long double>(problem);
     const auto wide_orbit = newton(wide_problem, orbit);
     const auto wide = floquet_pairs(wide_problem.chain, wide_orbit.start, wide_orbit.period());

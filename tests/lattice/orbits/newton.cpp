@@ -90,7 +90,7 @@ TEST_CASE("damped Newton converges from where the plain one runs away", "[proper
   std::size_t found = 0;
   for (unsigned long seed = 1; seed <= 4; ++seed) {
     State<double> start = orbit.start;
-    start.y = shaken(start.y, 0.5, seed);
+    start.y = perturbed(start.y, 0.5, seed);
     try {
       CHECK(return_error(problem, newton(problem, problem.reduce(start), damped)) < 1e-11);
       ++found;
@@ -113,7 +113,7 @@ TEST_CASE("extended precision agrees, and refines with the derivative of double 
     CHECK(chord.residual() < 1e-15);
     check_close(double(chord.energy_omega), double(full.energy_omega), 0, 1e-9);
     check_close(orbit.energy, double(full.energy), 0, 1e-12);
-    check_close(orbit.area, double(full.area), 0, 1e-12);
+    check_close(orbit.action_integral, double(full.action_integral), 0, 1e-12);
   }
 }
 
@@ -134,7 +134,7 @@ TEST_CASE("a wave on a ring travels one site in the time it is asked to", "[prop
   Problem problem;
   problem.chain.sites = sites;
   problem.chain.ends = Ends::periodic;
-  problem.chain.contact = Hertz{.floor = 0};
+  problem.chain.contact = Hertz{.negligible = 0};
   problem.symmetry = travelling(sites, 1, true);
   State<double> guess(sites);
   for (std::size_t n = 0; n < sites; ++n) {
@@ -177,7 +177,7 @@ TEST_CASE("an orbit is refused where its flow is not accurate", "[unit][orbits]"
     return out;
   };
   NewtonRule<double> every;  // ends a step at every event, and still may not miss one that matters
-  every.events.floor = 0;
+  every.events.slowest_event = 0;
   for (const NewtonRule<double>& rule : {NewtonRule<double>{}, every}) {
     CHECK_NOTHROW(newton(careless(0, 0), orbit.x, rule));
     CHECK_THROWS_AS(newton(careless(1, 0), orbit.x, rule), NewtonFailed);
@@ -229,7 +229,7 @@ TEST_CASE("an orbit that shrinks to rest is none", "[unit][orbits]") {
 
 TEST_CASE("a wave of a ring without wells moves on by one site", "[unit][orbits]") {
   const double q = 6 * std::numbers::pi / 9;
-  const Shooting<double> problem{{9, None{}, Hertz{.floor = 0}, Ends::periodic},
+  const Shooting<double> problem{{9, NoWell{}, Hertz{.negligible = 0}, Ends::periodic},
                                  travelling(9, 1, true),
                                  2 * std::numbers::pi / q};
   const double amplitude = std::pow(0.457 * std::pow(2 * std::sin(q / 2), 2.5), -2);

@@ -45,17 +45,17 @@ Field pushed(const PinnedBreather& breather, std::complex<double> z) {
 }
 
 /// Carries `v` in the frame that turns with the breather of exponent `alpha`; calls `look` at equal intervals.
-void follow(const PinnedBreather& breather, Field& v, double time, std::size_t samples,
-            double tolerance, double alpha, const DpsObserver& look) {
-  evolve_dps(TurningDps{{v.size(), Ends::free, alpha, 1}, breather.mu}, v, time, samples, tolerance,
-             look);
+void evolve_field(const PinnedBreather& breather, Field& v, double time, std::size_t samples,
+                  double tolerance, double alpha, const DpsObserver& look) {
+  evolve_dps(RotatingDps{{v.size(), Ends::free, alpha, 1}, breather.mu}, v, time, samples,
+             tolerance, look);
 }
 
 /// The same with a look per unit of slow time at the place, and at how far the energy drifts.
 DpsRun run_of(const PinnedBreather& breather, Field v, double time, double tolerance) {
   const double start = energy(v);
   DpsRun run;
-  follow(breather, v, time, std::size_t(time), tolerance, 1.5, [&](double, const Field& now) {
+  evolve_field(breather, v, time, std::size_t(time), tolerance, 1.5, [&](double, const Field& now) {
     run.X.push_back(place_of(breather.centre, now));
     run.drift = std::max(run.drift, std::abs(energy(now) / start - 1));
   });
@@ -67,7 +67,7 @@ double rate_along(const PinnedBreather& breather, double sign, double size, doub
                   double alpha) {
   Field v = pushed(breather, {size, sign * size / breather.pair.leverage});
   double first = 0, last = 0;
-  follow(breather, v, time, 1, 1e-12, alpha, [&](double t, Field w) {
+  evolve_field(breather, v, time, 1, 1e-12, alpha, [&](double t, Field w) {
     for (std::size_t i = 0; i < w.size(); ++i) w[i] -= breather.u[i];
     (t > 0 ? last : first) = breather.pair.of(w).real();
   });
@@ -117,7 +117,7 @@ TEST_CASE("the contact matrix gives the spectrum of the full linearisation",
       CAPTURE(alpha, int(centre));
       const auto s = state(centre, 2, alpha);
       const auto spectrum = contact_spectrum(s);
-      CHECK(std::abs(spectrum.phase_defect) < 1e-14);
+      CHECK(std::abs(spectrum.phase_residual) < 1e-14);
       auto full = full_exponents(s);
       const auto reduced = exponents(spectrum);
       REQUIRE(full.size() == reduced.size());

@@ -5,7 +5,7 @@
 #include <complex>
 
 #include "lattice/dps/evolve.hpp"
-#include "lattice/quadruple/extended.hpp"
+#include "lattice/quadruple/quadruple.hpp"
 #include "support/check.hpp"
 
 using namespace lattice;

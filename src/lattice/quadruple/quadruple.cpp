@@ -1,4 +1,4 @@
-#include "lattice/quadruple/extended.hpp"
+#include "lattice/quadruple/quadruple.hpp"
 
 #include <Eigen/LU>
 
