@@ -21,6 +21,6 @@ struct Layer {
 int main() {
   const Chain chain{100, Harmonic{}, Layer{}};
   auto state = struck(100, 1.5);
-  const Run run = evolve(EventCorrected{0.05}, chain, state, 200, 200);
+  const Run run = evolve(EventCorrected{0.05}, chain, state, 200);
   std::cout << "energy drift " << run.energy_drift << '\n';
 }

@@ -22,7 +22,7 @@ Result after(double time, const EventCorrected& method) {
   for (std::size_t n = 0; n < beads; ++n)
     start.y[n] = 0.1 * (n % 2 ? -1 : 1) * std::sin(std::numbers::pi * double(n) / beads);
   Result out{start, {}};
-  out.run = evolve(method, ring, out.end, time, 1);
+  out.run = evolve(method, ring, out.end, time, Every{1});
   return out;
 }
 

@@ -15,6 +15,6 @@ struct Stiffer {
 int main() {
   const Chain chain{100, Stiffer{}};
   auto state = struck(100, 1.5);
-  const Run run = evolve(EventCorrected{0.05}, chain, state, 200, 200);
+  const Run run = evolve(EventCorrected{0.05}, chain, state, 200);
   std::cout << "energy drift " << run.energy_drift << '\n';
 }

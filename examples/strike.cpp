@@ -7,6 +7,6 @@ using namespace lattice;
 int main() {
   const Chain chain{100, Quartic{-1.0 / 6}};
   auto state = struck(100, 1.5);
-  evolve(EventCorrected{0.05}, chain, state, 200, 200);
+  evolve(EventCorrected{0.05}, chain, state, 200);
   std::cout << "boundary share " << boundary_share(energy_density(chain, state)) << '\n';
 }

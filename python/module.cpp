@@ -113,7 +113,7 @@ Chain make_chain(const Words& words, const OwnWell* well, const OwnContact* cont
 /// The potential of one's own that a chain has, None if it has a name.
 template <class Own, class Any>
 py::object own_in(const Any& any) {
-  const auto* own = std::get_if<Own>(&any);
+  const Own* own = any.template get_if<Own>();
   return own ? py::cast(*own) : py::none();
 }
 
@@ -182,7 +182,7 @@ py::tuple evolve_chain(const Chain& chain, const Numbers& y, const Numbers& v, d
   Samples samples(chain, time, sample);
   State<double> state = state_of(chain, y.data(), v.data());
   const Run run = at_work([&] {
-    return evolve(Converged{tolerance}, chain, state, time, sample,
+    return evolve(Converged{tolerance}, chain, state, time, Every{sample},
                   [&](const State<double>& now) { samples.take(now); });
   });
   samples.demand_all();
@@ -214,6 +214,11 @@ py::object read_only(const std::vector<double>& x) {
   py::object array = array_of(x);
   array.attr("setflags")(py::arg("write") = false);
   return array;
+}
+
+/// Masses or stiffnesses, none where all are one.
+auto varied(const Chain& chain, std::vector<double> Variation::*row) {
+  return read_only(chain.variation ? (*chain.variation).*row : std::vector<double>{});
 }
 
 /// What `compute(state)` says, one number a site, of every row of `y` and `v`.
@@ -289,8 +294,8 @@ void add_model(py::module_& m) {
       .def_property_readonly("well", [](const Chain& c) { return describe<Well>(c.well); })
       .def_property_readonly("contact", [](const Chain& c) { return describe<Contact>(c.contact); })
       .def_property_readonly("ends", [](const Chain& c) { return ends_names[int(c.ends)]; })
-      .def_property_readonly("mass", [](const Chain& c) { return read_only(c.mass); })
-      .def_property_readonly("eta", [](const Chain& c) { return read_only(c.eta); })
+      .def_property_readonly("mass", [](const Chain& c) { return varied(c, &Variation::mass); })
+      .def_property_readonly("eta", [](const Chain& c) { return varied(c, &Variation::eta); })
       .def_property_readonly("_well", [](const Chain& c) { return own_in<OwnWell>(c.well); })
       .def_property_readonly("_contact",
                              [](const Chain& c) { return own_in<OwnContact>(c.contact); })

@@ -234,7 +234,7 @@ Dispersal let_go(const Motion& m, int steps) {
     out.core.push_back(window_sum(energy_density(m.chain, now), centre, core_reach) / all);
     out.mean.push_back(impulse / now.t);
   };
-  const Run run = evolve(EventCorrected{step}, m.chain, state, m.duration, step, observe);
+  const Run run = evolve(EventCorrected{step}, m.chain, state, m.duration, Every{step}, observe);
   if (state.v.front() != 0 || state.v.back() != 0) throw Failure("the ends have moved");
   if (!(run.energy_drift < 1e-8)) throw Failure("the energy drifts");
   return out;

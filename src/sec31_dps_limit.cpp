@@ -158,7 +158,8 @@ std::vector<double> deviations(const Start& start, const Well& well, double eps,
   const Chain chain{sites, well, simplest(Contact(PowerContact{.exponent = alpha}))};
   const double step = 2 * std::numbers::pi / resolution.steps;
   State<double> state = initial(start, eps);
-  evolve(EventCorrected{.step = step}, chain, state, until.back() / rate(eps), step, observe);
+  evolve(EventCorrected{.step = step}, chain, state, until.back() / rate(eps), Every{step},
+         observe);
   return largest;
 }
 

@@ -100,7 +100,7 @@ Outcome outcome(double v0, std::size_t sites, double longest, const Method& meth
   Outcome out{.end = struck(sites, v0)};
   double duration = first_count;
   while (!out.settled && out.end.t + duration <= longest) {
-    out.run = joined(out.run, evolve(method, chain, out.end, duration, first_count));
+    out.run = joined(out.run, evolve(method, chain, out.end, duration, Every{first_count}));
     const WellCounts now = wells_of(out.end);
     out.settled = now == out.counts && out.end.t > first_count;
     out.counts = now;
@@ -156,7 +156,7 @@ void report_transition(Report& report) {
       for (std::size_t n = 0; n < beads; ++n)
         examples.add({{"velocity", v0}, {"t", now.t}, {"n", n + 1}, {"wells", now.y[n] / period}});
     };
-    evolve(EventCorrected{coarse_step}, Chain{beads, on_site}, state, 100, 0.5, sample);
+    evolve(EventCorrected{coarse_step}, Chain{beads, on_site}, state, 100, Every{0.5}, sample);
   }
 }
 
@@ -241,7 +241,7 @@ Passage passage(const Well& well, double v0, double step) {
     last = now;
     return now.y[watched - 1] < maximum;
   };
-  evolve(EventCorrected{step}, chain, state, 400, step, sample);
+  evolve(EventCorrected{step}, chain, state, 400, Every{step}, sample);
   if (state.y[watched - 1] < maximum) throw Failure("nothing passes the chain");
 
   // Each bead: its largest velocity, and for how long it has more than half of it
@@ -348,7 +348,7 @@ Excursion excursion(double v0, double time, double step) {
       if (now.t > 0) out.way = std::max(out.way, std::abs(y) / (v0 * now.t));
   };
   const Chain chain{beads, on_site};
-  out.drift = evolve(EventCorrected{step}, chain, state, time, 0.2, watch).energy_drift;
+  out.drift = evolve(EventCorrected{step}, chain, state, time, Every{0.2}, watch).energy_drift;
   return out;
 }
 
@@ -376,7 +376,7 @@ void report_checks(Report& report) {
   for (double v0 : {2.0, 5.0}) {
     const Chain chain{beads, on_site};
     State<double> state = struck(beads, v0);
-    evolve(EventCorrected{0.0125}, chain, state, 60, 60);
+    evolve(EventCorrected{0.0125}, chain, state, 60);
     distance_from_reference(chain, struck(beads, v0), 60, state, 1e-8);  // or it throws
   }
 }

@@ -54,9 +54,9 @@ constexpr double cradle_lambda_5_2 = 1.75e19;               // as printed
 Collision collide(double step) {
   const Chain beads{2, NoWell{}};  // no wells; m = gamma = V = 1
   State<double> state = struck(2, 1), middle = state;
-  evolve(EventCorrected{step}, beads, state, 4, 4);  // it is over at t = 2.44
+  evolve(EventCorrected{step}, beads, state, 4);  // it is over at t = 2.44
   const double contact_time = 2 * state.y[0];
-  evolve(EventCorrected{step}, beads, middle, contact_time / 2, contact_time / 2);
+  evolve(EventCorrected{step}, beads, middle, contact_time / 2);
   return {.contact_time = contact_time, .compression = middle.y[0] - middle.y[1]};
 }
 

@@ -278,7 +278,7 @@ TwoRuns<WatchedRing> ring_at_end(const Ring& ring) {
     const Splitting method{blanes_moan_6_14(), step};
     State<double> state = ring.start();
     const double before = figure_26 - watched_time;
-    if (evolve(method, ring.chain(), state, before, watched_time).energy_drift > drift_ring)
+    if (evolve(method, ring.chain(), state, before, Every{watched_time}).energy_drift > drift_ring)
       throw Failure("the energy of the ring is not conserved");
     return watch_packet(method, ring.chain(), state);
   };

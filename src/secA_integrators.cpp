@@ -146,7 +146,7 @@ double passage_error(const EventCorrected& method, const std::vector<Passage>& p
   double squares = 0;
   for (const auto& [start, end] : passages) {
     State<double> state = start;
-    evolve(method, two_beads(), state, 1, 1);
+    evolve(method, two_beads(), state, 1);
     squares += std::pow(largest_error(state.y, end), 2);
   }
   return std::sqrt(squares / double(passages.size()));
@@ -197,7 +197,7 @@ double error_of(const Tested& method, double step, const References& references)
   for (std::size_t k = 0; k < std::size(velocities); ++k) {
     State<double> state(references.chain.sites);
     state.v[0] = velocities[k];
-    evolve(method.with(step), references.chain, state, duration, duration);
+    evolve(method.with(step), references.chain, state, duration);
     squares += std::pow(largest_error(state.y, references.end[k].y), 2);
   }
   return std::sqrt(squares / double(std::size(velocities)));
@@ -211,7 +211,7 @@ References references_of(const Chain& chain) {
     State<double> state(chain.sites);
     state.v[0] = v0;
     State<double> by_flow = state;
-    evolve(other, chain, state, duration, duration);
+    evolve(other, chain, state, duration);
     flow(chain, by_flow, duration, {.tolerance = 1e-12});
     if (!(largest_error(state.y, by_flow.y) < 1e-11)) throw Failure("flow ends elsewhere");
     out.end.push_back(state);

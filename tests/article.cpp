@@ -687,8 +687,8 @@ TEST_CASE(
   const auto collide = [](double step) {
     const Chain beads{2, NoWell{}};
     State<double> after = struck(2, 1), middle = after;
-    evolve(EventCorrected{step}, beads, after, 4, 4);
-    evolve(EventCorrected{step}, beads, middle, after.y[0], after.y[0]);
+    evolve(EventCorrected{step}, beads, after, 4);
+    evolve(EventCorrected{step}, beads, middle, after.y[0]);
     return Collision{2 * after.y[0], middle.y[0] - middle.y[1]};
   };
   const Collision coarse = collide(0.1), fine = collide(0.05);
@@ -934,7 +934,7 @@ TEST_CASE(
       state.y[i] = size * std::sin(q * n), state.v[i] = -omega * size * std::cos(q * n);
     }
     const Splitting method{blanes_moan_6_14(), step};
-    evolve(method, ring, state, 6559, 6559);
+    evolve(method, ring, state, 6559);
     return watch_packet(method, ring, state);
   };
   const Packet wave = packet_of({run(0.4), run(0.2)});

@@ -186,7 +186,7 @@ TEST_CASE("a free bead in a soft well is the slower the farther it moves", "[uni
   State<double> bead(1);
   bead.y[0] = 0.9;
   Oscillation seen;
-  evolve(EventCorrected{0.01}, Chain{1, Quartic{-0.7}}, bead, 150, 0.01,
+  evolve(EventCorrected{0.01}, Chain{1, Quartic{-0.7}}, bead, 150, Every{0.01},
          [&](const State<double>& now) { seen.add(now.t, now.y[0], now.v[0]); });
   check_close(seen.frequency(), free_frequency(-0.7, 0.9), 0, 1e-4);
   check_close(seen.amplitude(), 0.9, 0, 1e-6);

@@ -53,7 +53,7 @@ TEST_CASE("an exact wave keeps its form and frequency in a run", "[property]") {
   const Chain ring{24, Quartic{1}, contact, Ends::periodic};
   const PlaneWave wave = plane_wave(ring.well, contact, q, 0.12);
   State<double> state = on_ring(wave, 24);
-  evolve(Splitting{blanes_moan_6_14(), 0.1}, ring, state, 4, 1);
+  evolve(Splitting{blanes_moan_6_14(), 0.1}, ring, state, 4, Every{1});
   for (std::size_t n = 0; n < 24; ++n) {
     const double theta = q * double(n + 1) - wave.omega * 4;
     check_close(state.y[n], wave.profile(theta), 1e-10);

@@ -32,7 +32,7 @@ py::tuple drive_chain(const Chain& chain, const Numbers& y, const Numbers& v, do
   std::vector<double> injected, dissipated, energies;
   State<double> state = state_of(chain, y.data(), v.data());
   const auto pair = at_work([&] {
-    return evolve(Converged{tolerance}, driven, state, time, sample,
+    return evolve(Converged{tolerance}, driven, state, time, Every{sample},
                   [&](const State<double>& now, const EnergyBudget& budget) {
                     samples.take(now);
                     injected.push_back(budget.work);

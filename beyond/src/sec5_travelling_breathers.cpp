@@ -206,14 +206,15 @@ The maps compare the energy density of an exact orbit with that of the packet of
 scale is logarithmic, so that a tail of a millionth would still be seen. */
 void add_map(Table& table, int which, const Chain& chain, State<double> state, double from,
              double first_site) {
-  evolve(EventCorrected{0.05}, chain, state, from, 1);
+  evolve(EventCorrected{0.05}, chain, state, from, Every{1});
   const double start = state.t;
-  evolve(EventCorrected{0.05}, chain, state, 12 * two_pi, 0.4, [&](const State<double>& now) {
-    const auto e = energy_density(chain, now);
-    for (int j = 0; j < 30; ++j)
-      table.add(
-          {which, now.t - start, j, std::log10(std::max(e[std::size_t(first_site + j)], 1e-14))});
-  });
+  evolve(EventCorrected{0.05}, chain, state, 12 * two_pi, Every{0.4},
+         [&](const State<double>& now) {
+           const auto e = energy_density(chain, now);
+           for (int j = 0; j < 30; ++j)
+             table.add({which, now.t - start, j,
+                        std::log10(std::max(e[std::size_t(first_site + j)], 1e-14))});
+         });
 }
 
 void report_maps(Report& report, const Exact& e) {
@@ -474,7 +475,7 @@ Course course_after(double v0, const Frame& frame, std::size_t rows) {
   Course course;
   double begin_t = 0, begin_x = 0, energy = 0, samples = 0, dropped_energy = 0;
   for (std::size_t dropped = 0; course.size() < rows;) {
-    evolve(EventCorrected{frame.step}, chain, state, 1, 1);
+    evolve(EventCorrected{frame.step}, chain, state, 1);
     const std::vector<double> e = energy_density(chain, state);  // Eq. (23)
     const auto peak = front_packet(e);  // the foremost site with the largest density of eleven
     if (!peak || *peak < 13) continue;

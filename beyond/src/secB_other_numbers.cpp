@@ -41,7 +41,7 @@ BeadVelocities watch_beads(std::size_t sites, double duration, double step, doub
   BeadVelocities out;
   out.v.resize(beads.size());
   out.end = struck(sites, 1);
-  evolve(EventCorrected{step}, Chain{sites, NoWell{}}, out.end, duration, sample,
+  evolve(EventCorrected{step}, Chain{sites, NoWell{}}, out.end, duration, Every{sample},
          [&](const State<double>& now) {
            out.t.push_back(now.t);
            for (std::size_t k = 0; k < beads.size(); ++k) out.v[k].push_back(now.v[beads[k] - 1]);

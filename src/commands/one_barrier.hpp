@@ -29,7 +29,7 @@ struct OneBarrier : ChosenBreather {
   /// Both breathers, measured in extended precision. Throws UsageError, NewtonFailed, NoBranch.
   BreatherPair find() const {
     BreatherPair pair{0, omega_b};
-    const bool plain = std::holds_alternative<Hertz>(like.contact);
+    const bool plain = like.contact.is<Hertz>();
     for (int k : {0, 1}) {
       ChosenBreather one = *this;
       one.centre = both_centres[k];

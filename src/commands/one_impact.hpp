@@ -73,7 +73,7 @@ struct OneImpact {
   /// Both runs. Throws RefinementFailed, FarEndReached, and RanAway if a bead runs away.
   Found find() const {
     Impact whole = sites ? impact : on_long_chain(impact);
-    if (sites) whole.chain.sites = *sites, whole.far_end = may_move;
+    if (sites) whole.chain = whole.chain.with_sites(*sites), whole.far_end = may_move;
     return {whole, refined(tolerance,
                            [&](const EventCorrected& method) { return strike(method, whole); })};
   }

@@ -93,9 +93,8 @@ struct OneTurn {
   // The neighbours start from the steps that have proved to be short enough for the turn
   Table table() const {
     const auto chain_for = [&](double duration) {
-      Chain chain = on_long_chain({velocity, like, duration}).chain;
-      if (sites) chain.sites = *sites;
-      return chain;
+      const Chain chain = on_long_chain({velocity, like, duration}).chain;
+      return sites ? chain.with_sites(*sites) : chain;
     };
     const Impact impact{.velocity = velocity,
                         .chain = chain_for(time),

@@ -55,9 +55,8 @@ std::string PhononBands::to_text() const {
 
 Chain lengthened(const Chain& chain, std::size_t sites) {
   assert_fits(chain, chain.sites);
-  Chain out = chain;
-  out.sites = sites;
-  if (chain.mass.empty()) return out;
+  if (!chain.variation) return chain.with_sites(sites);
+  const auto& [masses, inverse, stiffnesses] = *chain.variation;
   if (chain.sites % 2 != sites % 2)
     throw std::invalid_argument("masses of " + std::to_string(chain.sites) +
                                 " beads do not fit a breather of " + std::to_string(sites) +
@@ -70,8 +69,10 @@ Chain lengthened(const Chain& chain, std::size_t sites) {
     return all[std::size_t(i)];
   };
   std::vector<double> mass, eta;
-  for (long i = -shift; i < long(sites) - shift; ++i) mass.push_back(at(chain.mass, i, 0));
-  for (long i = -shift; i <= long(sites) - shift; ++i) eta.push_back(at(chain.eta, i, 1));
+  for (long i = -shift; i < long(sites) - shift; ++i) mass.push_back(at(masses, i, 0));
+  for (long i = -shift; i <= long(sites) - shift; ++i) eta.push_back(at(stiffnesses, i, 1));
+  Chain out = chain;
+  out.sites = sites;
   vary(out, mass, eta);
   return out;
 }
@@ -84,10 +85,11 @@ static void require_room(const Chain& chain) {
   };
   if (chain.ends != Ends::free)
     throw std::invalid_argument("a site- or bond-centred breather needs a chain with free ends");
-  if (!chain.mass.empty() && !(mirrored(chain.mass.begin(), chain.mass.end()) &&
-                               mirrored(chain.eta.begin() + 1, chain.eta.end() - 1)))
+  if (const auto& all = chain.variation;
+      all && !(mirrored(all->mass.begin(), all->mass.end()) &&
+               mirrored(all->eta.begin() + 1, all->eta.end() - 1)))
     throw std::invalid_argument("masses and stiffnesses must be symmetric about the centre");
-  if (std::holds_alternative<OwnContact>(chain.contact) && chain.contact.stiffness(0.0) != 0)
+  if (chain.contact.is<OwnContact>() && chain.contact.stiffness(0.0) != 0)
     throw std::invalid_argument(
         "a user-defined contact must not be compressed at rest, because the continuation starts "
         "from uncompressed contacts");
@@ -120,11 +122,11 @@ Between contacts that are not compressed the ansatz finds a breather of equal be
 to all others a path leads from there. */
 static Orbit<double> find_like(const Shooting<double>& problem, Phase phase) {
   Shooting<double> first = problem;
-  first.chain.mass = first.chain.inverse_mass = first.chain.eta = {};
-  if (!std::holds_alternative<OwnContact>(problem.chain.contact))
+  first.chain.variation.reset();
+  if (!problem.chain.contact.is<OwnContact>())
     first.chain.contact = bare(PowerContact{problem.chain.contact.exponent()});
   const Orbit<double> orbit = find_breather(first, phase);
-  const bool there = problem.chain.mass.empty() && problem.chain.contact.opening() == 0;
+  const bool there = !problem.chain.variation && problem.chain.contact.opening() == 0;
   return there ? orbit : continue_to(first, orbit, problem.chain);
 }
 
@@ -132,7 +134,7 @@ static Orbit<double> find_like(const Shooting<double>& problem, Phase phase) {
 Fitted fit_chain(Centre centre, double omega, const Chain& like, std::size_t sites,
                  std::size_t usual, double precision, Phase phase) {
   const Contact contact = bare(like.contact);
-  if (like.mass.empty() && like.ends == Ends::free && std::holds_alternative<Hertz>(contact))
+  if (!like.variation && like.ends == Ends::free && contact.is<Hertz>())
     return fit_chain(centre, omega, like.well, sites, usual, precision, phase);
   Shooting<double> problem = problem_like(centre, omega, like, usual);
   require_room(problem.chain);

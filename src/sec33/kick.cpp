@@ -88,7 +88,7 @@ KickedPath follow_kicked(const Method& method, const Chain& chain, const State<d
     return look(path, state, e);
   };
   const double means = std::round(duration / (sample * many));
-  path.run = evolve(method, chain, now, sample * (many * means), sample, see);
+  path.run = evolve(method, chain, now, sample * (many * means), Every{sample}, see);
   path.energy = energy(chain, now);
   return path;
 }

@@ -102,8 +102,8 @@ Heights heights_at(const Chain& chain, State<double> state, Field A, double eps,
                    double to, std::size_t instants, const EventCorrected& method,
                    double dps_tolerance) {
   Heights out;
-  evolve(method, chain, state, from, 5);
-  evolve(method, chain, state, to - state.t, (to - from) / double(instants - 1),
+  evolve(method, chain, state, from, Every{5});
+  evolve(method, chain, state, to - state.t, Every{(to - from) / double(instants - 1)},
          [&](const State<double>& now) {
            out.t.push_back(now.t);
            out.chain.push_back(amplitude(chain, now).height);

@@ -256,7 +256,7 @@ static AnsatzError ansatz_error(const Carrier& wave, double eps, double step, in
     }
     error.l2 = std::max(error.l2, std::sqrt(squares));
   };
-  evolve(Splitting{blanes_moan_6_14(), step}, chain, state, time, time / samples, watch);
+  evolve(Splitting{blanes_moan_6_14(), step}, chain, state, time, Every{time / samples}, watch);
   return error;
 }
 

@@ -217,7 +217,7 @@ RingSample ring_sample(const Chain& ring, const State<double>& state) {
 
 WatchedRing watch_packet(const Method& method, const Chain& ring, State<double> state) {
   WatchedRing out;
-  evolve(method, ring, state, watched_time, 1, [&](const State<double>& now) {
+  evolve(method, ring, state, watched_time, Every{1}, [&](const State<double>& now) {
     out.t.push_back(now.t);
     out.centre.push_back(packet_sample(now.t, energy_density(ring, now)).centre);
   });
@@ -273,7 +273,7 @@ RingPair side_by_side(const Chain& ring, const State<double>& start, double step
   while (state[1].t < longest && !(state[1].t > multiple * out.localized.value)) {
     std::array<RingSample, 2> seen;
     for (std::size_t k : {0, 1}) {
-      evolve(method[k], ring, state[k], interval, interval);
+      evolve(method[k], ring, state[k], interval);
       seen[k] = ring_sample(ring, state[k]);
     }
     progress.reach(state[1].t / longest);

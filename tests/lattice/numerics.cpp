@@ -156,7 +156,7 @@ TEST_CASE("a run says how far it is, and no number depends on it", "[unit][progr
   const auto run = [](const Look& look) {
     State<double> state(20);
     state.v[0] = 1;
-    evolve(EventCorrected{0.1}, Chain{20, Harmonic{}}, state, 10.0, 1.0, look);
+    evolve(EventCorrected{0.1}, Chain{20, Harmonic{}}, state, 10.0, Every{1.0}, look);
     return state;
   };
   const State<double> unseen = run({});

@@ -12,7 +12,7 @@ namespace {
 
 template <class Stepper>
 void show(const Stepper& method, const Chain& chain, State<double> state) {
-  evolve(method, chain, state, 30, 30);
+  evolve(method, chain, state, 30);
   for (std::size_t n = 0; n < chain.sites; n += 1 + chain.sites / 40) {
     std::uint64_t bits;
     std::memcpy(&bits, &state.y[n], sizeof bits);

@@ -19,6 +19,6 @@ lattice::State<T> random_state(std::size_t sites, double size = 1, unsigned seed
 inline lattice::State<double> after(const lattice::Method& method, const lattice::Chain& chain,
                                     lattice::State<double> s, double time) {
   s.t = 0;
-  evolve(method, chain, s, time, time);
+  evolve(method, chain, s, time);
   return s;
 }

@@ -133,14 +133,14 @@ Score own(const Problem& p, const Stepper& stepper, bool windowed) {
   State<double> s = p.start;
   double work = 0;
   if (windowed) {
-    work = evolve(stepper, p.chain, s, p.time, p.sample, std::ref(judge)).work;
+    work = evolve(stepper, p.chain, s, p.time, Every{p.sample}, std::ref(judge)).work;
   } else {
     Window all{0, p.chain.sites};
     const lattice::Advance advance = lattice::Method(stepper).on(p.chain);
     for (double t = 0; t < p.time - 1e-9; t = s.t) {
       const double next = std::min(t + p.sample, p.time);
       const auto steps = std::size_t(std::ceil((next - t) / stepper.step));
-      work += advance(s, all, (next - t) / double(steps), steps);
+      work += advance(p.chain, s, all, (next - t) / double(steps), steps);
       s.t = next;
       judge(s);
     }

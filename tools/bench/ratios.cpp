@@ -41,7 +41,7 @@ void find_reference(Problem& p) {
   Window window = waking(p.chain, s);
   const std::size_t steps = 102400;
   const Method method = EventCorrected{0, nystrom(blanes_moan_6_14())};
-  method.on(p.chain)(s, window, p.compare_at / double(steps), steps);
+  method.on(p.chain)(p.chain, s, window, p.compare_at / double(steps), steps);
   p.reference = s.y;
 }
 

@@ -57,7 +57,7 @@ Path follow_without(const WavesAbsorbed& impact, double step, double until, std:
     const Absorber now = absorber(impact, peak, state.t);
     for (std::size_t i = 0; i < grid.steps; ++i) {
       rub(now, grid.step() / 2, state);
-      advance(state, moving, grid.step(), 1);
+      advance(chain, state, moving, grid.step(), 1);
       rub(now, grid.step() / 2, state);
     }
     state.t = look * double(k + 1);

@@ -96,7 +96,7 @@ TEST_CASE("a driven chain runs with the length of its masses and in states of th
   Chain twelve{12};
   vary(twelve, std::vector<double>(12, 1), {});
   const auto refused = [](const Chain& chain, const State<double>& state) {
-    CAPTURE(chain.sites, chain.mass.size(), state.y.size());
+    CAPTURE(chain.sites, bool(chain.variation), state.y.size());
     State<double> end = state;
     CHECK_THROWS_AS(evolve({chain}, end, time_grid(1, 1, 0.1)), std::invalid_argument);
   };
@@ -110,10 +110,9 @@ TEST_CASE("a driven chain runs with the length of its masses and in states of th
   refused(twelve, ragged);
   // Masses without stiffnesses, and the other way round
   Chain half{12};
-  half.mass = half.inverse_mass = twelve.mass;
+  half.variation = Variation{twelve.variation->mass, twelve.variation->mass, {}};
   refused(half, struck(12, 1));
-  half = Chain{12};
-  half.eta = twelve.eta;
+  half.variation = Variation{{}, {}, twelve.variation->eta};
   refused(half, struck(12, 1));
 }
 
@@ -122,7 +121,7 @@ TEST_CASE("a driven run for a tolerance balances its budget", "[property][driven
   driven.losses.of_site.assign(12, 0.1);
   State<double> state(12);
   std::size_t seen = 0;
-  const auto pair = evolve(Converged{1e-5}, driven, state, 60, 0.5,
+  const auto pair = evolve(Converged{1e-5}, driven, state, 60, Every{0.5},
                            [&](const State<double>&, const EnergyBudget&) { return ++seen, true; });
   CHECK(seen == 121);
   CHECK(pair.error <= 1e-5);
@@ -139,7 +138,7 @@ TEST_CASE("a drive that is faster than the steps is seen", "[property][driven]")
     State<double> state(1);
     state.y[0] = 1;
     const auto pair =
-        evolve(Converged{1e-4}, {Chain{1}, {}, {Drive::By::base, omega, 1}}, state, 10, 10,
+        evolve(Converged{1e-4}, {Chain{1}, {}, {Drive::By::base, omega, 1}}, state, 10, Every{10},
                [](const State<double>&, const EnergyBudget&) { return true; });
     const double w = omega, y = std::cos(10) + (std::sin(10 * w) - w * std::sin(10)) / (1 - w * w),
                  v = -std::sin(10) + w * (std::cos(10 * w) - std::cos(10)) / (1 - w * w);

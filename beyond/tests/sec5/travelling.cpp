@@ -20,7 +20,7 @@ Vector<double> all_equations(const Orbit<double>& orbit, double s = 0) {
 double left_behind(const Orbit<double>& orbit, std::size_t shifts) {
   const Chain chain{shifts + 24};
   State<double> state = embed(orbit.start, chain.sites, 0);
-  evolve(method_for(1e-12, 0.025), chain, state, double(shifts) * shift_time(orbit), 10);
+  evolve(method_for(1e-12, 0.025), chain, state, double(shifts) * shift_time(orbit), Every{10});
   double left = 0;
   for (std::size_t n = 0; n + 8 < shifts; ++n)
     left = std::max(left, std::hypot(state.y[n], state.v[n]));

@@ -90,10 +90,10 @@ void Leapfrog<T>::drift(std::vector<T>& z, T dt) const {
   add_scaled(z.data(), z.data() + n, dt, n);
   const T* v = z.data() + n;
   T rate(0);
-  if (chain_.mass.empty())
+  if (!chain_.variation)
     for (std::size_t i = 0; i < n; ++i) rate += v[i] * v[i];
   else
-    for (std::size_t i = 0; i < n; ++i) rate += T(chain_.mass[i]) * v[i] * v[i];
+    for (std::size_t i = 0; i < n; ++i) rate += T(chain_.mass_of(i)) * v[i] * v[i];
   z[2 * n] += rate * dt;
   if (has_vector_) add_scaled(z.data() + 2 * n + 1, z.data() + 3 * n + 1, dt, n);
 }
@@ -103,7 +103,7 @@ void Leapfrog<T>::kick(std::vector<T>& z, const Curvature<T>& node) {
   const std::size_t n = chain_.sites;
   detail::with_kind(chain_.well,
                     [&](const auto& well) { forces_of(well, z.data(), pull_.data(), n); });
-  if (chain_.mass.empty())
+  if (!chain_.variation)
     sweep_kick(z.data() + n, node.kick, pull_.data(), push_.data(), n);
   else
     for (std::size_t i = 0; i < n; ++i)
@@ -121,7 +121,7 @@ void Leapfrog<T>::kick_tangent_vector(const Curvature<T>& node, const T* y, T* v
     v[i] +=
         (r.left * y[i > 0 ? i - 1 : n - 1] + r.right * y[i + 1 < n ? i + 1 : 0]) + r.self * y[i];
   };
-  if (chain_.mass.empty())
+  if (!chain_.variation)
     sweep_tangent_vector(y, v, node.kick, node.well, node.link, n);
   else
     for (std::size_t i = 1; i + 1 < n; ++i) row(i);
@@ -144,9 +144,9 @@ void Leapfrog<T>::evaluate(const T* y, T* well, T* link) {
                   ? T(chain_.eta_of(i)) * chain_.contact.stiffness(stretch(chain_, y, i))
                   : T(0);
   }
-  for (std::size_t i = 1; i < n && !chain_.eta.empty(); ++i) {
-    push_[i] *= T(chain_.eta[i]);
-    link[i] *= T(chain_.eta[i]);
+  for (std::size_t i = 1; i < n && chain_.variation; ++i) {
+    push_[i] *= T(chain_.eta_of(i));
+    link[i] *= T(chain_.eta_of(i));
   }
 }
 

@@ -9,16 +9,13 @@ namespace lattice {
 
 // The fastest phonon of a chain whose contacts are as stiff as those of the strongest pulse
 Impact on_long_chain(Impact impact) {
-  if (!impact.chain.mass.empty())
-    throw std::invalid_argument(
-        "a chain with masses or stiffnesses of its own cannot be lengthened");
   const double well = impact.chain.well.stiffness(0.0);
   const double more = impact.chain.contact.exponent() + 1;
   const double pulse =
       0.8 * std::pow(impact.velocity, 2 * (more - 2) / more) / std::pow(0.4 * more, 2 / more);
   const double contact = std::max(impact.chain.contact.stiffness(0.0), pulse);
   const double fastest = (std::sqrt(well + 4 * contact) - std::sqrt(well)) / 2;
-  impact.chain.sites = 100 + std::size_t(1.15 * fastest * impact.time);
+  impact.chain = impact.chain.with_sites(100 + std::size_t(1.15 * fastest * impact.time));
   return impact;
 }
 
@@ -74,7 +71,7 @@ void continue_strike(const Method& method, const Impact& impact, ImpactRun& run,
                         run.path.centre.back() >= *impact.until;
     return on && is_quiet(impact, run) && ((k - 1) % each != 0 || !passed);
   };
-  const Every every = impact.denser ? denser(impact.every) : Every(impact.every);
+  const Every every = impact.denser ? denser(impact.every) : Every{impact.every};
   run.run = joined(run.run, evolve(method, impact.chain, run.end, time - run.end.t, every, look));
   refuse_moving_end(impact, run);
 }

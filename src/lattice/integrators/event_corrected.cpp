@@ -271,7 +271,7 @@ struct NystromStep {
       right = side(n + 1);
       a[n] = chain.well.force(y[n]) + (left.push - right.push);
       double more = -chain.well.stiffness(y[n]) * at.shift[n] + (left.pull - right.pull);
-      if (!chain.mass.empty())
+      if (chain.variation)
         a[n] *= inverse_mass<double>(chain, n), more *= inverse_mass<double>(chain, n);
       at.v[n] += more;
     });

@@ -67,8 +67,8 @@ class Audit {
   /// Of a run that starts with the energy `start`.
   Audit(const Chain& chain, double start, double duration) : chain_(chain), start_(start) {
     // Beyond the wells and beyond the flight of the lightest bead with all of the energy
-    const double mass =
-        chain.mass.empty() ? 1 : *std::min_element(chain.mass.begin(), chain.mass.end());
+    double mass = 1;
+    if (chain.variation) mass = std::ranges::min(chain.variation->mass);
     const double flight = std::sqrt(2 * std::max(start, 0.0) / mass) * duration;
     if (std::isfinite(flight)) far_ += flight;
   }
@@ -117,7 +117,7 @@ Run evolve(const Method& method, const Chain& chain, State<double>& state, const
   if (!look(state)) return run;
   for (std::size_t k = 1; k <= grid.samples; ++k) {
     heed_stop();
-    run.work += advance(state, window, grid.step(), grid.steps);
+    run.work += advance(chain, state, window, grid.step(), grid.steps);
     run.steps += grid.steps;
     // Times are multiples of the interval and not sums of steps, so that rounding does not pile up
     state.t = t0 + interval * double(k);
@@ -134,6 +134,10 @@ Run evolve(const Method& method, const Chain& chain, State<double>& state, const
 Run evolve(const Method& method, const Chain& chain, State<double>& state, double duration,
            Every every, const Look& look) {
   return evolve(method, chain, state, time_grid(method, duration, every), look);
+}
+
+Run evolve(const Method& method, const Chain& chain, State<double>& state, double duration) {
+  return evolve(method, chain, state, duration, Every{duration > 0 ? duration : 1});
 }
 #endif
 

@@ -10,6 +10,7 @@ high the order of the scheme; event_corrected.hpp has the remedy. A precompresse
 has the full order. */
 
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -66,13 +67,10 @@ TimeGrid time_grid(double duration, double sample, double step);
 struct Every {
   double time;
   bool denser = false;
-  Every(double apart) : time(apart) {}
 };
 /// Looks that become denser with the steps.
 inline Every denser(double time) {
-  Every every = time;
-  every.denser = true;
-  return every;
+  return {time, true};
 }
 
 /**
@@ -114,29 +112,40 @@ bool bounded(const State<double>& state);
 
 A method is anything that has a `step`, the largest that it may take, and that can `advance` a chain. One with a
 `memory` (event_corrected.hpp) has it set up once for a run; one with `halvings` comes from a refinement. */
-/// Carries a state by `count` steps of length `h`; returns the number of site-force evaluations.
-using Advance = std::function<double(State<double>&, Window&, double h, std::size_t count)>;
+template <class M>
+concept AdvancesChain = requires(const M& method, const Chain& chain, State<double>& state,
+                                 Window& window, double h, std::size_t count) {
+  { method.step } -> std::convertible_to<double>;
+  requires requires {
+    { method.advance(chain, state, window, h, count) } -> std::convertible_to<double>;
+  } || requires {
+    method.memory(chain);
+  };
+};
 
-/// Any method, once it is given to a run.
+/// Carries a state of a chain by `count` steps of length `h`; returns the number of site-force evaluations.
+using Advance =
+    std::function<double(const Chain&, State<double>&, Window&, double h, std::size_t count)>;
+
+/// Any method, by what a run asks of it.
 struct Method {
   double step;
   int halvings = 0;
-  std::function<Advance(const Chain&)> on;  ///< at work on a chain, which must live as long
+  std::function<Advance(const Chain&)> on;  ///< ready to advance this chain, and only this one
 
-  template <class Any>
-  requires requires(const Any& any) { any.step; }
-  Method(const Any& any) : step(any.step) {
-    if constexpr (requires { any.halvings; }) halvings = any.halvings;
-    on = [any](const Chain& chain) -> Advance {
-      if constexpr (requires { any.memory(chain); })
-        return [any, &chain, memory = any.memory(chain)](State<double>& state, Window& window,
-                                                         double h, std::size_t n) mutable {
-          return any.advance(chain, state, window, h, n, memory);
-        };
+  template <AdvancesChain M>
+  Method(const M& method) : step(method.step) {
+    if constexpr (requires { method.halvings; }) halvings = method.halvings;
+    on = [method](const Chain& of) -> Advance {
+      if constexpr (requires { method.memory(of); })
+        return
+            [method, memory = method.memory(of)](const Chain& chain, State<double>& state,
+                                                 Window& window, double h, std::size_t n) mutable {
+              return method.advance(chain, state, window, h, n, memory);
+            };
       else
-        return [any, &chain](State<double>& state, Window& window, double h, std::size_t n) {
-          return any.advance(chain, state, window, h, n);
-        };
+        return [method](const Chain& chain, State<double>& state, Window& window, double h,
+                        std::size_t n) { return method.advance(chain, state, window, h, n); };
     };
   }
 };
@@ -152,6 +161,9 @@ using Look = Observer<State<double>>;
 /// std::invalid_argument for a grid that cannot be.
 Run evolve(const Method& method, const Chain& chain, State<double>& state, double duration,
            Every every, const Look& look = {});
+
+/// Without a look between start and end.
+Run evolve(const Method& method, const Chain& chain, State<double>& state, double duration);
 
 /// On a grid whose steps are counted and not measured, as those of a periodic orbit.
 Run evolve(const Method& method, const Chain& chain, State<double>& state, const TimeGrid& grid,

@@ -199,4 +199,8 @@ Run evolve(const Converged& stated, const Chain& chain, State<double>& state, do
   return run;
 }
 
+Run evolve(const Converged& stated, const Chain& chain, State<double>& state, double duration) {
+  return evolve(stated, chain, state, duration, Every{duration > 0 ? duration : 1});
+}
+
 }  // namespace lattice

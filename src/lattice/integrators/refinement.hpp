@@ -201,5 +201,6 @@ void assert_usable(const State<double>& start, double tolerance);
 /// As `evolve` of integrate.hpp. Throws like `refined`, and std::invalid_argument for input that cannot be used.
 Run evolve(const Converged& method, const Chain& chain, State<double>& state, double duration,
            Every every, const Look& look = {});
+Run evolve(const Converged& method, const Chain& chain, State<double>& state, double duration);
 
 }  // namespace lattice

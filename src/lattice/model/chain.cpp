@@ -23,24 +23,36 @@ void vary(Chain& chain, const std::vector<double>& mass, const std::vector<doubl
     throw std::invalid_argument(
         "the first and last stiffness of a ring belong to the same contact and must be equal");
   // If only the masses vary the stiffnesses are all one, and the other way round
-  const bool varies = !mass.empty() || !eta.empty();
   const auto given = [&](const std::vector<double>& all, std::size_t count) {
-    return varies && all.empty() ? std::vector<double>(count, 1) : all;
+    return all.empty() ? std::vector<double>(count, 1) : all;
   };
-  chain.eta = given(eta, chain.sites + 1);
-  chain.mass = given(mass, chain.sites);
-  chain.inverse_mass = chain.mass;
-  for (double& m : chain.inverse_mass) m = 1 / m;
+  chain.variation.reset();
+  if (mass.empty() && eta.empty()) return;
+  const std::vector<double> mu = given(mass, chain.sites);
+  chain.variation = Variation{mu, mu, given(eta, chain.sites + 1)};
+  for (double& m : chain.variation->inverse_mass) m = 1 / m;
+}
+
+Chain Chain::with_sites(std::size_t n) const {
+  if (variation && n != sites)
+    throw std::invalid_argument(
+        "a chain with masses or stiffnesses of its own cannot be lengthened");
+  Chain out = *this;
+  out.sites = n;
+  return out;
 }
 
 void assert_fits(const Chain& chain, std::size_t entries) {
-  const std::size_t beads = chain.mass.empty() ? 0 : chain.sites, contacts = beads ? beads + 1 : 0;
-  if (entries == chain.sites && chain.mass.size() == beads && chain.inverse_mass.size() == beads &&
-      chain.eta.size() == contacts)
+  static const Variation none{};
+  const Variation& all = chain.variation ? *chain.variation : none;
+  const std::size_t beads = chain.variation ? chain.sites : 0;
+  const std::size_t contacts = chain.variation ? beads + 1 : 0;
+  if (entries == chain.sites && all.mass.size() == beads && all.inverse_mass.size() == beads &&
+      all.eta.size() == contacts)
     return;
   std::ostringstream text;
-  text << "a chain of " << chain.sites << " sites has " << chain.mass.size() << " masses and "
-       << chain.eta.size() << " stiffnesses, and its state " << entries << " numbers (allowed: N, N"
+  text << "a chain of " << chain.sites << " sites has " << all.mass.size() << " masses and "
+       << all.eta.size() << " stiffnesses, and its state " << entries << " numbers (allowed: N, N"
        << " + 1 and N, or no masses and stiffnesses)";
   throw std::invalid_argument(text.str());
 }
@@ -109,17 +121,17 @@ static Window energetic(const Chain& chain, const State<T>& state) {
 
 /// Energies of beads and their wells, and what the contacts to their right add: two loops that the compiler
 /// vectorises.
-template <class Along, class T, class W>
+template <class Weights, class T, class W>
 LATTICE_WIDE static void sweep_wells(const W well, const T* __restrict__ y, const T* __restrict__ v,
-                                     T* __restrict__ e, const Along along, std::size_t count) {
+                                     T* __restrict__ e, const Weights weights, std::size_t count) {
   for (std::size_t n = 0; n < count; ++n)
-    e[n] = along.momentum(n, v[n]) * v[n] / T(2) + well.energy(y[n]);
+    e[n] = weights.momentum(n, v[n]) * v[n] / T(2) + well.energy(y[n]);
 }
-template <class Along, class T, class C>
+template <class Weights, class T, class C>
 LATTICE_WIDE static void sweep_contacts(const C contact, const T* __restrict__ y, T* __restrict__ e,
-                                        const Along along, std::size_t count) {
+                                        const Weights weights, std::size_t count) {
   for (std::size_t n = 0; n < count; ++n)
-    e[n] += along.contact(n + 1, contact.energy(y[n + 1] - y[n]));
+    e[n] += weights.contact(n + 1, contact.energy(y[n + 1] - y[n]));
 }
 
 // One pass for the wells and one for the contacts, because each pass knows one potential. The sums are formed in one
@@ -133,15 +145,15 @@ std::vector<T> energy_density(const Chain& chain, const State<T>& state) {
   const std::size_t at = first, wells = last - first;
   const std::size_t contacts = std::max(at, std::min(last, chain.sites - 1)) - at;
   const T *y = state.y.data(), *v = state.v.data();
-  detail::with_variation(chain, at, [&](const auto& along) {
+  detail::with_variation(chain, at, [&](const auto& weights) {
     const auto add_wells = [&](const auto& well) {
-      sweep_wells(well, y + at, v + at, e.data() + at, along, wells);
+      sweep_wells(well, y + at, v + at, e.data() + at, weights, wells);
     };
     const auto add_contacts = [&](const auto& contact) {
-      sweep_contacts(contact, y + at, e.data() + at, along, contacts);
+      sweep_contacts(contact, y + at, e.data() + at, weights, contacts);
     };
-    std::visit(add_wells, chain.well);
-    std::visit(add_contacts, chain.contact);
+    std::visit(add_wells, chain.well.kind);
+    std::visit(add_contacts, chain.contact.kind);
   });
   // The last contact and the first are the boundary's
   if (last == chain.sites) e[last - 1] += contact_energy(chain, y, last);

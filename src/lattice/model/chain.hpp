@@ -15,6 +15,7 @@ from one in tables, as in the article. All functions with a number type exist in
 precision. */
 
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -51,6 +52,13 @@ enum class Ends { free, fixed, periodic };
 /// The names of the ends, in the order of `Ends`.
 inline constexpr const char* ends_names[] = {"free", "fixed", "periodic"};
 
+/// What differs from bead to bead and from contact to contact, as `vary` sets it.
+struct Variation {
+  std::vector<double> mass;          ///< mu_n, one entry per site
+  std::vector<double> inverse_mass;  ///< 1 / mu_n
+  std::vector<double> eta;           ///< one entry more; eta[i] is the contact of i-1 with i
+};
+
 /**
 A chain is defined by its length, its two potentials and its ends; by default it is that of Eq. (9), with harmonic wells,
 plain Hertzian contacts and free ends. It is a plain value, whatever its potentials are. `vary`, below, sets masses and
@@ -60,19 +68,20 @@ struct Chain {
   Well well{};
   Contact contact{};
   Ends ends = Ends::free;
-  std::vector<double> mass{};          ///< mu_n, one entry per site
-  std::vector<double> inverse_mass{};  ///< 1 / mu_n
-  std::vector<double> eta{};           ///< sites + 1 entries; eta[i] is the contact of i-1 with i
+  std::optional<Variation> variation{};  ///< nothing where all masses and stiffnesses are one
 
+  /// The same chain of `n` sites. Throws std::invalid_argument if its masses and stiffnesses are those of another number,
+  /// since how they go on is not known.
+  Chain with_sites(std::size_t n) const;
   /// Whether contact `i` lies between two beads that are neighbours in the row.
   bool inside(std::size_t i) const { return i > 0 && i < sites; }
   /// Whether contact `i`, 0 <= i <= sites, exists and acts on the bead or beads next to it.
   bool has_contact(std::size_t i) const { return inside(i) || ends != Ends::free; }
   /// mu_n of bead `n`, from 0.
-  double mass_of(std::size_t n) const { return mass.empty() ? 1 : mass[n]; }
+  double mass_of(std::size_t n) const { return variation ? variation->mass[n] : 1; }
   /// eta of contact `i`; contact 0 of a ring is its contact `sites`.
   double eta_of(std::size_t i) const {
-    return eta.empty() ? 1 : eta[i == 0 && ends == Ends::periodic ? sites : i];
+    return variation ? variation->eta[i == 0 && ends == Ends::periodic ? sites : i] : 1;
   }
 };
 
@@ -91,9 +100,9 @@ are treated alike everywhere. */
 /// How much a unit of force accelerates bead `n`, 1 / mu_n in the precision of the run.
 template <class T>
 T inverse_mass(const Chain& chain, std::size_t n) {
-  if (chain.mass.empty()) return T(1);
-  if constexpr (std::is_same_v<T, double>) return chain.inverse_mass[n];
-  return T(1) / T(chain.mass[n]);
+  if (!chain.variation) return T(1);
+  if constexpr (std::is_same_v<T, double>) return chain.variation->inverse_mass[n];
+  return T(1) / T(chain.variation->mass[n]);
 }
 
 /// Stretch of contact `i`, q[i] - q[i - 1], in the positions (or velocities, or accelerations) `q`; a wall counts as a
@@ -106,7 +115,7 @@ T stretch(const Chain& chain, const T* q, std::size_t i) {
   return i == 0 ? q[0] : -q[chain.sites - 1];
 }
 
-/// Whether there is a contact `i`, each contact counted once: that of last and first bead of a ring as `sites`.
+/// Whether contact `i` exists and is not another one once more: that of last and first bead of a ring counts as `sites`.
 inline bool counts_contact(const Chain& chain, std::size_t i) {
   return chain.inside(i) || chain.ends == Ends::fixed || (chain.ends == Ends::periodic && i > 0);
 }

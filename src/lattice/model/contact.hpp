@@ -201,11 +201,11 @@ struct Contact : OneOf<OwnContact, Hertz, CompressedHertz, PowerContact> {
 
   /// The overlap at rest: a contact opens where the beads are that much further apart.
   double opening() const {
-    return std::visit([](const auto& c) { return c.opening(); }, *this);
+    return std::visit([](const auto& c) { return c.opening(); }, kind);
   }
   /// The power of the overlap in the force, 3/2 for spheres.
   double exponent() const {
-    return std::visit([](const auto& c) { return c.exponent; }, *this);
+    return std::visit([](const auto& c) { return c.exponent; }, kind);
   }
 };
 
@@ -215,9 +215,9 @@ inline Contact simplest(const Contact& contact) {
   const auto hertz = [](double d, double negligible) {
     return d == 0 ? Contact{Hertz{negligible}} : Contact{CompressedHertz{d, negligible}};
   };
-  if (const auto* c = std::get_if<CompressedHertz>(&contact)) return hertz(c->d, c->floor);
-  if (const auto* c = std::get_if<PowerContact>(&contact); c && c->exponent == 1.5)
-    return hertz(c->d, c->floor);
+  if (const auto* c = contact.get_if<CompressedHertz>()) return hertz(c->d, c->negligible);
+  if (const auto* c = contact.get_if<PowerContact>(); c && c->exponent == 1.5)
+    return hertz(c->d, c->negligible);
   return contact;
 }
 

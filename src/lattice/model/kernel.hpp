@@ -81,10 +81,9 @@ struct Homogeneous {
 /// Calls `use` with the masses and stiffnesses from site `at` on.
 template <class Use>
 void with_variation(const Chain& chain, std::size_t at, Use use) {
-  if (chain.mass.empty())
-    use(Homogeneous{});
-  else
-    use(Varied{chain.eta.data() + at, chain.mass.data() + at, chain.inverse_mass.data() + at});
+  if (!chain.variation) return use(Homogeneous{});
+  const Variation& all = *chain.variation;
+  use(Varied{all.eta.data() + at, all.mass.data() + at, all.inverse_mass.data() + at});
 }
 
 /**
@@ -108,20 +107,20 @@ struct Keep {
 
 /// Moves `n` sites by `move(acceleration, y[i], out[i])`; `left` and `right` are the pushes of the contacts at the edges, and
 /// push[k] that of the contact between the sites lo + k - 1 and lo + k.
-template <class Along, class Y, class T, class W, class C, class Move>
+template <class Weights, class Y, class T, class W, class C, class Move>
 LATTICE_WIDE void sweep(const W well, const C contact, Y* __restrict__ y, T* __restrict__ out,
-                        const Along along, std::size_t n, T left, T right, const Move move) {
+                        const Weights weights, std::size_t n, T left, T right, const Move move) {
   T push[kernel_block + 1];
   for (std::size_t lo = 0; lo < n; lo += kernel_block) {
     const std::size_t hi = lo + kernel_block < n ? lo + kernel_block : n;
     const std::size_t last = hi < n ? hi : n - 1;
     push[0] = left;
     for (std::size_t i = lo; i < last; ++i)
-      push[i + 1 - lo] = along.contact(i + 1, contact.force(y[i + 1] - y[i]));
+      push[i + 1 - lo] = weights.contact(i + 1, contact.force(y[i + 1] - y[i]));
     if (hi == n) push[hi - lo] = right;
     left = push[hi - lo];
     for (std::size_t i = lo; i < hi; ++i)
-      move(along.acceleration(i, well.force(y[i]) + (push[i - lo] - push[i - lo + 1])), y[i],
+      move(weights.acceleration(i, well.force(y[i]) + (push[i - lo] - push[i - lo + 1])), y[i],
            out[i]);
   }
 }
@@ -129,15 +128,15 @@ LATTICE_WIDE void sweep(const W well, const C contact, Y* __restrict__ y, T* __r
 /// Calls `use` with the potential by its own type.
 template <class P, class Use>
 void with_kind(const P& potential, Use use) {
-  std::visit([&](const auto& known) { use(known); }, potential);
+  std::visit([&](const auto& known) { use(known); }, potential.kind);
 }
 
 /**
 A potential of the caller's own is known by what it does to a row of numbers (potential.hpp). A chain with such a one chooses
 anew for every block, and so does one whose arithmetic takes longer than the choice: with contacts of any exponent, or in
 a type wider than `double`. */
-template <class Along, class Y, class T, class Move>
-void sweep_blocks(const Well& well, const Contact& contact, Y* y, T* out, const Along& along,
+template <class Weights, class Y, class T, class Move>
+void sweep_blocks(const Well& well, const Contact& contact, Y* y, T* out, const Weights& weights,
                   std::size_t n, T left, T right, const Move& move) {
   T push[kernel_block + 1], pull[kernel_block];
   for (std::size_t lo = 0; lo < n; lo += kernel_block) {
@@ -146,12 +145,12 @@ void sweep_blocks(const Well& well, const Contact& contact, Y* y, T* out, const 
     push[0] = left;
     for (std::size_t i = 0; i < inner; ++i) push[i + 1] = y[lo + i + 1] - y[lo + i];
     with_kind(contact, [&](const auto& c) { forces_of(c, push + 1, push + 1, inner); });
-    for (std::size_t i = 0; i < inner; ++i) push[i + 1] = along.contact(lo + i + 1, push[i + 1]);
+    for (std::size_t i = 0; i < inner; ++i) push[i + 1] = weights.contact(lo + i + 1, push[i + 1]);
     if (hi == n) push[hi - lo] = right;
     left = push[hi - lo];
     with_kind(well, [&](const auto& w) { forces_of(w, y + lo, pull, hi - lo); });
     for (std::size_t i = lo; i < hi; ++i)
-      move(along.acceleration(i, pull[i - lo] + (push[i - lo] - push[i - lo + 1])), y[i], out[i]);
+      move(weights.acceleration(i, pull[i - lo] + (push[i - lo] - push[i - lo + 1])), y[i], out[i]);
   }
 }
 
@@ -178,7 +177,7 @@ const P& known(const Any& any) {
   if constexpr (std::is_same_v<P, Any>)
     return any;
   else
-    return *std::get_if<P>(&any);
+    return *std::get_if<P>(&any.kind);
 }
 
 /// A sweep over the window, widened where it is pushed, in a chain with the well W and the contact C.
@@ -189,11 +188,11 @@ void sweep_window(const Chain& chain, Y* y, T* out, Window& window, const Move& 
   const C& contact = known<C>(chain.contact);
   const std::pair<T, T> edges = widen<T>(chain, contact, y, window);
   const std::size_t at = window.first, n = window.last - window.first;
-  with_variation(chain, at, [&](const auto& along) {
+  with_variation(chain, at, [&](const auto& weights) {
     if constexpr (std::is_same_v<W, Well>)
-      sweep_blocks(well, contact, y + at, out + at, along, n, edges.first, edges.second, move);
+      sweep_blocks(well, contact, y + at, out + at, weights, n, edges.first, edges.second, move);
     else
-      sweep(well, contact, y + at, out + at, along, n, edges.first, edges.second, move);
+      sweep(well, contact, y + at, out + at, weights, n, edges.first, edges.second, move);
   });
 }
 
@@ -210,7 +209,7 @@ auto with_pair(const Chain& chain, Use use) {
           else
             return use(well, contact);
         },
-        chain.well, chain.contact);
+        chain.well.kind, chain.contact.kind);
   else
     return use(chain.well, chain.contact);
 }

@@ -162,34 +162,45 @@ bool loses_digits(const OwnPotential& potential);
 /// What `Well` and `Contact` have in common: a potential of the list `Known` or one of the caller's own, made from its
 /// struct. The functions choose anew in every call; the loops along a chain choose once (kernel.hpp).
 template <class Own, class... Known>
-struct OneOf : std::variant<Known..., Own> {
+struct OneOf {
   using List = std::variant<Known..., Own>;
+  List kind{};  ///< the potential by its own type
 
   OneOf() = default;
   template <class P>
-  requires(!std::is_base_of_v<List, P> && IsPotential<P>) OneOf(P potential)
-      : List(kept(std::move(potential))) {}
+  requires(!std::is_base_of_v<OneOf, P> && IsPotential<P>) OneOf(P potential)
+      : kind(kept(std::move(potential))) {}
 
+  /// Whether it is a `P`, one of the list.
+  template <class P>
+  bool is() const {
+    return std::holds_alternative<P>(kind);
+  }
+  /// The `P` that it is, or a null pointer.
+  template <class P>
+  const P* get_if() const {
+    return std::get_if<P>(&kind);
+  }
   /// The struct that it was made from. Throws std::bad_variant_access if it is another one.
   template <class P>
   const P& as() const {
     if constexpr (std::is_constructible_v<List, P>)
-      return std::get<P>(*this);
+      return std::get<P>(kind);
     else
-      return std::get<Own>(*this).template as<P>();
+      return std::get<Own>(kind).template as<P>();
   }
 
   template <class T>
   T energy(T x) const {
-    return std::visit([&](const auto& p) -> T { return p.energy(x); }, *this);
+    return std::visit([&](const auto& p) -> T { return p.energy(x); }, kind);
   }
   template <class T>
   T force(T x) const {
-    return std::visit([&](const auto& p) -> T { return p.force(x); }, *this);
+    return std::visit([&](const auto& p) -> T { return p.force(x); }, kind);
   }
   template <class T>
   T stiffness(T x) const {
-    return std::visit([&](const auto& p) -> T { return p.stiffness(x); }, *this);
+    return std::visit([&](const auto& p) -> T { return p.stiffness(x); }, kind);
   }
 
  private:

@@ -47,7 +47,7 @@ void for_each_potential(Use use) {
   };
   [&]<class... Potential>(const std::variant<Potential...>*) {
     (one(static_cast<const Potential*>(nullptr)), ...);
-  }(static_cast<const Any*>(nullptr));
+  }(static_cast<const typename Any::List*>(nullptr));
 }
 
 /// The names in a list of potentials, each once.
@@ -149,7 +149,7 @@ std::string describe(const Any& any) {
     for_each_parameter(
         potential, [&](const auto& p) { text << ", " << p.name << " = " << potential.*p.value; });
   };
-  std::visit(write, any);
+  std::visit(write, any.kind);
   return text.str();
 }
 

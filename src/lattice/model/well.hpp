@@ -141,19 +141,19 @@ struct Well : OneOf<OwnWell, NoWell, Harmonic, Quartic, Pendulum> {
 
   /// The displacement at which a bead leaves the well; infinity if it cannot.
   double rim() const {
-    return std::visit([](const auto& w) { return rim_of(w); }, *this);
+    return std::visit([](const auto& w) { return rim_of(w); }, kind);
   }
 };
 
 /// The same well by its simplest type: without anharmonicity the quartic one is `Harmonic`, with the same bits.
 inline Well simplest(const Well& well) {
-  const auto* quartic = std::get_if<Quartic>(&well);
+  const auto* quartic = well.get_if<Quartic>();
   return quartic && quartic->s == 0 ? Well{} : well;
 }
 
 /// Whether the force of an own well loses its digits near zero, where the tail of a breather is.
 inline bool loses_digits(const Well& well) {
-  const auto* own = std::get_if<OwnWell>(&well);
+  const auto* own = well.get_if<OwnWell>();
   return own && loses_digits(static_cast<const OwnPotential&>(*own));
 }
 

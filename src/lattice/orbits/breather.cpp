@@ -17,7 +17,7 @@ A contact pushes with $k\,(-r)_+^\alpha$. The first harmonic of that is $k\,b$ t
 $b = \Gamma(\frac\alpha2+1)/[\sqrt\pi\,\Gamma(\frac\alpha2+\frac32)]$, so the profile at $\mu = 1$ is multiplied by the
 power $1/(\alpha-1)$ of $2(\omega_b-1)/(k\,b)$, as in Eq. (20). */
 static double size_of(const Contact& contact, double omega) {
-  if (std::holds_alternative<Hertz>(contact)) return 2 * breather_eps(omega);
+  if (contact.is<Hertz>()) return 2 * breather_eps(omega);
   const double alpha = contact.exponent(), small = 1e-4;
   const double k = contact.force(-small) / std::pow(small, alpha);
   const double b =
@@ -31,7 +31,7 @@ State<double> ansatz(Centre centre, double omega, std::size_t sites, Phase phase
   const double alpha = contact.exponent();
   if (!(alpha > 1))
     throw std::invalid_argument("a breather needs contacts with an exponent above one");
-  const bool spheres = std::holds_alternative<Hertz>(contact);
+  const bool spheres = contact.is<Hertz>();
   const double scale = size_of(contact, omega) * (phase == Phase::stretched ? -1 : 1);
   State<double> state(sites);
   for (std::size_t i = 0; i < sites; ++i) {
@@ -45,7 +45,7 @@ State<double> ansatz(Centre centre, double omega, std::size_t sites, Phase phase
 /// is that of harmonic wells, followed to the anharmonicity that is wanted.
 static Orbit<double> from_ansatz(const Shooting<double>& problem, const Vector<double>& from,
                                  const NewtonRule<double>& rule) {
-  const auto* quartic = std::get_if<Quartic>(&problem.chain.well);
+  const auto* quartic = problem.chain.well.get_if<Quartic>();
   const double size = sup<double>(from);
   if (!quartic || std::abs(quartic->s) * size * size < 0.1 * (problem.omega - 1))
     return newton(problem, from, rule);
@@ -118,7 +118,7 @@ Contact bare(const Contact& contact) {
       [](auto& c) {
         if constexpr (requires { c.negligible; }) c.negligible = 0;
       },
-      static_cast<Contact::List&>(simple));
+      simple.kind);
   return simple;
 }
 
@@ -131,12 +131,12 @@ Chain between(const Chain& a, const Chain& b, double part) {
   std::vector<double> mass(b.sites), eta(b.sites + 1);
   for (std::size_t i = 0; i < b.sites; ++i) mass[i] = mixed(a.mass_of(i), b.mass_of(i));
   for (std::size_t i = 0; i <= b.sites; ++i) eta[i] = mixed(a.eta_of(i), b.eta_of(i));
-  if (!(a.mass.empty() && b.mass.empty())) vary(out, mass, eta);
+  if (a.variation || b.variation) vary(out, mass, eta);
   // What all wells and contacts have
-  if (const auto* from = std::get_if<Quartic>(&a.well), *to = std::get_if<Quartic>(&b.well);
+  if (const auto* from = a.well.get_if<Quartic>(), *to = b.well.get_if<Quartic>();
       from && to && from->s != to->s)
     out.well = Quartic{mixed(from->s, to->s)};
-  if (std::holds_alternative<OwnContact>(b.contact)) return out;
+  if (b.contact.is<OwnContact>()) return out;
   const double root = mixed(std::sqrt(a.contact.opening()), std::sqrt(b.contact.opening()));
   out.contact = bare(PowerContact{mixed(a.contact.exponent(), b.contact.exponent()), root * root});
   return out;
@@ -216,9 +216,7 @@ Shooting<T> breather_problem(Centre centre, const T& omega, const Well& well, st
         "a site- or bond-centred breather needs symmetric wells, W(-y) = W(y)");
   if (loses_digits(well)) throw std::invalid_argument(digits_hint);
   Shooting<T> problem;
-  problem.chain.sites = sites;
-  problem.chain.well = well;
-  problem.chain.contact = Hertz{.negligible = 0};
+  problem.chain = {sites, well, Hertz{.negligible = 0}};
   problem.symmetry = centred(centre, sites);
   problem.omega = omega;
   return problem;

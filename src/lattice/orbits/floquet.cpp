@@ -58,7 +58,7 @@ Matrix<T> monodromy(const Chain& chain, const State<T>& start,
 template <class T>
 static Matrix<T> in_momenta(const Chain& chain, Matrix<T> f) {
   const auto n = Eigen::Index(chain.sites);
-  for (Eigen::Index i = 0; i < n && !chain.mass.empty(); ++i) {
+  for (Eigen::Index i = 0; i < n && chain.variation; ++i) {
     f.row(n + i) *= T(chain.mass_of(std::size_t(i)));
     f.col(n + i) /= T(chain.mass_of(std::size_t(i)));
   }

@@ -206,7 +206,7 @@ TEST_CASE("contact-aware runs are symmetric, conserve energy and can be reversed
   for (std::size_t n = 0; n < 31; ++n) CHECK(b.y[n] == -a.y[30 - n]);
 
   auto s = struck(31, 1.9);
-  const Run run = evolve(EventCorrected{0.05}, chain, s, 30, 1);
+  const Run run = evolve(EventCorrected{0.05}, chain, s, 30, Every{1});
   CHECK(run.energy_drift < 1e-7);
   for (double& v : s.v) v = -v;
   s = after(EventCorrected{0.05}, chain, s, 30);
@@ -251,7 +251,7 @@ TEST_CASE("contacts that are shorter than a step are not missed", "[property][co
   for (const auto& [two, y, v] : known) {
     CAPTURE(two.chain.eta_of(1), two.chain.mass_of(0));
     auto s = two.start;
-    const Run run = evolve(Converged{1e-8}, two.chain, s, two.time, two.time);
+    const Run run = evolve(Converged{1e-8}, two.chain, s, two.time);
     CHECK(run.error <= 1e-8);
     const double scale = std::max(1.0, std::abs(v));
     check_close(s.y[0], y, 3 * run.error * scale);
@@ -272,7 +272,7 @@ TEST_CASE("the error of stiff contacts contains the truth", "[property][contact]
       const double A = 1 + std::pow(10, random(-7, -2)), f = random(0, 2 * M_PI);
       const Stiff two = swing(eta, A, f);
       auto s = two.start, exact = event_driven(two.chain, s, two.time);
-      const Run run = evolve(Converged{1e-8}, two.chain, s, two.time, two.time);
+      const Run run = evolve(Converged{1e-8}, two.chain, s, two.time);
       exact.t = s.t;
       CAPTURE(eta, A, f);
       CHECK(distance(s, exact) <= 5 * run.error);

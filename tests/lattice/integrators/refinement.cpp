@@ -36,7 +36,7 @@ struct Struck {
 
 Struck after_impact(const EventCorrected& method, double sample) {
   Struck out{struck(hard.sites, 1.9), {}};
-  out.run = evolve(method, hard, out.end, 10, sample);
+  out.run = evolve(method, hard, out.end, 10, Every{sample});
   return out;
 }
 
@@ -47,7 +47,8 @@ Refined<ImpactRun> refined_impact(double tolerance, const Impact& impact) {
 /// What is said of a run; nothing if it comes to its time.
 std::string evolved(const Chain& chain, State<double> state, double time, double sample,
                     double tolerance = 1e-6) {
-  const auto said = refusal([&] { evolve(Converged{tolerance}, chain, state, time, sample); });
+  const auto said =
+      refusal([&] { evolve(Converged{tolerance}, chain, state, time, Every{sample}); });
   return said.empty() && state.t != time ? "a silent short run" : said;
 }
 
@@ -65,12 +66,12 @@ struct Changing {
 TEST_CASE("a halved step halves, whatever the samples", "[unit][accuracy]") {
   for (double sample : {0.03, 0.1, 0.25, 0.3, 10.0}) {
     CAPTURE(sample);
-    const TimeGrid first = time_grid(EventCorrected{0.2}, 10, sample);
+    const TimeGrid first = time_grid(EventCorrected{0.2}, 10, Every{sample});
     CHECK(first.step() <= 0.2 * (1 + 1e-12));
     CHECK(first.interval() <= sample * (1 + 1e-12));
     for (int k = 1; k <= 5; ++k) {
       const EventCorrected finer = method_for(1e-6, 0.2, k);
-      const TimeGrid same = time_grid(finer, 10, sample),
+      const TimeGrid same = time_grid(finer, 10, Every{sample}),
                      dense = time_grid(finer, 10, denser(sample));
       CHECK(same.samples == first.samples);
       CHECK(same.steps == first.steps << k);
@@ -174,7 +175,7 @@ TEST_CASE("small motions of a compressed chain are known to their own accuracy",
   for (double size : {1.0, 10.0, 1e5}) {
     State<double> s(3);
     s.y[0] = 1e-13 * size;
-    const Run run = evolve(Converged{1e-6}, chain, s, 5, 5);
+    const Run run = evolve(Converged{1e-6}, chain, s, 5);
     CAPTURE(size, run.error);
     CHECK(run.error <= 1e-6);
     for (std::size_t n = 0; n < 3; ++n)
@@ -192,9 +193,9 @@ TEST_CASE("stiff contacts of light beads are regular, and followed both ways",
   for (const auto& [chain, size, tolerance] : {std::tuple(ring, 8e-5, 1e-4), {row, 9e-7, 3e-11}}) {
     const State<double> start = random_state(chain.sites, size);
     State<double> s = start;
-    const double forth = evolve(Converged{tolerance}, chain, s, 16.7, 16.7).error;
+    const double forth = evolve(Converged{tolerance}, chain, s, 16.7).error;
     for (double& v : s.v) v = -v;
-    const double back = evolve(Converged{tolerance}, chain, s, 16.7, 16.7).error;
+    const double back = evolve(Converged{tolerance}, chain, s, 16.7).error;
     for (double& v : s.v) v = -v;
     s.t = 0;
     CAPTURE(chain.sites, forth, back);
@@ -208,7 +209,7 @@ TEST_CASE("a tolerance is met and reported, or refused with its history", "[prop
   const auto exact = after(EventCorrected{0.004}, chain, struck(60, 1.9), 20);
   for (double tolerance : {1e-3, 1e-5, 1e-7, 1e-9}) {
     auto s = struck(60, 1.9);
-    const Run run = evolve(Converged{tolerance}, chain, s, 20, 5);
+    const Run run = evolve(Converged{tolerance}, chain, s, 20, Every{5});
     CAPTURE(tolerance, run.error);
     CHECK(run.error <= tolerance);
     CHECK(distance(s, exact) <= run.error);
@@ -222,14 +223,14 @@ TEST_CASE("a run of no duration returns its start", "[unit][accuracy]") {
   auto s = struck(10, 1);
   const auto start = s;
   int shown = 0;
-  const Run run = evolve(Converged{1e-9}, Chain{10, Quartic{1}}, s, 0, 1,
+  const Run run = evolve(Converged{1e-9}, Chain{10, Quartic{1}}, s, 0, Every{1},
                          [&](const State<double>&) { ++shown; });
   CHECK(shown == 1);
   CHECK(run.steps == 0);
   CHECK(s.y == start.y);
   CHECK(s.v == start.v);
   CHECK(s.t == 0);
-  CHECK_THROWS_AS(evolve(Converged{1e-9}, Chain{10}, s, 5e-324, 1), std::invalid_argument);
+  CHECK_THROWS_AS(evolve(Converged{1e-9}, Chain{10}, s, 5e-324, Every{1}), std::invalid_argument);
 }
 
 TEST_CASE("a run in which a bead runs away says when, whatever the samples are",

@@ -91,7 +91,7 @@ TEST_CASE("a run is undone by turning the velocities round", "[property]") {
 TEST_CASE("energy drift is small and reported", "[property]") {
   const Chain chain{200, Quartic{1}};
   auto s = struck(200, 1.9);
-  const Run run = evolve(Splitting{blanes_moan_6(), 0.02}, chain, s, 200, 1);
+  const Run run = evolve(Splitting{blanes_moan_6(), 0.02}, chain, s, 200, Every{1});
   CHECK(run.energy_drift > 0);
   CHECK(run.energy_drift < 1e-5);
   check_close(energy(chain, s), 1.9 * 1.9 / 2, 0, run.energy_drift * 1.01);

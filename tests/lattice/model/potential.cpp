@@ -158,12 +158,12 @@ TEST_CASE("potentials are found by name and parameters", "[unit][potential]") {
   const std::string wells = comma_list(names_of<Well>());
   CHECK(wells.find("none, harmonic, quartic, pendulum") == 0);
   CHECK(comma_list(names_of<Contact>()).find("hertz, power") == 0);  // each name once
-  CHECK(std::get<Quartic>(named<Well>("quartic", {{"s", -0.5}})).s == -0.5);
-  CHECK(std::holds_alternative<Hertz>(named<Contact>("hertz")));
-  CHECK(std::get<CompressedHertz>(named<Contact>("hertz", {{"precompression", 0.5}})).d == 0.5);
+  CHECK(named<Well>("quartic", {{"s", -0.5}}).as<Quartic>().s == -0.5);
+  CHECK(named<Contact>("hertz").is<Hertz>());
+  CHECK(named<Contact>("hertz", {{"precompression", 0.5}}).as<CompressedHertz>().d == 0.5);
   const auto power = named<Contact>("power", {{"alpha", 2}, {"precompression", 0.5}});
-  CHECK(std::get<PowerContact>(power).exponent == 2);
-  CHECK(std::get<PowerContact>(power).d == 0.5);
+  CHECK(power.as<PowerContact>().exponent == 2);
+  CHECK(power.as<PowerContact>().d == 0.5);
   CHECK(describe(named<Well>("quartic", {{"s", -0.5}})) == "quartic, s = -0.5");
   const auto refused = []<class Any>(const Any*, const char* name, const Settings& given) {
     return refusal<std::invalid_argument>([&] { named<Any>(name, given); });
@@ -182,14 +182,14 @@ TEST_CASE("a well and a contact are what they were made from", "[unit][model]") 
   CHECK(chain.well.as<Quartic>().s == -0.5);
   CHECK(chain.contact.as<CompressedHertz>().d == 0.5);
   CHECK(chain.contact.opening() == 0.5);
-  CHECK(std::holds_alternative<Harmonic>(Chain{}.well));
-  CHECK(std::holds_alternative<Hertz>(Chain{}.contact));
+  CHECK(Chain{}.well.is<Harmonic>());
+  CHECK(Chain{}.contact.is<Hertz>());
   CHECK_THROWS_AS(chain.well.as<Pendulum>(), std::bad_variant_access);
   // A law that is Hertz's becomes Hertz
-  CHECK(std::holds_alternative<Hertz>(simplest(Contact{CompressedHertz{0}})));
-  CHECK(std::holds_alternative<Hertz>(simplest(Contact{PowerContact{1.5, 0}})));
-  CHECK(std::get<CompressedHertz>(simplest(Contact{PowerContact{1.5, 0.3}})).d == 0.3);
-  CHECK(std::holds_alternative<PowerContact>(simplest(Contact{PowerContact{2, 0}})));
+  CHECK(simplest(Contact{CompressedHertz{0}}).is<Hertz>());
+  CHECK(simplest(Contact{PowerContact{1.5, 0}}).is<Hertz>());
+  CHECK(simplest(Contact{PowerContact{1.5, 0.3}}).as<CompressedHertz>().d == 0.3);
+  CHECK(simplest(Contact{PowerContact{2, 0}}).is<PowerContact>());
 }
 
 TEST_CASE("breathers begin only in wells of frequency one", "[unit][model]") {
@@ -452,8 +452,8 @@ TEST_CASE("a well that loses digits near zero is known", "[unit][potential]") {
 
 TEST_CASE("a well of one's own needs a place in a list for its name, no more",
           "[unit][potential]") {
-  using Wells = std::variant<NoWell, Harmonic, Quartic, Pendulum, MyWell>;
-  CHECK(std::holds_alternative<MyWell>(named<Wells>("mine")));
+  using Wells = OneOf<OwnWell, NoWell, Harmonic, Quartic, Pendulum, MyWell>;
+  CHECK(named<Wells>("mine").is<MyWell>());
   CHECK(comma_list(names_of<Wells>()) == "none, harmonic, quartic, pendulum, mine");
 }
 
@@ -466,8 +466,8 @@ TEST_CASE("a chain of potentials of one's own has the bits of the same ones in t
   const Chain listed{60, Quartic{0.5}};
   const Chain own{60, MyWell{copied(Quartic{0.5})}, MyContact{copied(Hertz{})}};
   State<double> one = struck(60, 1.5), other = one;
-  const Run run = evolve(EventCorrected{0.05}, listed, one, 60, 60);
-  CHECK(evolve(EventCorrected{0.05}, own, other, 60, 60).energy_drift == run.energy_drift);
+  const Run run = evolve(EventCorrected{0.05}, listed, one, 60);
+  CHECK(evolve(EventCorrected{0.05}, own, other, 60).energy_drift == run.energy_drift);
   CHECK(one.y == other.y);
   CHECK(one.v == other.v);
 }

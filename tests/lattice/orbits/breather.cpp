@@ -42,8 +42,8 @@ OneBreather asked(double omega, const Contact& contact = {}, const std::vector<d
 double missed(const Fitted& found, double alpha, double d, int steps) {
   const std::vector<double>& start = found.orbit.start.y;
   const std::size_t sites = start.size();
-  std::vector<double> mass = found.problem.chain.mass, y = start, v(sites);
-  mass.resize(sites, 1);
+  const Chain& chain = found.problem.chain;
+  std::vector<double> y = start, v(sites);
   const auto push = [&](std::size_t n) {  // of bead n - 1 and bead n
     const double r = n == 0 || n == sites ? 0 : y[n] - y[n - 1];
     return std::pow(std::max(d - r, 0.0), alpha) - std::pow(d, alpha);
@@ -51,7 +51,8 @@ double missed(const Fitted& found, double alpha, double d, int steps) {
   const double h = found.orbit.period() / steps;
   for (int k = 0; k < steps; ++k) {
     for (std::size_t n = 0; n < sites; ++n) y[n] += h / 2 * v[n];
-    for (std::size_t n = 0; n < sites; ++n) v[n] += h * (push(n) - push(n + 1) - y[n]) / mass[n];
+    for (std::size_t n = 0; n < sites; ++n)
+      v[n] += h * (push(n) - push(n + 1) - y[n]) / chain.mass_of(n);
     for (std::size_t n = 0; n < sites; ++n) y[n] += h / 2 * v[n];
   }
   double miss = 0;
@@ -337,9 +338,9 @@ TEST_CASE("bands end at eigenvalues of a ring", "[unit][chains]") {
     Matrix<double> m = Matrix<double>::Zero(sites, sites);
     for (std::size_t i = 0; i < sites; ++i) {
       const std::size_t next = (i + 1) % sites;
-      m(Eigen::Index(i), Eigen::Index(i)) = h.diagonal[i] / chain.mass[i];
-      m(Eigen::Index(i), Eigen::Index(next)) = h.off[i] / chain.mass[i];
-      m(Eigen::Index(next), Eigen::Index(i)) = h.off[i] / chain.mass[next];
+      m(Eigen::Index(i), Eigen::Index(i)) = h.diagonal[i] / chain.mass_of(i);
+      m(Eigen::Index(i), Eigen::Index(next)) = h.off[i] / chain.mass_of(i);
+      m(Eigen::Index(next), Eigen::Index(i)) = h.off[i] / chain.mass_of(next);
     }
     std::vector<double> all;
     for (const auto& z : eigenvalues_of(m)) all.push_back(std::sqrt(z.real()));

@@ -79,7 +79,7 @@ TEST_CASE("a branch follows any parameter, here to a breather without mirror sym
     vary(p.chain, masses, {});
   };
   set(problem, 1);
-  const Along<double> mass{"mass", [](const Problem& p) { return p.chain.mass[11]; }, set, 1e-5};
+  const Along<double> mass{"mass", [](const Problem& p) { return p.chain.mass_of(11); }, set, 1e-5};
   Branch branch(problem, mass, newton(problem, problem.reduce(plain.start)), 1, {},
                 {.first = 1e-3, .least = 1e-7, .most = 0.05});
   for (int k = 0; k < 12; ++k) branch.advance();
@@ -102,7 +102,7 @@ TEST_CASE("a path in the exponent ends at the breather of the ansatz", "[propert
     vary(heavy, std::vector<double>(heavy.sites, 3), {});
     const Chain middle = between(spheres.chain, heavy, 0.5);
     CHECK(middle.contact.exponent() == 1.625);
-    CHECK(middle.mass.front() == 2);
+    CHECK(middle.mass_of(0) == 2);
     CHECK_THROWS_AS(continue_to(spheres, direct, Chain{35}), std::invalid_argument);
   }
 }
