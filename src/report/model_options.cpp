@@ -14,7 +14,7 @@ namespace {
 
 template <class Any>
 std::string name_of(const Any& any) {
-  return std::visit([](const auto& p) { return std::string(p.name); }, any);
+  return std::visit([](const auto& p) { return std::string(p.name); }, any.kind);
 }
 
 /// The value of the parameter `name` in a potential, if it has one.
@@ -26,7 +26,7 @@ std::optional<double> value_in(const Any& any, const std::string& name) {
       if (name == p.name) value = potential.*p.value;
     });
   };
-  std::visit(look, any);
+  std::visit(look, any.kind);
   return value;
 }
 
@@ -100,7 +100,7 @@ void add_holding_well(Parameters& p, Well& well, const std::string& without) {
   add_well(p, well);
   p.when_read([&well, without] {
     const auto holds = [](const auto& w) { return w.stiffness(0.0) == 1; };
-    if (std::visit(holds, well)) return;
+    if (well.stiffness(0.0) == 1) return;
     std::vector<std::string> allowed;
     for_each_potential<Well>([&](const auto& w) {
       if (holds(w)) allowed.push_back(w.name);
