@@ -121,10 +121,10 @@ py::object own_in(const Any& any) {
 ## Tables */
 py::dict to_python(const Path& path) {
   py::dict out;
-  out["t"] = array_of(path.t);
-  out["centre"] = array_of(path.centre);
-  out["energy"] = array_of(path.energy);
-  out["peak"] = array_of(path.peak);
+  out["t"] = array_of(path.all(&PathSample::t));
+  out["centre"] = array_of(path.all(&PathSample::centre));
+  out["energy"] = array_of(path.all(&PathSample::energy));
+  out["peak"] = array_of(path.all(&PathSample::peak));
   return out;
 }
 

@@ -136,7 +136,7 @@ says that the kick is along the pinning mode itself, so we try this, too. */
 /// Writes the energy density at every fourth average to a table.
 KickLook drawn_in(Table& map) {
   return [&map](const KickedPath& path, const State<double>& now, const std::vector<double>& e) {
-    if (path.t.size() % 4 != 1) return;
+    if (path.size() % 4 != 1) return;
     for (std::size_t n = 0; n < e.size(); ++n)
       map.add(Row{{"t", now.t}, {"n", site_number(n, e.size())}, {"e", e[n]}});
   };
@@ -226,7 +226,7 @@ TwoRuns<KickedPath> report_weak(Report& report, const Plan& plan, const Breather
   Table& drawn = report.table("paths");
   const auto centre = [](const TwoRuns<KickedPath>& path, std::size_t i) {
     const auto& [coarse, fine] = path;
-    return i < fine.centre.size() ? with_error(coarse.centre[i], fine.centre[i]) : undefined;
+    return i < fine.size() ? with_error(coarse[i].centre, fine[i].centre) : undefined;
   };
   for (std::size_t i = 0; i < site.fine.t.size(); i += 8)
     drawn.add(Row{{"t", site.fine.t[i]},
@@ -474,8 +474,8 @@ void report_short_run(Report& report, const Plan& plan, const RestingBreather& b
                                  decided_path(bond, c_printed, plan.threshold.coarse, longest_run)};
   const Estimate passes = runs.of([](const KickedPath& p) { return p.time_at(0.5); });
   const auto by_then = [&](const KickedPath& p) {
-    const auto next = std::ranges::lower_bound(p.t, passes.value);
-    return std::abs(p.moved(std::size_t(next - p.t.begin()) - 1));
+    const auto next = std::ranges::lower_bound(p, passes.value, {}, &PathSample::t);
+    return std::abs(p.moved(std::size_t(next - p.begin()) - 1));
   };
   report.table("short_run").add(Row{{"time", passes}, {"moved", site.of(by_then)}});
 }

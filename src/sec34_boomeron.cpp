@@ -149,7 +149,7 @@ Packet packet_of(const Experiment& with, double step) {
 }
 
 double centre_at(const Path& path, double t) {
-  return path.centre.at(std::size_t(std::lround((t - path.t[0]) / path_sampling)));
+  return path.samples.at(std::size_t(std::lround((t - path[0].t) / path_sampling))).centre;
 }
 /// Mean velocity over ten units of time.
 double velocity_at(const Path& path, double t) {
@@ -184,14 +184,14 @@ constexpr double near_turn = 0.9;     // of the way to the turning point
 void report_turns(Report& report, const std::vector<Packet>& packets) {
   const auto out_again = [](const Path& p) {
     const double then = find_turn(p).rebound.time + reflected_for;
-    return then < p.t.back() ? centre_at(p, then) : std::nan("");
+    return then < p.back().t ? centre_at(p, then) : std::nan("");
   };
   const auto at_turn = [](const Path& p) {
     const Moment apex = find_turn(p).apex;
     double from = apex.time, to = apex.time;
     while (centre_at(p, from) > near_turn * apex.site) from -= path_sampling;
-    while (to < p.t.back() && centre_at(p, to) > near_turn * apex.site) to += path_sampling;
-    return to < p.t.back() ? fit_parabola(p, from, to).acceleration : std::nan("");
+    while (to < p.back().t && centre_at(p, to) > near_turn * apex.site) to += path_sampling;
+    return to < p.back().t ? fit_parabola(p, from, to).acceleration : std::nan("");
   };
   const auto off_parabola = [](const Path& p) {
     const Moment end = find_turn(p).rebound;
@@ -454,9 +454,9 @@ void report_onward(Report& report, const std::vector<Packet>& packets) {
   Table& table = report.table("onward");
   const auto fallen_back = [](const Path& p) {
     double farthest = 0, back = 0;
-    for (double x : p.centre) {
-      farthest = std::max(farthest, x);
-      back = std::max(back, farthest - x);
+    for (const PathSample& at : p) {
+      farthest = std::max(farthest, at.centre);
+      back = std::max(back, farthest - at.centre);
     }
     return back;
   };

@@ -190,7 +190,7 @@ void report_dps(Report& report, const Case& impact, const TwoRuns<DpsRun>& runs)
   for (std::size_t n = 0; n < impact.sites; ++n) profile.add({{"n", n + 1}, {"density", last[n]}});
   // The packet, and how it changes on its way
   report.table("dps_packet")
-      .add({{"norm", runs.of([](const DpsRun& run) { return run.path.energy.back(); })},
+      .add({{"norm", runs.of([](const DpsRun& run) { return run.path.back().energy; })},
             {"norm_change",
              runs.of([](const DpsRun& run) { return std::abs(energy_change(run.path)); })},
             {"speed_change", runs.of([](const DpsRun& run) {
@@ -265,8 +265,8 @@ cube root of its age, would fall by 21 per cent. The energy of the packet change
 [0.04](cell:chain_packet/energy_change). Its speed is [0.01089](cell:speeds/model=chain/per_time) sites per unit of $t$;
 with [0.01116](cell:speeds/model=dps/per_time) the DpS packet is slightly faster, as the article says. */
 double narrowness_change(const ChainRun& run) {
-  std::vector<double> narrowness = run.path.peak;
-  for (std::size_t i = 0; i < narrowness.size(); ++i) narrowness[i] /= run.path.energy[i];
+  std::vector<double> narrowness;
+  for (const PathSample& at : run.path) narrowness.push_back(at.peak / at.energy);
   return std::abs(change_between_halves(run.path, narrowness));
 }
 
@@ -305,8 +305,8 @@ against `root`, from `discrepancy`; (b) `chain` and `dps` of `heights` against `
 /// The largest value of `series`, one entry a sample, while the packet moves over the last sites of
 /// its path.
 Estimate largest_over(double last_sites, Path path, const std::vector<double>& series) {
-  path.peak = series;
-  return path.largest_peak(path.centre.back() - last_sites, path.centre.back());
+  for (std::size_t i = 0; i < path.size(); ++i) path.samples[i].peak = series[i];
+  return path.largest_peak(path.back().centre - last_sites, path.back().centre);
 }
 
 /// By how much the DpS packet exceeds that of a chain, as fractions of the latter.
@@ -326,7 +326,7 @@ Discrepancy discrepancy(const Case& impact, const TwoRuns<DpsRun>& dps,
   };
   const auto amplitude = [&](double sites) {
     const auto A = [sites](const DpsRun& run) {
-      return std::sqrt(largest_over(sites, run.path, run.path.peak).value);
+      return std::sqrt(largest_over(sites, run.path, run.path.all(&PathSample::peak)).value);
     };
     return excess(2 * impact.eps, A, [sites](const ChainRun& run) {
       return largest_over(sites, run.path, run.displacement).value;

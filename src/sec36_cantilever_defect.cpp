@@ -83,7 +83,7 @@ Energies scatter(const StruckArray& setup, const ArrayRun& defect, double step) 
           .near = part(setup, run.density, from, to),
           .behind = part(setup, run.density, to + 1, impact.chain.sites),
           .on_defect = part(setup, run.density, at, at),
-          .packet = run.path.centre.back() - double(to)};
+          .packet = run.path.back().centre - double(to)};
 }
 
 /**

@@ -516,7 +516,7 @@ TEST_CASE(
     CHECK(path.drift_margin(3e-6, site.energy) > 10);
   const auto way = [](const KickedPath& p) { return std::abs(p.travelled()); };
   const auto late = [](const KickedPath& p) {
-    return std::abs(p.centre.back() - p.centre[p.centre.size() * 3 / 4]);
+    return std::abs(p.back().centre - p[p.size() * 3 / 4].centre);
   };
   CHECK(differs(free.of(way), 2, Abs{0.5}, "2.8 sites by t = 2.5e5, and it goes on"));
   CHECK(stands("not pinned", {above("way in the last quarter", free.of(late), 0.5)}));
@@ -655,13 +655,13 @@ TEST_CASE(
   // At the time of the article's picture, t = 238, the packet of v_0 = 1.87 is close to its apex
   const auto pictured = paths(1.87, 1, 900, 150);
   const auto to_apex = [](const Path& path) {
-    return turn_of(path).apex.site - path.centre[std::size_t(std::lround(238 / path_sampling))];
+    return turn_of(path).apex.site - path[std::size_t(std::lround(238 / path_sampling))].centre;
   };
   CHECK(stands("close to direction reversal", {below("sites", pictured.of(to_apex), 5)}));
   const auto slow = paths(1.5, 1, 1000, 250), linear = paths(1.9, 0, 600, 250);
   for (const Path& path : {slow.coarse, slow.fine, linear.coarse, linear.fine})
     CHECK_FALSE(turn_of(path).apex.found());
-  for (const Path& path : {linear.coarse, linear.fine}) CHECK(path.centre.back() > 80);
+  for (const Path& path : {linear.coarse, linear.fine}) CHECK(path.back().centre > 80);
 }
 
 TEST_CASE(

@@ -29,10 +29,10 @@ KickedPath kicked_path(const RestingBreather& at, double c, double time, double 
 }
 
 /// A path through given places, at given times or all at one.
-KickedPath path_of(std::vector<double> X, std::vector<double> t = {}) {
+KickedPath path_of(const std::vector<double>& X, std::vector<double> t = {}) {
   KickedPath path;
   t.resize(X.size());
-  path.t = std::move(t), path.centre = std::move(X);
+  for (std::size_t k = 0; k < X.size(); ++k) path.add(t[k], X[k]);
   return path;
 }
 
@@ -52,10 +52,10 @@ TEST_CASE("the mean of a place that swings with the breather is its middle", "[u
   check_close(samples_of_a_mean * apart, 11 * at.period, 0, 1e-4);
   const KickedPath path =
       follow_kicked(EventCorrected{0.1}, at.chain, at.rest, apart, 23 * at.period);
-  REQUIRE(path.centre.size() == 2);
-  check_close(path.centre[0], path.centre[1], 1e-4);
-  check_close(path.t[0], 45 * apart, 0, 1e-12);
-  check_close(path.t[1], (45 + 89) * apart, 0, 1e-12);
+  REQUIRE(path.size() == 2);
+  check_close(path[0].centre, path[1].centre, 1e-4);
+  check_close(path[0].t, 45 * apart, 0, 1e-12);
+  check_close(path[1].t, (45 + 89) * apart, 0, 1e-12);
 }
 
 TEST_CASE("free and pinned are told from the path", "[unit][kick]") {
@@ -125,10 +125,10 @@ TEST_CASE("a breather swings at the frequency of linear theory", "[published][ki
   const KickedPath path = kicked_path(at, 2e-6, 8 / omega, 0.3);
   REQUIRE(mobility_of(path) == Mobility::pinned);
   std::size_t top = 0;
-  for (std::size_t k = 0; k < path.centre.size(); ++k)
+  for (std::size_t k = 0; k < path.size(); ++k)
     if (std::abs(path.moved(k)) > std::abs(path.moved(top))) top = k;
   // A quarter of a period, a little longer than that of small swings.
-  check_close(path.t[top] * omega, 1.571, 0.2);
+  check_close(path[top].t * omega, 1.571, 0.2);
 }
 
 TEST_CASE("the speed on the hill is that of the slowest place", "[unit][kick]") {
@@ -136,12 +136,9 @@ TEST_CASE("the speed on the hill is that of the slowest place", "[unit][kick]") 
   KickedPath path;
   for (int k = 0; k < 2000; ++k) {
     const double t = 60 * k;
-    if (k == 0 || t > 3e4) {
-      path.t.push_back(t);
-      path.centre.push_back(k == 0 ? 0.3
-                                   : 0.3 - (0.5 + V / Omega * std::sinh(Omega * (t - 7.1e4))));
-    }
-    if (path.moved(path.centre.size() - 1) < -0.7) break;
+    if (k == 0 || t > 3e4)
+      path.add(t, k == 0 ? 0.3 : 0.3 - (0.5 + V / Omega * std::sinh(Omega * (t - 7.1e4))));
+    if (path.travelled() < -0.7) break;
   }
   check_close(hill_speed(path), V, 0, 2e-3);
   CHECK_THROWS_AS(hill_speed(path_of({0, 0.3, 0.9})), std::invalid_argument);

@@ -34,7 +34,7 @@ Front compact(double width) {
 TEST_CASE("the front of a linear wave is no travelling breather", "[property]") {
   const Dps linear{140, Ends::free, 1, 0.5};
   const Path front = follow_dps(linear, dps_impact(140), 100, 2000, 1e-8).path;
-  CHECK(front.centre.back() > 80);
+  CHECK(front.back().centre > 80);
   CAPTURE(speed_change(front).value, energy_change(front));
   CHECK(std::abs(speed_change(front).value) < 0.05);
   CHECK(energy_change(front) < -0.1);
@@ -90,9 +90,8 @@ TEST_CASE("a packet's energy changes from the mean of one half of its way to tha
   Path path;
   double first = 0, second = 0;  // of seven samples, three and four
   for (int k = 0; k < 7; ++k) {
-    path.t.push_back(k), path.centre.push_back(fit_from + k), path.peak.push_back(1);
-    path.energy.push_back(3 + std::cos(k));
-    (k < 3 ? first : second) += path.energy.back() / (k < 3 ? 3 : 4);
+    path.samples.push_back({double(k), fit_from + k, 3 + std::cos(k), 1});
+    (k < 3 ? first : second) += path.back().energy / (k < 3 ? 3 : 4);
   }
   check_close(energy_change(path), second / first - 1, 1e-13);
 }
@@ -150,7 +149,7 @@ TEST_CASE("another integrator finds the same packet", "[property]") {
   // By GSL, of order eight, sample by sample
   State<double> state = struck(impact.chain.sites, impact.velocity);
   Path other;
-  while (other.t.empty() || other.centre.back() < *impact.until) {
+  while (other.empty() || other.back().centre < *impact.until) {
     evolve_reference(impact.chain, state, impact.every, 1e-10);
     const std::vector<double> e = energy_density(impact.chain, state);
     if (const auto peak = front_packet(e)) other.add(state.t, e, *peak);

@@ -75,9 +75,9 @@ Outcome outcome_of(double velocity, double s, double horizon, int halvings) {
   // The mean over one internal period decides: past the horizon, on the way back, or never away
   const auto look = [&](const State<double>& now, const std::vector<double>& density) {
     period.add(now.t, density);
-    if (period.t.size() < 8) return true;
+    if (period.size() < 8) return true;
     double x = 0;
-    for (double c : period.centre) x += c / 8;
+    for (const PathSample& at : period) x += at.centre / 8;
     period = {};
     out.apex = std::max(out.apex, x);
     if (x > horizon) out.fate = Fate::escapes;
@@ -387,8 +387,8 @@ void report_absorbers(Report& report) {
   for (std::size_t k = 0; k < list.size(); ++k) {
     const auto& [coarse, fine] = list[k].fate;
     const Path p = smooth(fine.path, path_smoothing);
-    for (std::size_t i = 0; i < p.t.size() && p.t[i] < 4000; i += 100)
-      tracks.add({k, p.t[i], p.centre[i], p.energy[i]});
+    for (std::size_t i = 0; i < p.size() && p[i].t < 4000; i += 100)
+      tracks.add({k, p[i].t, p[i].centre, p[i].energy});
     absorbers.add(
         {{"absorbed", "where waves are absorbed", list[k].absorbed},
          {"until", "end of the run", list[k].until},

@@ -16,9 +16,9 @@ TEST_CASE("with nothing absorbed the packet is that of the impact", "[unit][wake
                       .packet = WhichPacket::strongest};
   const Path path = follow_without({}, 0.1, 120, 60),  // with this step both look every 0.2
       whole = strike(EventCorrected{0.1}, impact).path;
-  REQUIRE(path.t.size() + 1 == whole.t.size());
-  for (std::size_t i = 0; i < path.t.size(); i += 50)
-    check_close(path.centre[i], whole.centre[i], 1e-5);
+  REQUIRE(path.size() + 1 == whole.size());
+  for (std::size_t i = 0; i < path.size(); i += 50)
+    check_close(path[i].centre, whole[i].centre, 1e-5);
 }
 
 TEST_CASE("friction acts where it should", "[unit][wake]") {

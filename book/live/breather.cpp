@@ -105,7 +105,7 @@ KickedPath kicked_path(const Fitted& found, const Request& r, int halvings) {
       method, chain, kicked(found.orbit.start, r.kick), sample, r.time,
       [&](const KickedPath& path, const State<double>&, const std::vector<double>&) {
         const double moved = path.travelled();
-        page_row(halvings, path.t.back(), &moved, 1);
+        page_row(halvings, path.back().t, &moved, 1);
         return true;
       });
 }

@@ -62,17 +62,17 @@ The quantities are those of the program and have its names; one that does not ex
 void report(const Impact& impact, const Refined<ImpactRun>& runs) {
   const double to = double(impact.chain.sites) - 20, undefined = std::nan("");
   const auto tracked = [&](std::string_view name, auto of) {
-    page::fact(name, runs.at_end(
-                         [&](const ImpactRun& o) { return o.path.t.empty() ? undefined : of(o); }));
+    page::fact(name,
+               runs.at_end([&](const ImpactRun& o) { return o.path.empty() ? undefined : of(o); }));
   };
   page::fact("speed", runs.of([&](const ImpactRun& o) {
     return o.path.line(fit_from, to).value_or(Line{undefined, undefined, undefined}).estimate();
   }));
-  tracked("centre", [](const ImpactRun& o) { return o.path.centre.back(); });
+  tracked("centre", [](const ImpactRun& o) { return o.path.back().centre; });
   page::fact("peak_energy_density",
              runs.of([&](const ImpactRun& o) { return o.path.largest_peak(fit_from, to); }));
   tracked("packet_energy_fraction",
-          [](const ImpactRun& o) { return o.path.energy.back() / total(o.density); });
+          [](const ImpactRun& o) { return o.path.back().energy / total(o.density); });
   page::fact("boundary_energy_fraction",
              runs.at_end([](const ImpactRun& o) { return boundary_share(o.density); }));
   page::fact("energy_drift", runs.of([](const ImpactRun& o) { return o.run.energy_drift; }));

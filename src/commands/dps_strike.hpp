@@ -77,7 +77,7 @@ struct DpsStrike {
   /// What both runs give. A test compares it with what the impact chapter measures in a run of its own.
   Table quantities(const Found& runs) const {
     const auto both = [&](auto of) {
-      const bool none = runs[0].path.t.empty() || runs[1].path.t.empty();
+      const bool none = runs[0].path.empty() || runs[1].path.empty();
       return none ? undefined : with_error(of(runs[0]), of(runs[1]));
     };
     const double to = way_end(runs[1].end.size());
@@ -85,7 +85,7 @@ struct DpsStrike {
     const std::string lost = why_no_packet(path),
                       still = why_no_speed(path, density(runs[1].end), 10, "norm");
     Answers q;
-    q.add("centre", both([](const DpsOutcome& out) { return out.path.centre.back(); }), "site",
+    q.add("centre", both([](const DpsOutcome& out) { return out.path.back().centre; }), "site",
           "centre of the norm of the foremost packet at the end of the run, as in Eq. (24)", lost);
     q.add(
         "speed", both([&](const DpsOutcome& out) {
@@ -99,7 +99,7 @@ struct DpsStrike {
           "largest maximum in time of |A_n| of the foremost packet, on the last site that it "
           "reaches, or the last two",
           lost.empty() ? "|A_n| of the packet has no maximum in time on its last two sites" : lost);
-    q.add("norm_window", both([](const DpsOutcome& out) { return out.path.energy.back(); }), "",
+    q.add("norm_window", both([](const DpsOutcome& out) { return out.path.back().energy; }), "",
           "sum of |A_n|^2 over the eleven sites about the packet's peak at the end; the sum over "
           "all sites is 1",
           lost);

@@ -85,7 +85,7 @@ struct OneImpact {
     const auto both = [&runs = runs](auto of) { return runs.of(of); };
     const auto at_end = [&runs = runs](auto of) { return runs.at_end(of); };
     const auto tracked = [&](auto of) {
-      return at_end([&](const ImpactRun& out) { return out.path.t.empty() ? none : of(out); });
+      return at_end([&](const ImpactRun& out) { return out.path.empty() ? none : of(out); });
     };
     const Path& path = runs.fine.path;
     const std::string still = why_no_speed(path, runs.fine.density, 5, "energy"),
@@ -100,7 +100,7 @@ struct OneImpact {
         "site per unit of time",
         "speed of the foremost packet, fitted between site 20 and twenty sites before the far end",
         still);
-    q.add("centre", tracked([](const ImpactRun& out) { return out.path.centre.back(); }), "site",
+    q.add("centre", tracked([](const ImpactRun& out) { return out.path.back().centre; }), "site",
           "energy centre of the foremost packet at the end of the run, Eq. (24)", lost);
     add_strongest(q, runs.coarse, runs.fine);
     q.add("peak_energy_density",
@@ -109,7 +109,7 @@ struct OneImpact {
           "the stretch over which the speed is fitted",
           still.empty() ? "the energy density has no maximum in time on this stretch" : still);
     q.add("packet_energy_fraction",
-          tracked([](const ImpactRun& out) { return out.path.energy.back() / total(out.density); }),
+          tracked([](const ImpactRun& out) { return out.path.back().energy / total(out.density); }),
           "",
           "energy of the foremost packet (eleven sites) divided by that of the chain, at the end",
           lost);

@@ -22,8 +22,8 @@ inline double way_end(std::size_t sites) {
 
 /// Why there is no packet in `path`; empty if there is one.
 inline std::string why_no_packet(const Path& path) {
-  return path.t.empty() ? "no packet: no eleven neighbouring sites hold a hundredth of the whole"
-                        : "";
+  return path.empty() ? "no packet: no eleven neighbouring sites hold a hundredth of the whole"
+                      : "";
 }
 
 /// Why `path` has no speed on this way, from the `density` at the end; empty if it has one. `share` is what the
@@ -35,8 +35,8 @@ inline std::string why_no_speed(const Path& path, const std::vector<double>& den
   if (!(to > fit_from))
     return "the chain is too short for a fit from site 20 to twenty sites before the far end: it "
            "needs more than 40 sites";
-  if (path.t.empty()) return why_no_packet(path);
-  const double farthest = *std::max_element(path.centre.begin(), path.centre.end());
+  if (path.empty()) return why_no_packet(path);
+  const double farthest = std::ranges::max(path.all(&PathSample::centre));
   if (farthest >= fit_from)
     return "fewer than three samples of the packet lie between sites 20 and " + short_text(to);
   return "no packet reaches site 20: the foremost one reaches " +

@@ -39,17 +39,18 @@ double breather_place(const std::vector<double>& e) {
 // What is read off a path
 double KickedPath::farthest() const {
   double far = 0;
-  for (std::size_t k = 0; k < centre.size(); ++k) far = std::max(far, std::abs(moved(k)));
+  for (std::size_t k = 0; k < size(); ++k) far = std::max(far, std::abs(moved(k)));
   return far;
 }
 
 double KickedPath::mean_speed(double distance, std::size_t start) const {
-  for (std::size_t k = start + 1; k < t.size(); ++k) {
-    const double now = std::abs(centre[k] - centre[start]),
-                 before = std::abs(centre[k - 1] - centre[start]);
+  for (std::size_t k = start + 1; k < size(); ++k) {
+    const auto &first = samples[start], &last = samples[k - 1], &here = samples[k];
+    const double now = std::abs(here.centre - first.centre),
+                 before = std::abs(last.centre - first.centre);
     if (now < distance) continue;
-    const double since = t[k - 1] + (t[k] - t[k - 1]) * (distance - before) / (now - before);
-    return distance / (since - t[start]);
+    const double since = last.t + (here.t - last.t) * (distance - before) / (now - before);
+    return distance / (since - first.t);
   }
   throw std::runtime_error("the kicked breather does not travel that far");
 }

@@ -41,15 +41,15 @@ struct KickedPath : Path {
   Run run{};
 
   /// Sites moved from the first mean to mean `k`, and to the last; zero without means.
-  double moved(std::size_t k) const { return centre[k] - centre[0]; }
-  double travelled() const { return centre.empty() ? 0 : moved(centre.size() - 1); }
+  double moved(std::size_t k) const { return samples[k].centre - samples[0].centre; }
+  double travelled() const { return empty() ? 0 : moved(size() - 1); }
   /// The largest distance from the first mean, in either direction.
   double farthest() const;
   /// `distance` over the time that it takes from mean `start` on, interpolated between two means. Throws
   /// std::runtime_error if the path does not lead so far.
   double mean_speed(double distance, std::size_t start = 0) const;
   /// When the distance from the first mean is this, and the speed there, over a fifth of a site.
-  double time_at(double distance) const { return t[0] + distance / mean_speed(distance); }
+  double time_at(double distance) const { return samples[0].t + distance / mean_speed(distance); }
   double speed_at(double distance) const;
   /// The energy of a kick, c^2/2, over the energy that the integration gained or lost; `energy` is the breather's.
   double drift_margin(double c, double energy) const;

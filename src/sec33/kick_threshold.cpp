@@ -86,17 +86,17 @@ double pendulum_speed(double start, double omega, bool from_maximum) {
 double hill_speed(const KickedPath& path) {
   const double hill = 0.5;
   std::vector<std::size_t> near;
-  for (std::size_t k = 0; k < path.centre.size(); ++k)
+  for (std::size_t k = 0; k < path.size(); ++k)
     if (std::abs(std::abs(path.moved(k)) - hill) <= 0.05) near.push_back(k);
   if (near.size() < 8)
     throw std::invalid_argument("too few averages of the path lie on the potential hill");
-  const double first = path.t[near.front()], last = path.t[near.back()], half = (last - first) / 2;
+  const double first = path[near.front()].t, last = path[near.back()].t, half = (last - first) / 2;
   // Time is scaled to the interval from -1 to 1, which keeps the cubic fit well conditioned
   Matrix<double> power(Eigen::Index(near.size()), 4);
   Vector<double> place(power.rows());
   for (Eigen::Index i = 0; i < power.rows(); ++i) {
     const std::size_t k = near[std::size_t(i)];
-    const double u = (path.t[k] - first) / half - 1;
+    const double u = (path[k].t - first) / half - 1;
     power.row(i) << 1, u, u * u, u * u * u;
     place[i] = std::abs(path.moved(k)) - hill;
   }

@@ -23,10 +23,10 @@ struct PathFit {
 inline PathFit fit_parabola(const Path& path, double from, double to) {
   std::vector<double> u, centre;
   const double half = (to - from) / 2;
-  for (std::size_t i = 0; i < path.t.size(); ++i) {
-    if (path.t[i] < from - 1e-9 || path.t[i] > to + 1e-9) continue;
-    u.push_back((path.t[i] - from - half) / half);
-    centre.push_back(path.centre[i]);
+  for (const PathSample& at : path) {
+    if (at.t < from - 1e-9 || at.t > to + 1e-9) continue;
+    u.push_back((at.t - from - half) / half);
+    centre.push_back(at.centre);
   }
   const auto n = Eigen::Index(u.size());
   const Eigen::VectorXd x = Eigen::Map<Eigen::VectorXd>(centre.data(), n);

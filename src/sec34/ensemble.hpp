@@ -22,16 +22,16 @@ struct Spread {
 inline std::vector<Spread> spread_of(const std::vector<Path>& smoothed, std::size_t every) {
   const std::size_t members = smoothed.size(), tenth = members / 10;
   std::vector<Spread> out;
-  for (std::size_t k = 0; k < smoothed.at(0).t.size(); k += every) {
+  for (std::size_t k = 0; k < smoothed.at(0).size(); k += every) {
     std::vector<double> x;
     double mean = 0, square = 0;
     for (const Path& p : smoothed) {
-      x.push_back(p.centre.at(k));
+      x.push_back(p.samples.at(k).centre);
       mean += x.back() / double(members);
     }
     for (double c : x) square += (c - mean) * (c - mean) / double(members - 1);
     std::sort(x.begin(), x.end());
-    out.push_back({smoothed[0].t[k], mean, std::sqrt(square), x[tenth], x[members - 1 - tenth]});
+    out.push_back({smoothed[0][k].t, mean, std::sqrt(square), x[tenth], x[members - 1 - tenth]});
   }
   return out;
 }

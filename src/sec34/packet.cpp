@@ -6,9 +6,9 @@
 namespace lattice {
 
 double change_between_halves(const Path& path, const std::vector<double>& series) {
-  const std::size_t end = path.centre.size();
+  const std::size_t end = path.size();
   std::size_t begin = 0;
-  while (begin < end && path.centre[begin] < fit_from) ++begin;
+  while (begin < end && path[begin].centre < fit_from) ++begin;
   if (end < begin + 6) throw std::runtime_error("no packet passes site 20");
   const std::size_t half = (begin + end) / 2;
   const auto mean = [&](std::size_t from, std::size_t until) {
@@ -19,7 +19,7 @@ double change_between_halves(const Path& path, const std::vector<double>& series
   return mean(half, end) / mean(begin, half) - 1;
 }
 double energy_change(const Path& path) {
-  return change_between_halves(path, path.energy);
+  return change_between_halves(path, path.all(&PathSample::energy));
 }
 
 // The strongest window behind the packet, at least one width clear of it

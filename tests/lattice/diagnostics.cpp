@@ -108,9 +108,17 @@ TEST_CASE("a line is recovered with its error", "[unit][observe]") {
   CHECK_THROWS_AS(fit_line({0, 1}, {0, 1}), std::invalid_argument);
 }
 
+/// Centres and peaks, sampled every `apart`.
+static Path path_of(const Numbers& centre, const Numbers& peak, double apart = 1) {
+  Path path;
+  for (std::size_t i = 0; i < centre.size(); ++i)
+    path.samples.push_back({apart * double(i), centre[i], 1, peak[i]});
+  return path;
+}
+
 TEST_CASE("a path is read between its samples", "[unit][observe]") {
   const Path path{
-      {0, 2, 4, 6, 8, 10}, {10, 12, 15, 19, 24, 22}, {6, 5, 3, 2, 8, 1}, {1, 4, 5, 2, 7, 3}};
+      {{0, 10, 6, 1}, {2, 12, 5, 4}, {4, 15, 3, 5}, {6, 19, 2, 2}, {8, 24, 8, 7}, {10, 22, 1, 3}}};
   CHECK(path.until(19) == 4);
   CHECK(path.until(99) == 6);
   CHECK(path.between(12, 23).first == Numbers{2, 4, 6});  // the last one is back too late
@@ -129,7 +137,7 @@ TEST_CASE("a path is read between its samples", "[unit][observe]") {
 }
 
 TEST_CASE("the largest peak is found between samples", "[unit][observe]") {
-  const Path path{{0, 2, 4, 6, 8, 10}, {10, 12, 15, 19, 24, 22}, {}, {1, 4, 5, 2, 7, 3}};
+  const Path path = path_of({10, 12, 15, 19, 24, 22}, {1, 4, 5, 2, 7, 3}, 2);
   // Peaks through (4, 5, 2), at 15 - 7/8, and through (2, 7, 3), which is beyond what counts
   const double first = 5 + 1 / 8.0, second = 7 + 1 / 72.0;
   check_close(path.largest_peak(0, 99).value, second, 1e-13);
@@ -138,22 +146,18 @@ TEST_CASE("the largest peak is found between samples", "[unit][observe]") {
   // 1 and 7 beside it: no wider top
   check_close(path.largest_peak(14, 20).error, (first - 5) / 3, 1e-13);
   // The wider parabola leaves 3 at the first maximum, and makes 3 + 1/40 of 3 + 1/48 at the second
-  const Path pair{{0, 1, 2, 3, 4, 5, 6, 7, 8, 9},
-                  {1, 2, 3, 4, 5, 6, 7, 8, 9, 10},
-                  {},
-                  {0, 2, 3, 2, 0, 1, 2.5, 3, 2, 0}};
+  const Path pair = path_of({1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, {0, 2, 3, 2, 0, 1, 2.5, 3, 2, 0});
   check_estimate(pair.largest_peak(0, 6), 3, 0);
   check_estimate(pair.largest_peak(0, 9), 3 + 1 / 48.0, (1 / 40.0 - 1 / 48.0) / 3);
   // Lies at 14.125, and what follows is its flank; only a flank; nothing
   CHECK(std::isnan(path.largest_peak(14.2, 20).value));
   CHECK(std::isnan(path.largest_peak(12, 13).value));
   CHECK(std::isnan(path.largest_peak(30, 40).value));
-  const Path flat{{0, 1, 2, 3}, {1, 2, 3, 4}, {1, 1, 1, 1}, {2, 2, 2, 2}};
+  const Path flat = path_of({1, 2, 3, 4}, {2, 2, 2, 2});
   CHECK(flat.largest_peak(0, 9).value == 2);
   // Over the last site only, from 9 to 10; the last two sites; and no maximum
   const auto amplitude = [](const Numbers& centre, const Numbers& peak) {
-    const Numbers t{0, 1, 2, 3, 4};
-    return packet_amplitude({{t.begin(), t.begin() + long(peak.size())}, centre, {}, peak}).value;
+    return packet_amplitude(path_of(centre, peak)).value;
   };
   check_close(amplitude({8, 8.5, 9, 9.5, 10}, {1, 9, 1, 4, 1}), 2, 1e-14);
   check_close(amplitude({8, 8.5, 9, 9.6, 10.2}, {1, 2, 4, 3, 5}), std::sqrt(4 + 1 / 24.0), 1e-14);
@@ -162,28 +166,29 @@ TEST_CASE("the largest peak is found between samples", "[unit][observe]") {
 
 TEST_CASE("a path is smoothed, and vertices are found, by hand", "[unit][turning]") {
   Path path;
-  path.centre = dust(30, 0.2), path.energy = dust(30, 0.9);
-  for (int i = 0; i < 30; ++i) path.t.push_back(3 + 0.5 * i);
+  const Numbers centre = dust(30, 0.2), energy = dust(30, 0.9);
+  for (std::size_t i = 0; i < 30; ++i)
+    path.samples.push_back({3 + 0.5 * double(i), centre[i], energy[i]});
   // Four samples on either side, with the width 5 of the weight
   const Path smoothed = smooth(path, 4.3);
-  REQUIRE(smoothed.t.size() == 22);
+  REQUIRE(smoothed.size() == 22);
   for (std::size_t i = 0; i < 22; ++i) {
     double sum = 0, x = 0, y = 0;
     for (std::size_t k = 0; k <= 8; ++k) {
       const double weight = std::pow(std::cos(M_PI * (double(k) - 4) / 10), 2);
-      sum += weight, x += weight * path.centre[i + k], y += weight * path.energy[i + k];
+      sum += weight, x += weight * centre[i + k], y += weight * energy[i + k];
     }
-    check_close(smoothed.t[i], path.t[i + 4], 1e-10);
-    check_close(smoothed.centre[i], x / sum, 1e-10);
-    check_close(smoothed.energy[i], y / sum, 1e-10);
+    check_close(smoothed[i].t, path[i + 4].t, 1e-10);
+    check_close(smoothed[i].centre, x / sum, 1e-10);
+    check_close(smoothed[i].energy, y / sum, 1e-10);
   }
-  Path three{{0, 1, 2}, {1, 2, 3}, {1, 1, 1}, {}};
-  CHECK(smooth(three, 1).t.size() == 1);
-  three.t.pop_back();
+  Path three = path_of({1, 2, 3}, {1, 1, 1});
+  CHECK(smooth(three, 1).size() == 1);
+  three.samples.pop_back();
   CHECK_THROWS_AS(smooth(three, 1), std::invalid_argument);
 
   // Vertices: an inner one, one that is no extremum, one just at the bound, a straight line, both ends
-  const Path way{{0, 2, 4, 6, 8, 10, 12}, {1, 5, 4, 2, 1, 0, 0}, {}, {}};
+  const Path way = path_of({1, 5, 4, 2, 1, 0, 0}, Numbers(7), 2);
   const std::vector<std::array<double, 3>> known{{1, 5 + 2.25 / 10, 2 + 2 * 0.3},
                                                  {2, 4, 4},
                                                  {3, 2, 6},

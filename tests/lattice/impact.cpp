@@ -15,10 +15,8 @@ namespace {
 template <class Centre>
 Path drawn(double time, Centre centre) {
   Path path;
-  for (double t = 0; t <= time; t += path_sampling) {
+  for (double t = 0; t <= time; t += path_sampling)
     path.add(t, centre(t) + 0.3 * std::cos(3.4 * t));
-    path.energy.push_back(1);
-  }
   return path;
 }
 
@@ -89,17 +87,17 @@ TEST_CASE("a packet that is caught, slows down or goes on has not turned", "[uni
 TEST_CASE("a turn by hand", "[unit][turning]") {
   // Out with a stop before site 8 and one beyond it, back by five from 14 at 7, again by three from 4 at 12
   Path trip;
-  trip.centre = {1, 7, 6, 9, 8.5, 12, 13, 14, 13.5, 9, 10, 8, 4, 6, 7, 7.01, 3};
-  for (std::size_t i = 0; i < trip.centre.size(); ++i) trip.t.push_back(double(i));
-  trip.energy = trip.centre;
+  for (const double x :
+       {1., 7., 6., 9., 8.5, 12., 13., 14., 13.5, 9., 10., 8., 4., 6., 7., 7.01, 3.})
+    trip.add(double(trip.size()), x);
   const Turn turn = find_turn(trip);
   check_close(turn.stop.time, vertex(trip, 3).time, 1e-14);
   check_close(turn.apex.time, vertex(trip, 7).time, 1e-14);
   check_close(turn.rebound.time, vertex(trip, 12).time, 1e-14);
-  trip.centre[15] = 7;  // exactly three sites are not enough
+  trip.samples[15].centre = 7;  // exactly three sites are not enough
   CHECK_FALSE(find_turn(trip).rebound.found());
   CHECK(find_turn(trip, 5, 2.9).rebound.found());
-  trip.centre.resize(10);
+  trip.samples.resize(10);
   CHECK_FALSE(find_turn(trip).apex.found());  // exactly five neither
   CHECK(find_turn(trip, 4.9).apex.found());
   CHECK(find_turn(trip, 5, 3, 6.9).stop.time == vertex(trip, 1).time);
@@ -142,7 +140,7 @@ TEST_CASE("a run that its far end sends back is no result", "[unit][model]") {
   CHECK(strike(EventCorrected{0.05}, impact).far_end > 0.01);
   // The packet leaves before it is back, so here the same chain will do
   impact.far_end = 1e-9, impact.until = 20;
-  CHECK(strike(EventCorrected{0.05}, impact).path.centre.back() >= 20);
+  CHECK(strike(EventCorrected{0.05}, impact).path.back().centre >= 20);
 }
 
 TEST_CASE("an impact in two parts is the impact", "[unit][model]") {

@@ -18,43 +18,56 @@ Where a packet is, and what it carries, from sample to sample. Speeds are slopes
 
 namespace lattice {
 
+/// What is seen of a packet at one instant. Of a path of centres alone energy and peak are not known.
+struct PathSample {
+  double t = 0, centre = 0;                                  ///< time, centre X (sites, from one)
+  double energy = std::numeric_limits<double>::quiet_NaN(),  ///< of the window
+      peak = std::numeric_limits<double>::quiet_NaN();       ///< largest density
+};
+
 /// The article fits the centre only where the packet is far from the end where it was launched, and gives no number; so
 /// the stretch `from <= X <= to` is an argument here and is stated with every result.
 struct Path {
-  /// One entry per sample: time, centre X (sites, from one), energy of the window, largest density. A path of centres
-  /// alone has the first two.
-  std::vector<double> t, centre, energy, peak;
+  std::vector<PathSample> samples{};
+
+  std::size_t size() const { return samples.size(); }
+  bool empty() const { return samples.empty(); }
+  const PathSample& operator[](std::size_t i) const { return samples[i]; }
+  const PathSample& back() const { return samples.back(); }
+  auto begin() const { return samples.begin(); }
+  auto end() const { return samples.end(); }
+  /// One quantity of all samples, as in `all(&PathSample::energy)`.
+  std::vector<double> all(double PathSample::*quantity) const {
+    std::vector<double> out;
+    for (const PathSample& at : samples) out.push_back(at.*quantity);
+    return out;
+  }
 
   /// Appends the packet around `peak_site` of the density `e` at time `time`.
   void add(double time, const std::vector<double>& e, std::size_t peak_site) {
-    add(time, energy_centre(e, peak_site));
-    energy.push_back(window_sum(e, peak_site));
-    peak.push_back(e[peak_site]);
+    samples.push_back({time, energy_centre(e, peak_site), window_sum(e, peak_site), e[peak_site]});
   }
   /// The same around the strongest site.
   void add(double time, const std::vector<double>& e) {
     add(time, e, std::size_t(std::max_element(e.begin(), e.end()) - e.begin()));
   }
   /// Appends a centre.
-  void add(double time, double x) {
-    t.push_back(time);
-    centre.push_back(x);
-  }
+  void add(double time, double x) { samples.push_back({time, x}); }
 
   /// How many samples count: those before the first centre beyond `to`, even if a later one is back within.
   std::size_t until(double to) const {
     return std::size_t(
-        std::find_if(centre.begin(), centre.end(), [to](double x) { return x > to; }) -
-        centre.begin());
+        std::find_if(begin(), end(), [to](const PathSample& at) { return at.centre > to; }) -
+        begin());
   }
 
   /// Times and centres of the samples between `from` and `to`.
   std::pair<std::vector<double>, std::vector<double>> between(double from, double to) const {
     std::pair<std::vector<double>, std::vector<double>> points;
     for (std::size_t i = 0, end = until(to); i < end; ++i)
-      if (centre[i] >= from) {
-        points.first.push_back(t[i]);
-        points.second.push_back(centre[i]);
+      if (samples[i].centre >= from) {
+        points.first.push_back(samples[i].t);
+        points.second.push_back(samples[i].centre);
       }
     return points;
   }
@@ -64,11 +77,9 @@ struct Path {
   /// Speed between two times, with the error of the fit. Throws std::invalid_argument if fewer than three samples lie
   /// there.
   Estimate speed_during(double from, double to) const;
-  /// What `series`, one entry a sample, is at the instant when the centre first passes `x`, between two samples. Throws
+  /// Energy of the packet at the instant when the centre first passes `x`, between two samples. Throws
   /// std::runtime_error if it never does.
-  double when_at(double x, const std::vector<double>& series) const;
-  /// Energy of the packet at this instant.
-  double energy_at(double x) const { return when_at(x, energy); }
+  double energy_at(double x) const;
   /// Sites by which the centre moves on in `duration` after it has passed `site`. Throws
   /// std::runtime_error if the path ends before.
   double travelled(double site, double duration) const;

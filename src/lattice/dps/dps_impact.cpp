@@ -25,7 +25,7 @@ DpsOutcome follow_dps(const Dps& dps, const Field& start, double duration, std::
 }
 
 Estimate packet_amplitude(const Path& path) {
-  const double end = path.centre.back();
+  const double end = path.back().centre;
   Estimate top = path.largest_peak(end - 1, end);
   if (std::isnan(top.value)) top = path.largest_peak(end - 2, end);
   const double amplitude = std::sqrt(top.value);

@@ -67,8 +67,8 @@ void continue_strike(const Method& method, const Impact& impact, ImpactRun& run,
     run.far_end = std::max(run.far_end, std::abs(now.v.back()));
     if (!strongest)
       if (const auto site = front_packet(run.density)) run.path.add(now.t, run.density, *site);
-    const bool passed = impact.until && !run.path.t.empty() && run.path.t.back() == now.t &&
-                        run.path.centre.back() >= *impact.until;
+    const bool passed = impact.until && !run.path.empty() && run.path.back().t == now.t &&
+                        run.path.back().centre >= *impact.until;
     return on && is_quiet(impact, run) && ((k - 1) % each != 0 || !passed);
   };
   const Every every = impact.denser ? denser(impact.every) : Every{impact.every};

@@ -7,7 +7,7 @@ Turn find_turn(const Path& path, double back, double again, double clear) {
   Turn turn;
   std::size_t far = 0, near = 0;
   bool turned = false;
-  const std::vector<double>& x = path.centre;
+  const std::vector<double> x = path.all(&PathSample::centre);
   for (std::size_t i = 1; i < x.size(); ++i) {
     if (!turn.stop.found() && x[i - 1] > clear && x[i] < x[i - 1]) turn.stop = vertex(path, i - 1);
     // On the way out it is caught and released, so only a retreat by `back` sites makes an apex

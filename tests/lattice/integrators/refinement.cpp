@@ -360,7 +360,7 @@ TEST_CASE("packets are followed with samples that differ, up to the same time",
   const auto runs = refined_impact(1e-4, {.velocity = 1, .chain = {60}, .time = 400, .until = 40});
   const Path &coarse = runs.coarse.path, &fine = runs.fine.path;
   CHECK(runs.fine.end.t == runs.coarse.end.t);
-  CHECK(fine.t.size() + 2 >= 2 * coarse.t.size());
+  CHECK(fine.size() + 2 >= 2 * coarse.size());
   CHECK(coarse.largest_peak(20, 40).value != fine.largest_peak(20, 40).value);
   check_close(coarse.largest_peak(20, 40).value, fine.largest_peak(20, 40).value, 0, 1e-3);
 }
