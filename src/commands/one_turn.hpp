@@ -29,8 +29,8 @@ inline constexpr double decorrelation_interval = 2;  ///< of time, between two c
 /// side by side, so that no more is kept than the two states.
 inline double decorrelation_time(const Method& first, State<double> a, const Method& second,
                                  State<double> b, const Chain& chain, double time) {
-  const TimeGrid one = time_grid(first, time, decorrelation_interval),
-                 other = time_grid(second, time, decorrelation_interval);
+  const TimeGrid one = time_grid(first, time, Every{decorrelation_interval}),
+                 other = time_grid(second, time, Every{decorrelation_interval});
   Window of_a = waking(chain, a), of_b = waking(chain, b);
   const Advance advance_a = first.on(chain), advance_b = second.on(chain);
   const double start = a.t;
@@ -40,8 +40,8 @@ inline double decorrelation_time(const Method& first, State<double> a, const Met
     if (!bounded(a) || !bounded(b) || distance(a, b) > 0.1) return a.t;
     progress.reach(double(k) / double(one.samples));
     if (k == one.samples) return std::numeric_limits<double>::infinity();
-    advance_a(a, of_a, one.step(), one.steps);
-    advance_b(b, of_b, other.step(), other.steps);
+    advance_a(chain, a, of_a, one.step(), one.steps);
+    advance_b(chain, b, of_b, other.step(), other.steps);
   }
 }
 
