@@ -351,7 +351,7 @@ dist:
 
 ## style: run clang-format, shellcheck and reuse (version 4 or newer), where installed
 style:
-	@! command -v clang-format >/dev/null 2>&1 || { files=$$(git ls-files '*.cpp' '*.hpp') && clang-format --dry-run --Werror $${files:?git lists none}; }
+	@! command -v clang-format >/dev/null 2>&1 || { files=$$(git ls-files '*.[chi]pp') && clang-format --dry-run --Werror $${files:?git lists none}; }
 	@! command -v shellcheck >/dev/null 2>&1 || shellcheck .ci/run tools/*.sh tests/*/*.sh tests/programs/slurm/*.sh examples/*.sbatch $(wildcard beyond/examples/*.sbatch)
 	@! reuse --version 2>/dev/null | grep -Eq ' ([4-9]|[1-9][0-9])\.' || reuse lint --lines
 

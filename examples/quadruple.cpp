@@ -1,7 +1,7 @@
 // An orbit in quadruple precision: double finds it, and the wider type adds digits.
 #include <iostream>
 #include "lattice/orbits/breather.hpp"
-#include "lattice/quadruple_orbits/orbits.hpp"
+#include "lattice/quadruple/orbits.hpp"
 
 using namespace lattice;
 

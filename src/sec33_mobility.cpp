@@ -228,8 +228,8 @@ TwoRuns<KickedPath> report_weak(Report& report, const Plan& plan, const Breather
     const auto& [coarse, fine] = path;
     return i < fine.size() ? with_error(coarse[i].centre, fine[i].centre) : undefined;
   };
-  for (std::size_t i = 0; i < site.fine.t.size(); i += 8)
-    drawn.add(Row{{"t", site.fine.t[i]},
+  for (std::size_t i = 0; i < site.fine.size(); i += 8)
+    drawn.add(Row{{"t", site.fine[i].t},
                   {"X_site", centre(site, i)},
                   {"X_bond_stretched", centre(stretched, i)},
                   {"X_bond_compressed", centre(compressed, i)}});

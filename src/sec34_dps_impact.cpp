@@ -338,8 +338,8 @@ Discrepancy discrepancy(const Case& impact, const TwoRuns<DpsRun>& dps,
 
 // The chain from its own start, and from that of the approximation
 TwoRuns<ChainRun> chain_from(const Case& impact, const State<double>& start) {
-  return {chain_run(impact, start, EventCorrected{0.2}, 0.2, impact.time()),
-          chain_run(impact, start, EventCorrected{0.1}, 0.1, impact.time())};
+  return {chain_run(impact, start, EventCorrected{0.2}, Every{0.2}, impact.time()),
+          chain_run(impact, start, EventCorrected{0.1}, Every{0.1}, impact.time())};
 }
 State<double> same_start(const Case& impact) {
   State<double> start = impact.start();

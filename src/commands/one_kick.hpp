@@ -74,7 +74,7 @@ struct OneKick : KickedBreather {
     };
     const double ends = std::min({coarsest.run.t_end, coarse.run.t_end, fine.run.t_end});
     const double way = std::abs(fine.travelled());
-    const bool few = std::min({coarsest.t.size(), coarse.t.size(), fine.t.size() - 1}) < 3;
+    const bool few = std::min({coarsest.size(), coarse.size(), fine.size() - 1}) < 3;
     // A breather that hardly moves has no speed
     Estimate speed = undefined;
     if (way >= 1 && !few)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lattice/model/precisions.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/numerics/progress.hpp"
 
@@ -115,11 +116,12 @@ Exchange exchange(Centre centre, const Cut& cut, double low, double high, Orbit<
   return refined_zero<T>(centre, cut, exchange_between(centre, cut, below, above, orbit, 1e-5));
 }
 
-#define LATTICE_INSTANCES(T)                                                       \
+#define LIST(T)                                                                    \
   template Spectrum spectrum<T>(const Shooting<double>&, const Orbit<double>&);    \
   template Spectrum spectrum<T>(const Shooting<T>&, const Orbit<double>&, double); \
   template Exchange refined_zero<T>(Centre, const Cut&, Exchange);                 \
   template Exchange exchange<T>(Centre, const Cut&, double, double, Orbit<double>);
-#include "lattice/model/instances.hpp"
+LATTICE_IN_EACH_PRECISION(LIST)
+#undef LIST
 
 }  // namespace lattice

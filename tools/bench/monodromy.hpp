@@ -19,7 +19,7 @@ memory, compiled for wide vectors. */
 #include "lattice/gsl/reference.hpp"
 #include "lattice/model/kernel.hpp"
 #include "lattice/orbits/breather.hpp"
-#include "lattice/quadruple_orbits/orbits.hpp"
+#include "lattice/quadruple/orbits.hpp"
 #include "measure.hpp"
 
 namespace bench {

@@ -57,7 +57,7 @@ def lock_text(findings):
 
 
 def sources(root):
-    return sorted(p for p in (Path(root) / "src").rglob("*") if p.suffix in (".cpp", ".hpp"))
+    return sorted(p for p in (Path(root) / "src").rglob("*") if p.suffix in (".cpp", ".hpp", ".ipp"))
 
 
 def uncommented(tex):

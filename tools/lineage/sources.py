@@ -61,7 +61,7 @@ class Source:
         self.module = Path(self.path).parent.name if "/" in self.included else ""
         self.name, self.stem = Path(self.path).name, Path(self.path).stem
         self.is_header = self.name.endswith(".hpp")
-        self.page = f"{self.module}-{self.stem}{'' if self.is_header else '-cpp'}" if self.module else self.stem
+        self.page = f"{self.module}-{self.stem}{'' if self.is_header else self.name.replace('.', '-')[len(self.stem):]}" if self.module else self.stem
         self.includes = re.findall(r'^\s*#include "([^"]+)"', self.text, re.M)
         own = re.search(r"^# (.+)$", "\n".join(text for prose, _, text in self.blocks if prose), re.M)
         self.title, self.titled = own[1] if own else self.named or self.name, bool(own)
@@ -80,12 +80,13 @@ def sources_of(root, folders, order):
         before = [i for i, other in enumerate(known) if other.split("_")[0] <= name.split("_")[0]]
         known.insert((before or [-1])[-1] + 1, name)
     rest = {}
-    for path in sorted(path for src in texts for path in src.rglob("*.[ch]pp") if path.parent != src):
+    for path in sorted(path for src in texts for path in src.rglob("*.[chi]pp") if path.parent != src):
         if path.suffix == ".hpp" or not path.with_suffix(".hpp").exists():
             header = read(path)
             rest.setdefault(path.parent.name, []).append(header)
-            if path.suffix == ".hpp" and (half := path.with_suffix(".cpp")).exists():
-                rest[path.parent.name].append(read(half, f"{header.title}: how"))
+            for half in (path.with_suffix(suffix) for suffix in (".ipp", ".cpp") if path.suffix == ".hpp"):
+                if half.exists():
+                    rest[path.parent.name].append(read(half, f"{header.title}: how"))
     return [chapters[name] for name in known], rest
 
 

@@ -1,4 +1,5 @@
 #include "sec33/held.hpp"
+#include "lattice/model/precisions.hpp"
 
 namespace lattice {
 
@@ -92,9 +93,10 @@ Vector<T> moved_to_centre(const Held<T>& held, Vector<T> x, const EventTolerance
   return x;
 }
 
-#define LATTICE_INSTANCES(T) \
-  template struct Held<T>;   \
+#define LIST(T)            \
+  template struct Held<T>; \
   template Vector<T> moved_to_centre<T>(const Held<T>&, Vector<T>, const EventTolerance<T>&);
-#include "lattice/model/instances.hpp"
+LATTICE_IN_EACH_PRECISION(LIST)
+#undef LIST
 
 }  // namespace lattice

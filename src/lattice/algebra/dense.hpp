@@ -2,7 +2,7 @@
 /**
 # Dense matrices
 
-Eigen's solvers, in `double` and `long double` (and quadruple precision where extended.hpp says so). They take the compiler a
+Eigen's solvers, in `double` and `long double` (and quadruple precision where quadruple.hpp says so). They take the compiler a
 quarter of a minute each, so they are compiled once, these here and those of eigenvalues.hpp. */
 
 #include <Eigen/Core>

@@ -1,17 +1,16 @@
-#include "lattice/integrators/integrate.hpp"
+#include "lattice/integrators/integrate.ipp"
 
 #include <algorithm>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
 
-#include "lattice/model/kernel.hpp"
+#include "lattice/model/precisions.hpp"
 #include "lattice/numerics/interrupt.hpp"
 #include "lattice/numerics/progress.hpp"
 
 namespace lattice {
 
-#ifndef LATTICE_QUADRUPLE
 std::size_t stage_count(const Scheme& scheme, std::size_t steps) {
   return steps > 0 ? steps * (scheme.kick.size() - 1) + 1 : 0;
 }
@@ -139,35 +138,7 @@ Run evolve(const Method& method, const Chain& chain, State<double>& state, doubl
 Run evolve(const Method& method, const Chain& chain, State<double>& state, double duration) {
   return evolve(method, chain, state, duration, Every{duration > 0 ? duration : 1});
 }
-#endif
 
-// Where one step ends and the next begins, the last kick and the first become one
-template <class T>
-Stage<T> stage_at(const Scheme& scheme, double h, std::size_t steps, std::size_t k) {
-  const std::size_t last = scheme.kick.size() - 1, i = k == steps * last ? last : k % last;
-  const bool merged = i == 0 && k > 0;
-  const T kick = T(scheme.kick[i] * h), before = merged ? T(scheme.kick[last] * h) : T(0);
-  return {kick + before, T(scheme.drift[i] * h)};
-}
-
-// Kick and drift, stage after stage; the work counts the sites inside the moving window
-template <class T>
-double Splitting::advance(const Chain& chain, State<T>& state, Window& window, double h,
-                          std::size_t count) const {
-  const auto move = detail::kick_drifter<T>(chain);
-  double work = 0;
-  for (std::size_t k = 0; k < stage_count(scheme, count); ++k) {
-    const Stage<T> stage = stage_at<T>(scheme, h, count, k);
-    move(chain, state, window, stage.kick, stage.drift);
-    work += double(window.last - window.first);
-  }
-  return work;
-}
-
-#define LATTICE_INSTANCES(T)                                                                   \
-  template Stage<T> stage_at<T>(const Scheme&, double, std::size_t, std::size_t);              \
-  template double Splitting::advance<T>(const Chain&, State<T>&, Window&, double, std::size_t) \
-      const;
-#include "lattice/model/instances.hpp"
+LATTICE_IN_EACH_PRECISION(LATTICE_STEPPING)
 
 }  // namespace lattice

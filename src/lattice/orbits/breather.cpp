@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "lattice/model/dps.hpp"
+#include "lattice/model/precisions.hpp"
 #include "lattice/model/quasi_continuum.hpp"
 #include "lattice/numerics/progress.hpp"
 
@@ -264,10 +265,11 @@ Barrier<T> barrier(const Shooting<T>& site_problem, const Orbit<T>& site, const 
   return out;
 }
 
-#define LATTICE_INSTANCES(T)                                                            \
+#define LIST(T)                                                                         \
   template Shooting<T> breather_problem<T>(Centre, const T&, const Well&, std::size_t); \
   template Barrier<T> barrier<T>(const Shooting<T>&, const Orbit<T>&, const Orbit<T>&,  \
                                  const NewtonRule<T>&);
-#include "lattice/model/instances.hpp"
+LATTICE_IN_EACH_PRECISION(LIST)
+#undef LIST
 
 }  // namespace lattice

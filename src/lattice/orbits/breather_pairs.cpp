@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "lattice/model/precisions.hpp"
 #include "lattice/numerics/parallel.hpp"
 
 namespace lattice {
@@ -185,7 +186,8 @@ Estimate frequency_of_zero(const BreatherPair& left, const BreatherPair& right, 
   return zero;
 }
 
-#define LATTICE_INSTANCES(T) template void measure_in<T>(BreatherPair&);
-#include "lattice/model/instances.hpp"
+#define LIST(T) template void measure_in<T>(BreatherPair&);
+LATTICE_IN_EACH_PRECISION(LIST)
+#undef LIST
 
 }  // namespace lattice

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/model/precisions.hpp"
 #include "lattice/numerics/progress.hpp"
 
 namespace lattice {
@@ -170,7 +171,7 @@ Estimate excess(const std::vector<MultiplierPair>& pairs, std::size_t first) {
   return {found, std::max(found - least, most - found)};
 }
 
-#define LATTICE_INSTANCES(T)                                                              \
+#define LIST(T)                                                                           \
   template Matrix<T> monodromy<T>(const Chain&, const State<T>&, const T&,                \
                                   const EventTolerance<T>&);                              \
   template T symplectic_error<T>(const Matrix<T>&);                                       \
@@ -181,6 +182,7 @@ Estimate excess(const std::vector<MultiplierPair>& pairs, std::size_t first) {
                                                const EventTolerance<T>&);                 \
   template std::vector<MultiplierPair> pairs_with_errors<T, T>(const MultiplierPairs<T>&, \
                                                                const MultiplierPairs<T>&);
-#include "lattice/model/instances.hpp"
+LATTICE_IN_EACH_PRECISION(LIST)
+#undef LIST
 
 }  // namespace lattice

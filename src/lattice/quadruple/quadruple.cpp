@@ -1,18 +1,10 @@
 #include "lattice/quadruple/quadruple.hpp"
 
-#include <Eigen/LU>
+#include "lattice/algebra/dense.ipp"
 
 namespace lattice {
 
-template <>
-Vector<Quadruple> solve_square(const Matrix<Quadruple>& matrix, const Vector<Quadruple>& right) {
-  return matrix.partialPivLu().solve(right);
-}
-
-template <>
-Vector<FiftyDigits> solve_square(const Matrix<FiftyDigits>& matrix,
-                                 const Vector<FiftyDigits>& right) {
-  return matrix.partialPivLu().solve(right);
-}
+template Vector<Quadruple> solve_square(const Matrix<Quadruple>&, const Vector<Quadruple>&);
+template Vector<FiftyDigits> solve_square(const Matrix<FiftyDigits>&, const Vector<FiftyDigits>&);
 
 }  // namespace lattice

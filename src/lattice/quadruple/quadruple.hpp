@@ -28,11 +28,4 @@ using Quadruple = boost::multiprecision::cpp_bin_float_quad;
 using FiftyDigits = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
                                                   boost::multiprecision::et_off>;
 
-/// The solution of matrix * x = right for a square, regular matrix (dense.hpp).
-template <>
-Vector<Quadruple> solve_square(const Matrix<Quadruple>& matrix, const Vector<Quadruple>& right);
-template <>
-Vector<FiftyDigits> solve_square(const Matrix<FiftyDigits>& matrix,
-                                 const Vector<FiftyDigits>& right);
-
 }  // namespace lattice

@@ -59,7 +59,7 @@ inline std::size_t sites_of(Centre centre, double alpha) {
 /// its phase is that of Eqs. (18) and (19) (central contact of a bond-centred state compressed,
 /// central bead of a site-centred one displaced forward). Throws std::invalid_argument for impossible
 /// input and std::runtime_error, with the history, if `most` Newton steps on one length do not converge.
-/// T is double, long double or one of extended.hpp; `alpha` was tried from 1.01 to 10.
+/// T is double, long double or one of quadruple.hpp; `alpha` was tried from 1.01 to 10.
 template <class T = double>
 Stationary<T> stationary(Centre centre, const T& mu, std::size_t sites, double alpha = 1.5,
                          int most = 30);

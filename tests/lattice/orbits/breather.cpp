@@ -9,7 +9,7 @@
 #include "commands/one_breather.hpp"
 #include "lattice/algebra/eigenvalues.hpp"
 #include "lattice/model/potential_names.hpp"
-#include "lattice/quadruple_orbits/orbits.hpp"
+#include "lattice/quadruple/orbits.hpp"
 #include "support/check.hpp"
 #include "support/return_error.hpp"
 
