@@ -1,8 +1,8 @@
 // An array of cantilevers in SI units: what an impact of one metre per second does at cantilever 80.
 #include <iostream>
+#include "lattice/cantilever/cantilever.hpp"
 #include "lattice/diagnostics/pulse.hpp"
 #include "lattice/impact/impact.hpp"
-#include "lattice/model/cantilever.hpp"
 
 using namespace lattice;
 

@@ -9,6 +9,7 @@
 #include "lattice/events/overlap.hpp"
 #include "lattice/numerics/progress.hpp"
 #include "lattice/orbits/floquet.hpp"
+#include "sec3/resolutions.hpp"
 
 namespace lattice {
 namespace {
@@ -21,8 +22,8 @@ constexpr double free_below = 1e-9;
 
 /// The rule for orbits of which the equations determine all but such a shift.
 template <class T>
-NewtonRule<T> shortest_step(int coarser = 0) {
-  NewtonRule<T> how = rule<T>(coarser);
+NewtonRule<T> shortest_step(Resolution resolution = Resolution::fine) {
+  NewtonRule<T> how = rule<T>(resolution);
   how.rank = free_below, how.scale = 1;
   return how;
 }
@@ -129,8 +130,9 @@ std::vector<Multiplier> beside_phase(const Chain& chain, const State<T>& start, 
 OrbitMultipliers in_motion(const Fitted& found, double period) {
   const NewtonRule<Wide> how = shortest_step<Wide>();
   const Orbit<Wide> wide = newton(with_period(found.problem, period), found.orbit, how);
-  std::vector<Multiplier> coarse = beside_phase(found.problem.chain, found.orbit.start,
-                                                found.orbit.period(), rule<double>(0).events);
+  std::vector<Multiplier> coarse =
+      beside_phase(found.problem.chain, found.orbit.start, found.orbit.period(),
+                   rule<double>(Resolution::fine).events);
   OrbitMultipliers out{{{1, 0}, {1, 0}}, exact(1)};
   double most = 1, least = 1, surely = 1;
   for (const Multiplier& z :

@@ -43,8 +43,9 @@ $$E_{PN} = H_{\rm site}(\omega_b)-H_{\rm bond}(\omega_b),\qquad
 #include "lattice/events/event_driven.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/orbits/breather.hpp"
-#include "lattice/orbits/breather_pairs.hpp"
 #include "report/program.hpp"
+#include "sec3/breather_pairs.hpp"
+#include "sec3/resolutions.hpp"
 
 using namespace lattice;
 
@@ -122,11 +123,11 @@ $E_{PN}$, at [1.0146](cell:sign_changes/s=0/zero=1/omega), is already felt:
 |---|---|---|---|---|
 | ratio over $-\delta/5$ | [1.01](cell:key_pairs/s=0/omega=1.0005/over_law) | [1.02](cell:omega=1.001/over_law) | [1.04](cell:omega=1.002/over_law) | [1.48](cell:omega=1.01/over_law) |
 
-<!-- barrier.equal_action -->
+<!-- barrier.equal_area -->
 As $\omega_b \to 1$ the barrier between the site- and bond-centred breathers at equal area ($2\pi$ times the action) is
 $-(\omega_b-1)/5$ times that at equal frequency: much smaller and of opposite sign. At $\omega_b = 1.1$ in the linear
 well it is -2.352e-13, against 1.624e-11 at equal frequency. (computed)
-<!-- /barrier.equal_action --> */
+<!-- /barrier.equal_area --> */
 constexpr std::array small_amplitude{1.0005, 1.001, 1.002};  // of the law, linear well only
 constexpr std::array key_frequencies{1.01, 1.1, near_zero - beside, near_zero, near_zero + beside,
                                      1.5};
@@ -333,9 +334,9 @@ double energy_of_residual(double detuning) {
 
 /// At most how far, if every bead is off by the printed variation; at rest the slope of the energy
 /// is -acceleration.
-double energy_of_variation(int coarser) {
+double energy_of_variation(Resolution resolution) {
   const Shooting<double> problem = conditions(Centre::site, printed_omega, linear);
-  const Orbit<double> orbit = find_breather(problem, Phase::compressed, rule<double>(coarser));
+  const Orbit<double> orbit = find_breather(problem, Phase::compressed, rule<double>(resolution));
   double slope = 0;
   for (std::size_t n = 0; n < sites; ++n)
     slope += std::abs(acceleration(problem.chain, orbit.start.y.data(), n));
@@ -347,7 +348,8 @@ void report_accuracy(Report& report) {
   measure_in<Wide>(pair);
   report.table("accuracy")
       .add({{"energy", with_error(energy_of_residual(2e-6), energy_of_residual(1e-6))},
-            {"energy_of_variation", with_error(energy_of_variation(1), energy_of_variation(0))},
+            {"energy_of_variation", with_error(energy_of_variation(Resolution::coarse),
+                                               energy_of_variation(Resolution::fine))},
             {"excess",
              Estimate{printed_barrier - pair.equal_frequency.value, pair.equal_frequency.error}}});
 }

@@ -48,10 +48,11 @@ $$\dot y_n(T_b/2) = 0 \quad\text{(bond)},\qquad
 #include "lattice/events/event_driven.hpp"
 #include "lattice/model/dps.hpp"
 #include "lattice/orbits/breather.hpp"
-#include "lattice/orbits/breather_pairs.hpp"
 #include "lattice/orbits/shooting.hpp"
 #include "lattice/standing/stationary.hpp"
 #include "report/program.hpp"
+#include "sec3/breather_pairs.hpp"
+#include "sec3/resolutions.hpp"
 #include "sec3/static_breathers.hpp"
 
 using namespace lattice;
@@ -101,12 +102,12 @@ using Path = std::vector<Iterate>;
 
 /// x <- x - DR(x)^-1 R(x) from the ansatz, without the directions whose singular value is below
 /// `least`.
-Path iterate(const Shooting<double>& problem, int coarser, double least) {
+Path iterate(const Shooting<double>& problem, Resolution resolution, double least) {
   Vector<double> x =
       problem.reduce(ansatz(Centre::site, problem.omega, sites, Phase::compressed, contact));
   Path path;
   while (path.size() <= most_steps) {
-    const Evaluation<double> now = problem.evaluate(x, rule<double>(coarser).events);
+    const Evaluation<double> now = problem.evaluate(x, rule<double>(resolution).events);
     const Vector<double>& R = now.residual;
     const Matrix<double>& DR = now.jacobian;
     // The unit of a bead is its own displacement, since the tail falls so fast; in least squares it
@@ -175,7 +176,8 @@ void report_convergence(Report& report) {
   // The same iteration on a quarter of the period and on the whole, with and without the pinning
   // mode
   const auto both = [](const Shooting<double>& equations, double least) {
-    return TwoRuns<Path>{iterate(equations, 1, least), iterate(equations, 0, least)};
+    return TwoRuns<Path>{iterate(equations, Resolution::coarse, least),
+                         iterate(equations, Resolution::fine, least)};
   };
   const Shooting<double> symmetric = conditions(Centre::site, omega_b);
   Shooting<double> returning_after = symmetric;
@@ -237,10 +239,11 @@ void report_profiles(Report& report) {
   for (Centre centre : both_centres) {
     std::vector<State<double>> breathers, guesses;
     for (double omega : small_and_large) {
-      const auto orbit = [&](int coarser) {
-        return find_breather(conditions(centre, omega), Phase::compressed, rule<double>(coarser));
+      const auto orbit = [&](Resolution resolution) {
+        return find_breather(conditions(centre, omega), Phase::compressed,
+                             rule<double>(resolution));
       };
-      const TwoRuns<Orbit<double>> found{orbit(1), orbit(0)};
+      const TwoRuns<Orbit<double>> found{orbit(Resolution::coarse), orbit(Resolution::fine)};
       const std::size_t beads = found.fine.start.y.size();
       const State<double> guess = ansatz(centre, omega, beads, Phase::compressed, contact);
       const auto difference = [&](const Orbit<double>& breather) {
@@ -282,13 +285,13 @@ void report_persistence(Report& report) {
   const auto problem = conditions(Centre::site, omega_b);
   const Orbit<double> found = find_breather(problem);
   const State<double>& start = found.start;
-  const auto after = [&](int coarser) {
+  const auto after = [&](Resolution resolution) {
     State<double> now = start;
     for (int period = 0; period < (report.quick ? periods / 10 : periods); ++period)
-      flow(problem.chain, now, problem.period(), rule<double>(coarser).events);
+      flow(problem.chain, now, problem.period(), rule<double>(resolution).events);
     return now;
   };
-  const TwoRuns<State<double>> end{after(1), after(0)};
+  const TwoRuns<State<double>> end{after(Resolution::coarse), after(Resolution::fine)};
   report.table("hundred_periods")
       .add(Row{{"steps", found.iterations()},
                {"moved", Estimate{largest_difference(end.fine, start) / largest(start),
@@ -359,7 +362,8 @@ void report_branches(Report& report) {
                         omegas, measure_in<double>);
   const auto row = [](const BreatherPair& pair) {
     const Vector<double> away = pair.orbit[0].x * 1.000001;  // lest the coarser run keep it
-    const auto coarse = newton(conditions(Centre::site, pair.omega), away, rule<double>(1));
+    const auto coarse =
+        newton(conditions(Centre::site, pair.omega), away, rule<double>(Resolution::coarse));
     const Estimate ratio = quotient(pair.amplitude[0], pair.amplitude[1]);
     return Row{{"omega", pair.omega},
                {"amplitude_bond", pair.amplitude[1]},

@@ -48,7 +48,8 @@ returns both signs of it. */
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/quadruple/quadruple.hpp"
 #include "report/program.hpp"
-#include "sec33/dps_motion.hpp"
+#include "sec3/article_chains.hpp"
+#include "sec3/dps_motion.hpp"
 
 using namespace lattice;
 

@@ -59,7 +59,10 @@ and Cretegny 1998). Its $\kappa$ is now a simple eigenvalue: an error $\eta$ of 
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/standing/spectrum.hpp"
 #include "report/program.hpp"
-#include "sec33/exchange.hpp"
+#include "sec3/article_chains.hpp"
+#include "sec3/breather_pairs.hpp"
+#include "sec3/exchange.hpp"
+#include "sec3/resolutions.hpp"
 
 using namespace lattice;
 

@@ -47,8 +47,9 @@ spreads evenly over the phases, and measure distances from the first average. */
 #include <vector>
 
 #include "commands/one_kick.hpp"
-#include "sec33/kick.hpp"
-#include "sec33/kick_threshold.hpp"
+#include "sec3/breather_pairs.hpp"
+#include "sec3/kick.hpp"
+#include "sec3/kick_threshold.hpp"
 
 using namespace lattice;
 

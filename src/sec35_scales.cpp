@@ -34,10 +34,10 @@ $(5/8)^{2/5}\,\delta$. */
 #include <vector>
 
 #include "commands/all_scales.hpp"
+#include "lattice/cantilever/cantilever.hpp"
 #include "lattice/diagnostics/pulse.hpp"
 #include "lattice/dps/dps_impact.hpp"
 #include "lattice/impact/impact.hpp"
-#include "lattice/model/cantilever.hpp"
 #include "report/program.hpp"
 #include "sec35/collision.hpp"
 #include "sec35/constants.hpp"

@@ -14,11 +14,13 @@
 #include "lattice/dps/dps_impact.hpp"
 #include "lattice/impact/turning.hpp"
 #include "lattice/numerics/parallel.hpp"
-#include "lattice/orbits/breather_pairs.hpp"
 #include "lattice/standing/spectrum.hpp"
 #include "sec3/array_impact.hpp"
-#include "sec33/exchange.hpp"
-#include "sec33/kick_threshold.hpp"
+#include "sec3/article_chains.hpp"
+#include "sec3/breather_pairs.hpp"
+#include "sec3/exchange.hpp"
+#include "sec3/kick_threshold.hpp"
+#include "sec3/resolutions.hpp"
 #include "sec34/packet.hpp"
 #include "sec35/collision.hpp"
 #include "sec4/exact_waves.hpp"
@@ -249,13 +251,13 @@ TEST_CASE("3.2: the quasi-continuum profile is good at omega_b = 1.01 and worse 
           "[article][newton.qc_small][newton.qc_worse]") {
   for (Centre centre : both_centres) {
     const auto off = [&](double omega) {
-      const auto with = [&](int coarser) {
+      const auto with = [&](Resolution resolution) {
         const auto orbit =
-            find_breather(problem_of(centre, omega), Phase::compressed, rule<double>(coarser));
+            find_breather(problem_of(centre, omega), Phase::compressed, rule<double>(resolution));
         return largest_difference(orbit.start, ansatz(centre, omega, orbit.start.y.size())) /
                orbit.amplitude;
       };
-      return with_error(with(1), with(0));
+      return with_error(with(Resolution::coarse), with(Resolution::fine));
     };
     const Estimate small = off(1.01), large = off(1.1);
     CHECK(stands("worse at 1.1",
@@ -268,10 +270,10 @@ TEST_CASE(
     "3.2: five Newton steps leave less than the printed residual 1.5e-9 and last step 1.7e-11",
     "[article][newton.residual][newton.variation]") {
   const Shooting<double> problem = problem_of(Centre::site, 1.1);
-  const auto found = [&](int coarser) {
-    return newton(problem, problem.reduce(ansatz(Centre::site, 1.1, 31)), rule<double>(coarser));
+  const auto found = [&](Resolution resolution) {
+    return newton(problem, problem.reduce(ansatz(Centre::site, 1.1, 31)), rule<double>(resolution));
   };
-  const TwoRuns<Orbit<double>> orbits{found(1), found(0)};
+  const TwoRuns<Orbit<double>> orbits{found(Resolution::coarse), found(Resolution::fine)};
   // By another algorithm: ours is made zero after a quarter of a period and judged, like the article's, after a whole
   // one. Gauss-Newton on the whole period leaves 3.6e-10 with a last step of 5.6e-5 (sec32_newton_breathers)
   const auto residual = [&](const Orbit<double>& orbit) {
@@ -288,13 +290,15 @@ TEST_CASE("3.2: after a hundred periods the breather of omega_b = 1.1 looks as a
           "[article][newton.persistence]") {
   const auto problem = problem_of(Centre::site, 1.1);
   const State<double> start = find_breather(problem).start;
-  const auto moved = [&](int coarser) {
+  const auto moved = [&](Resolution resolution) {
     State<double> end = start;
     for (int k = 0; k < 100; ++k)
-      flow(problem.chain, end, problem.period(), rule<double>(coarser).events);
+      flow(problem.chain, end, problem.period(), rule<double>(resolution).events);
     return largest_difference(end, start) / largest(start);
   };
-  CHECK(stands("visually equal", {below("moved", with_error(moved(1), moved(0)), 1e-8)}));
+  CHECK(stands(
+      "visually equal",
+      {below("moved", with_error(moved(Resolution::coarse), moved(Resolution::fine)), 1e-8)}));
 }
 
 TEST_CASE("3.2: the tail falls super-exponentially, with the exponent 3/2 from site to site",
@@ -333,15 +337,15 @@ TEST_CASE(
   CHECK(remains(barrier, 1.62422e-11, Rel{1e-4}));
   // A residual of 1.5e-9 cannot be told from a change d of the frequency: a breather that returns earlier by
   // 2 pi d / omega_b^2 has by then the velocities a * 2 pi d / omega_b^2. By how much does its energy differ?
-  const auto hidden = [](int coarser) {
+  const auto hidden = [](Resolution resolution) {
     const auto problem = problem_of(Centre::site, 1.1);
-    const auto orbit = find_breather(problem, Phase::compressed, rule<double>(coarser));
+    const auto orbit = find_breather(problem, Phase::compressed, rule<double>(resolution));
     double most = 0;
     for (double a : accelerations(problem.chain, orbit.start.y)) most = std::max(most, std::abs(a));
     const double late = 1.5e-9 * orbit.amplitude / most;
     return orbit.energy_omega * late * 1.1 * 1.1 / (2 * std::numbers::pi);
   };
-  const Estimate covered = with_error(hidden(1), hidden(0));
+  const Estimate covered = with_error(hidden(Resolution::coarse), hidden(Resolution::fine));
   CHECK(remains(covered, 1.6e-12, Rel{1e-2}));
   CHECK(agrees(barrier, 1.77e-11, Abs{covered.value - covered.error}));
 }

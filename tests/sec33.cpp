@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "commands/exchanges.hpp"
-#include "sec33/dps_motion.hpp"
-#include "sec33/exchange.hpp"
-#include "sec33/kick_threshold.hpp"
+#include "sec3/dps_motion.hpp"
+#include "sec3/exchange.hpp"
+#include "sec3/kick_threshold.hpp"
 #include "support/check.hpp"
 
 using namespace lattice;

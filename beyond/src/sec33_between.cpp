@@ -32,6 +32,7 @@ because $b$ is tiny compared with the $a$ of other wells. */
 
 #include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
+#include "sec3/resolutions.hpp"
 #include "sec33/chart.hpp"
 #include "sec33/held.hpp"
 
@@ -76,11 +77,12 @@ ThirdBreather third_breather(const Cut& cut, const Exchange& from, double centre
   const auto held = third_problem<Wide>(cut, from, centre);
   std::array<Vector<Wide>, 2> x;
   std::array<MultiplierPairs<Wide>, 2> pairs;
-  for (std::size_t coarser : {0U, 1U}) {
-    const NewtonRule<Wide> how = rule<Wide>(int(coarser));
-    x[coarser] = newton(held.equations(), Vector<Wide>(near.cast<Wide>()), how).x;
-    const auto there = held.at(x[coarser]);
-    pairs[coarser] = floquet_pairs(there.chain, held.start(x[coarser]), there.period(), how.events);
+  for (const Resolution resolution : {Resolution::fine, Resolution::coarse}) {
+    const auto k = std::size_t(resolution);
+    const NewtonRule<Wide> how = rule<Wide>(resolution);
+    x[k] = newton(held.equations(), Vector<Wide>(near.cast<Wide>()), how).x;
+    const auto there = held.at(x[k]);
+    pairs[k] = floquet_pairs(there.chain, held.start(x[k]), there.period(), how.events);
   }
   const Eigen::Index last = x[0].size() - 1;
   const double apart = double(magnitude<Wide>(x[1][last] - x[0][last]));

@@ -1,9 +1,10 @@
 // Breathers that are held at a centre, between a site and a bond.
 
+#include "sec3/resolutions.hpp"
 #include "sec33/held.hpp"
 
 #include "lattice/orbits/breather.hpp"
-#include "sec33/exchange.hpp"
+#include "sec3/exchange.hpp"
 #include "support/check.hpp"
 
 using namespace lattice;
@@ -24,8 +25,8 @@ TEST_CASE("a breather in between is found twice, by solutions of their own",
   const Vector<Wide> near =
       moved_to_centre(Held<double>{problem, along_s<double>(), 0.25}, x).cast<Wide>();
   const Held<Wide> held{in_precision<Wide>(problem), along_s<Wide>(), Wide(0.25)};
-  const Wide fine = newton(held.equations(), near, rule<Wide>(0)).x[21];
-  const Wide coarse = newton(held.equations(), near, rule<Wide>(1)).x[21];
+  const Wide fine = newton(held.equations(), near, rule<Wide>(Resolution::fine)).x[21];
+  const Wide coarse = newton(held.equations(), near, rule<Wide>(Resolution::coarse)).x[21];
   CHECK(double(fine) > 0.15251949);  // the exchange around a site
   CHECK(double(fine) < 0.15251982);  // and around a bond
   CHECK(fine != coarse);

@@ -9,7 +9,8 @@ have, the page takes a second tolerance, sixteen times as large, for the error. 
 #include "lattice/integrators/event_corrected.hpp"
 #include "lattice/orbits/floquet.hpp"
 #include "page.hpp"
-#include "sec33/kick.hpp"
+#include "sec3/article_chains.hpp"
+#include "sec3/kick.hpp"
 
 using namespace lattice;
 
@@ -30,9 +31,9 @@ NewtonRule<double> coarser() {
 
 /// On the article's chain, or on one of `sites` sites for a breather that will move.
 Fitted find(const Request& r, std::size_t sites = 0) {
-  const std::size_t odd = r.bond == 0, usual = sites ? 22 + odd : 32 - odd;
-  return fit_chain(r.centre(), r.omega, Quartic{r.s}, sites, usual, sites ? 1e-16 : 1e-17,
-                   r.phase());
+  const Length usual = sites ? Length::for_kicks : Length::article;
+  return fit_chain(r.centre(), r.omega, Quartic{r.s}, sites, sites_of(r.centre(), usual),
+                   sites ? 1e-16 : 1e-17, r.phase());
 }
 
 /**

@@ -10,7 +10,7 @@ that is not small. */
 #include <numbers>
 #include <string>
 
-#include "lattice/model/cantilever.hpp"
+#include "lattice/cantilever/cantilever.hpp"
 #include "report/program.hpp"
 #include "sec35/collision.hpp"
 

@@ -7,6 +7,7 @@
 
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/numerics/progress.hpp"
+#include "sec3/resolutions.hpp"
 
 namespace lattice {
 

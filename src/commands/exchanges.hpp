@@ -15,7 +15,7 @@ as wide, follow. */
 #include <vector>
 
 #include "sec3/breather_options.hpp"
-#include "sec33/exchange.hpp"
+#include "sec3/exchange.hpp"
 
 namespace lattice {
 

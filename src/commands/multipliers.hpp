@@ -13,7 +13,8 @@ In Python this is `lattice.multipliers`. */
 #include <vector>
 
 #include "sec3/breather_options.hpp"
-#include "sec33/exchange.hpp"
+#include "sec3/exchange.hpp"
+#include "sec3/resolutions.hpp"
 
 namespace lattice {
 

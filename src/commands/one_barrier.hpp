@@ -6,8 +6,10 @@
 with their signs, from two tolerances in extended precision, for other wells (`--well pendulum`) and contacts too
 (`--contact power --alpha 1.75`, `--precompression 1e-3 --omega 1.3`). In Python this is `lattice.barrier`. */
 
-#include "lattice/orbits/breather_pairs.hpp"
+#include "sec3/article_chains.hpp"
 #include "sec3/breather_options.hpp"
+#include "sec3/breather_pairs.hpp"
+#include "sec3/resolutions.hpp"
 
 namespace lattice {
 

@@ -14,8 +14,8 @@ Contacts may have another exponent (`--contact power --alpha 1.8`) or be compres
 
 #include <vector>
 
-#include "lattice/orbits/breather_pairs.hpp"
 #include "sec3/breather_options.hpp"
+#include "sec3/resolutions.hpp"
 
 namespace lattice {
 
@@ -49,8 +49,8 @@ inline FoundOrbit in_two_precisions(const Fitted& found) {
     return newton(problem, from, how);
   };
   const auto solve = [&](const Orbit<double>& from, bool fine) {
-    NewtonRule<Wide> how = rule<Wide>(0);
-    if (!fine) how.events.tolerance = rule<double>(0).events.tolerance;
+    NewtonRule<Wide> how = rule<Wide>(Resolution::fine);
+    if (!fine) how.events.tolerance = rule<double>(Resolution::fine).events.tolerance;
     try {
       if (scaled) return solve_scaled(from, how.events);
     } catch (const NewtonFailed&) {

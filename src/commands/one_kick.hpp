@@ -13,7 +13,7 @@ where those two agree by chance. A breather that has moved less than one site ha
 some seconds and refuses an unstable centre. */
 
 #include "sec3/breather_options.hpp"
-#include "sec33/kick_threshold.hpp"
+#include "sec3/kick_threshold.hpp"
 
 namespace lattice {
 

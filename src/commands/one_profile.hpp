@@ -11,6 +11,7 @@ contacts grows with the square of the overlap. */
 
 #include "lattice/standing/stationary.hpp"
 #include "report/program.hpp"
+#include "sec3/article_chains.hpp"
 #include "sec3/breather_options.hpp"
 
 namespace lattice {

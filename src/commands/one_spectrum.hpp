@@ -12,6 +12,7 @@ the force of the contacts grows with the square of the overlap. */
 
 #include "lattice/standing/spectrum.hpp"
 #include "report/program.hpp"
+#include "sec3/article_chains.hpp"
 #include "sec3/breather_options.hpp"
 
 namespace lattice {

@@ -10,9 +10,9 @@ packet pass a given cantilever. */
 #include <stdexcept>
 #include <vector>
 
+#include "lattice/cantilever/cantilever.hpp"
 #include "lattice/diagnostics/pulse.hpp"
 #include "lattice/impact/impact.hpp"
-#include "lattice/model/cantilever.hpp"
 
 namespace lattice {
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lattice/orbits/breather.hpp"
+#include "lattice/orbits/other_chains.hpp"
 
 namespace lattice {
 

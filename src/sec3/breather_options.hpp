@@ -10,6 +10,7 @@ decides how many sites it needs; a chain length that the reader names is taken o
 #include "lattice/orbits/breather.hpp"
 #include "report/model_options.hpp"
 #include "report/program.hpp"
+#include "sec3/article_chains.hpp"
 #include "sec3/breather_like.hpp"
 
 namespace lattice {

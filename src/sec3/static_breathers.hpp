@@ -15,7 +15,7 @@ The growth of its family; its symmetry, found without imposing it; its asymmetry
 #include "lattice/gsl/random.hpp"
 #include "lattice/model/sites.hpp"
 #include "lattice/orbits/breather.hpp"
-#include "lattice/orbits/breather_pairs.hpp"
+#include "sec3/resolutions.hpp"
 
 namespace lattice {
 
@@ -63,12 +63,12 @@ inline double asymmetry(const Orbit<double>& orbit) {
 
 /// Participation number of the displacements at t = 0, (sum y^2)^2 / sum y^4, in sites, at two tolerances.
 inline Estimate width_of(const Shooting<double>& problem) {
-  const auto width = [&](int coarser) {
-    auto squares = find_breather(problem, Phase::compressed, rule<double>(coarser)).start.y;
+  const auto width = [&](Resolution resolution) {
+    auto squares = find_breather(problem, Phase::compressed, rule<double>(resolution)).start.y;
     for (double& y_n : squares) y_n *= y_n;
     return participation(squares);
   };
-  return with_error(width(1), width(0));
+  return with_error(width(Resolution::coarse), width(Resolution::fine));
 }
 
 /// The article's residual of positions x at t = 0: the change of positions and velocities after a whole period, over the

@@ -7,7 +7,7 @@ This file integrates the equation of a beam (cantilever.hpp) and the pressure be
 #include <cmath>
 #include <numbers>
 
-#include "lattice/model/cantilever.hpp"
+#include "lattice/cantilever/cantilever.hpp"
 #include "report/program.hpp"
 
 namespace lattice {

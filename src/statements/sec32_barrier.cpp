@@ -131,7 +131,7 @@ STATEMENT("barrier.signs") {
   near(changes_of_sign(pairs.where("s", hard)), 1, bound(0.5));
 }
 
-STATEMENT("barrier.equal_action") {
+STATEMENT("barrier.equal_area") {
   // Towards omega_b = 1 the two barriers have the ratio -(omega_b - 1) / 5
   const Data pairs = table("key_pairs").where("s", linear);
   const Data::Row weakest = pairs.at("omega", 1.001), above = pairs.at("omega", 1.1);

@@ -265,7 +265,7 @@ void check_tangent(const Chain& chain) {
 }  // namespace
 
 TEST_CASE("the tangent of any chain is the derivative of the flow", "[property][tangent]") {
-  const Hertz whole{.floor = 0};
+  const Hertz whole{.negligible = 0};
   std::vector<double> mass, eta(11, 1);
   for (std::size_t n = 0; n < 10; ++n) mass.push_back(1 + 0.5 * double(n % 3));
   eta[5] = 0.7, eta[6] = 1.3;

@@ -9,7 +9,7 @@ for soft wells is near its fold. */
 #include <cmath>
 #include <vector>
 
-#include "sec33/exchange.hpp"
+#include "sec3/exchange.hpp"
 
 namespace lattice {
 

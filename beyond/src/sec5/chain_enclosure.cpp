@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 
 #include "lattice/algebra/dense.hpp"
-#include "lattice/orbits/breather_pairs.hpp"
+#include "sec3/article_chains.hpp"
 #include "sec5/fineness.hpp"
 
 namespace lattice {

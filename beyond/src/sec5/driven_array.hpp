@@ -9,7 +9,7 @@ it. The command `drive` and the live page ask for all of this, the chapter for a
 #include <string>
 #include <vector>
 
-#include "lattice/model/cantilever.hpp"
+#include "lattice/cantilever/cantilever.hpp"
 #include "lattice/numerics/estimate.hpp"
 #include "sec5/driven_chain.hpp"
 

@@ -8,11 +8,11 @@
 #include <numbers>
 #include <numeric>
 
+#include "lattice/cantilever/cantilever.hpp"
 #include "lattice/diagnostics/observe.hpp"
 #include "lattice/diagnostics/pulse.hpp"
 #include "lattice/dps/evolve.hpp"
 #include "lattice/impact/impact.hpp"
-#include "lattice/model/cantilever.hpp"
 #include "sec5/arrivals.hpp"
 #include "sec5/decay.hpp"
 #include "support/check.hpp"

@@ -2,13 +2,13 @@
 // formula once more; it holds what Newton's method finds, and fails where something is wrong.
 
 #include "sec5/chain_enclosure.hpp"
+#include "sec3/article_chains.hpp"
 
 #include <algorithm>
 
 #include <Eigen/LU>
 
 #include "lattice/algebra/dense.hpp"
-#include "lattice/orbits/breather_pairs.hpp"
 #include "lattice/orbits/shooting.hpp"
 #include "sec5/circle.hpp"
 #include "support/check.hpp"

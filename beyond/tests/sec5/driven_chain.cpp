@@ -4,8 +4,8 @@
 
 #include <numbers>
 
+#include "lattice/cantilever/cantilever.hpp"
 #include "lattice/impact/impact.hpp"
-#include "lattice/model/cantilever.hpp"
 #include "lattice/model/dps.hpp"
 #include "lattice/standing/stationary.hpp"
 #include "sec5/driven_array.hpp"

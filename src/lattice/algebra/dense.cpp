@@ -5,7 +5,8 @@
 namespace lattice {
 
 template Vector<double> solve_square(const Matrix<double>&, const Vector<double>&);
-template Vector<double> shortest_solution(const Matrix<double>&, const Vector<double>&, double, double);
+template Vector<double> shortest_solution(const Matrix<double>&, const Vector<double>&, double,
+                                          double);
 
 Vector<double> least_squares(const Matrix<double>& matrix, const Vector<double>& right) {
   return matrix.colPivHouseholderQr().solve(right);

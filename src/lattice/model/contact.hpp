@@ -221,4 +221,15 @@ inline Contact simplest(const Contact& contact) {
   return contact;
 }
 
+/// The same law by its simplest type, with no overlap negligible, lest the tail of a breather be cut off.
+inline Contact bare(const Contact& contact) {
+  Contact simple = simplest(contact);
+  std::visit(
+      [](auto& c) {
+        if constexpr (requires { c.negligible; }) c.negligible = 0;
+      },
+      simple.kind);
+  return simple;
+}
+
 }  // namespace lattice

@@ -17,18 +17,8 @@ namespace lattice {
 /// Where the centre is. The profile u_n of the small-amplitude limit (stationary.hpp) has the symmetry
 /// u_{-n} = u_n if it is site-centred, u_{1-n} = -u_n if bond-centred.
 enum class Centre { site, bond };
-/// Both, in the order in which pairs of breathers keep them (breather_pairs.hpp).
+/// Both, in the order in which pairs of breathers keep them.
 inline constexpr Centre both_centres[] = {Centre::site, Centre::bond};
-
-/// Default lengths of a chain: that of the article's figures; the shortest that holds a tail down to rounding up to
-/// omega_b = 2; and one with a little to spare, for breathers that are kicked.
-enum class Length { article, shortest, for_kicks };
-
-/// The default length of a chain with this centre.
-constexpr std::size_t sites_of(Centre centre, Length length = Length::article) {
-  constexpr std::size_t site[] = {31, 21, 23}, bond[] = {32, 22, 22};
-  return (centre == Centre::site ? site : bond)[std::size_t(length)];
-}
 
 /// The article's number of the site with the given index, 0 <= index < sites.
 inline long site_number(std::size_t index, std::size_t sites) {

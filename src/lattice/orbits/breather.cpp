@@ -2,71 +2,43 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
-#include <numbers>
 
-#include "lattice/model/dps.hpp"
 #include "lattice/model/precisions.hpp"
-#include "lattice/model/quasi_continuum.hpp"
 #include "lattice/numerics/progress.hpp"
+#include "lattice/orbits/other_chains.hpp"
 
 namespace lattice {
 
-/**
-A contact pushes with $k\,(-r)_+^\alpha$. The first harmonic of that is $k\,b$ times the same power of the amplitudes,
-$b = \Gamma(\frac\alpha2+1)/[\sqrt\pi\,\Gamma(\frac\alpha2+\frac32)]$, so the profile at $\mu = 1$ is multiplied by the
-power $1/(\alpha-1)$ of $2(\omega_b-1)/(k\,b)$, as in Eq. (20). */
-static double size_of(const Contact& contact, double omega) {
-  if (contact.is<Hertz>()) return 2 * breather_eps(omega);
-  const double alpha = contact.exponent(), small = 1e-4;
-  const double k = contact.force(-small) / std::pow(small, alpha);
-  const double b =
-      std::tgamma(alpha / 2 + 1) / (std::sqrt(std::numbers::pi) * std::tgamma(alpha / 2 + 1.5));
-  return std::pow(2 * (omega - 1) / (k * b), 1 / (alpha - 1));
-}
-
-// The profile of Eq. (20); its sign tells whether the central contact is compressed or stretched
-State<double> ansatz(Centre centre, double omega, std::size_t sites, Phase phase,
-                     const Contact& contact) {
-  const double alpha = contact.exponent();
-  if (!(alpha > 1))
-    throw std::invalid_argument("a breather needs contacts with an exponent above one");
-  const bool spheres = contact.is<Hertz>();
-  const double scale = size_of(contact, omega) * (phase == Phase::stretched ? -1 : 1);
-  State<double> state(sites);
-  for (std::size_t i = 0; i < sites; ++i) {
-    const long n = site_number(i, sites);
-    state.y[i] = scale * (spheres ? quasi_continuum(centre, n) : quasi_continuum(centre, n, alpha));
-  }
-  return state;
-}
-
-/// The guess knows the contacts and not the well. If the exponent comes near three both count alike, and the breather
-/// is that of harmonic wells, followed to the anharmonicity that is wanted.
-static Orbit<double> from_ansatz(const Shooting<double>& problem, const Vector<double>& from,
-                                 const NewtonRule<double>& rule) {
+/// Where Newton's method starts. The approximate breather knows the contacts and not the well. If the exponent comes
+/// near three both count alike, and the guess is the breather of harmonic wells, followed to the anharmonicity wanted.
+static Vector<double> guess_for(const Shooting<double>& problem, const Vector<double>& approximate,
+                                const NewtonRule<double>& rule) {
   const auto* quartic = problem.chain.well.get_if<Quartic>();
-  const double size = sup<double>(from);
+  const double size = sup<double>(approximate);
   if (!quartic || std::abs(quartic->s) * size * size < 0.1 * (problem.omega - 1))
-    return newton(problem, from, rule);
+    return approximate;
   Shooting<double> harmonic = problem;
   harmonic.chain.well = Quartic{0};
-  return newton(problem, continue_to(harmonic, newton(harmonic, from, rule), problem.chain).x,
-                rule);
+  return continue_to(harmonic, newton(harmonic, approximate, rule), problem.chain).x;
 }
 
-/// In a breather of this family beads that move by more than a twentieth of the most oppose their neighbours. Throws
+/// In wells that do not fit the guess the method may end in another family, of large extended motions or of motions with
+/// neighbours in phase: those of a breather that move by more than a twentieth of the most oppose each other. Throws
 /// NewtonFailed.
-static void refuse_neighbours_in_phase(const Shooting<double>& problem,
-                                       const Orbit<double>& orbit) {
+static void refuse_other_families(const Shooting<double>& problem, const Orbit<double>& orbit,
+                                  double expected) {
+  const auto refuse = [&](const std::string& motion) {
+    throw NewtonFailed(problem.name() + ": not the breather but a motion " + motion + " is found",
+                       orbit.history);
+  };
+  if (orbit.amplitude > 3 * expected)
+    refuse(number_label("of size", orbit.amplitude) + number_label(", far from", expected) + ',');
   const std::vector<double>& y = orbit.start.y;
   const double small = 0.05 * orbit.amplitude;
   for (std::size_t n = 1; n < y.size(); ++n)
     if (std::abs(y[n]) > small && std::abs(y[n - 1]) > small && y[n] * y[n - 1] > 0)
-      throw NewtonFailed(
-          problem.name() + ": not the breather but a motion with neighbours in phase is found",
-          orbit.history);
+      refuse("with neighbours in phase");
 }
 
 // Begin where the quasi-continuum profile is a good guess, and follow the branch from there
@@ -74,22 +46,12 @@ Orbit<double> find_breather(const Shooting<double>& problem, Phase phase,
                             const NewtonRule<double>& rule) {
   Shooting<double> nearby = problem;
   nearby.omega = std::min(problem.omega, direct_up_to);
-  const Centre centre = problem.chain.sites % 2 == 0 ? Centre::bond : Centre::site;
-  const State<double> guess =
-      ansatz(centre, nearby.omega, problem.chain.sites, phase, problem.chain.contact);
-  const Vector<double> from = nearby.reduce(guess);
-  Orbit<double> start = from_ansatz(nearby, from, rule);
-  // In wells that do not fit the guess the method may end in another family, of large extended motions
-  const double expected = sup<double>(from);
-  if (start.amplitude > 3 * expected)
-    throw NewtonFailed(
-        number_label(nearby.name() + ": not the breather but a motion of size", start.amplitude) +
-            number_label(" is found, from a guess of size", expected),
-        start.history);
-  refuse_neighbours_in_phase(nearby, start);
+  const Vector<double> approximate = nearby.reduce(ansatz(nearby.chain, nearby.omega, phase));
+  const Orbit<double> start = newton(nearby, guess_for(nearby, approximate, rule), rule);
+  refuse_other_families(nearby, start, sup<double>(approximate));
   if (nearby.omega == problem.omega) return start;
-  Branch branch(nearby, along_omega<double>(problem.chain.contact.exponent()), start, 1, rule);
-  return branch.orbit_at(problem.omega);
+  return Branch(nearby, along_omega<double>(problem.chain.contact.exponent()), start, 1, rule)
+      .orbit_at(problem.omega);
 }
 
 State<double> resized(const State<double>& state, std::size_t sites) {
@@ -111,75 +73,6 @@ Fitted fit_chain(Centre centre, double omega, const Well& well, std::size_t site
   if (omega <= direct_up_to) return {problem, find_breather(problem, phase)};
   // Far up the branch the orbit just found, cut or padded with beads at rest, is the best guess
   return {problem, newton(problem, problem.reduce(resized(orbit.start, n)))};
-}
-
-Contact bare(const Contact& contact) {
-  Contact simple = simplest(contact);
-  std::visit(
-      [](auto& c) {
-        if constexpr (requires { c.negligible; }) c.negligible = 0;
-      },
-      simple.kind);
-  return simple;
-}
-
-Chain between(const Chain& a, const Chain& b, double part) {
-  const auto mixed = [&](double from, double to) { return (1 - part) * from + part * to; };
-  for (const Chain* chain : {&a, &b}) assert_fits(*chain, b.sites);
-  Chain out = b;
-  if (part == 1) return out;
-  // What differs from bead to bead
-  std::vector<double> mass(b.sites), eta(b.sites + 1);
-  for (std::size_t i = 0; i < b.sites; ++i) mass[i] = mixed(a.mass_of(i), b.mass_of(i));
-  for (std::size_t i = 0; i <= b.sites; ++i) eta[i] = mixed(a.eta_of(i), b.eta_of(i));
-  if (a.variation || b.variation) vary(out, mass, eta);
-  // What all wells and contacts have
-  if (const auto* from = a.well.get_if<Quartic>(), *to = b.well.get_if<Quartic>();
-      from && to && from->s != to->s)
-    out.well = Quartic{mixed(from->s, to->s)};
-  if (b.contact.is<OwnContact>()) return out;
-  const double root = mixed(std::sqrt(a.contact.opening()), std::sqrt(b.contact.opening()));
-  out.contact = bare(PowerContact{mixed(a.contact.exponent(), b.contact.exponent()), root * root});
-  return out;
-}
-
-// Along the path the guess lies on the line through the last two orbits
-Orbit<double> continue_to(Shooting<double> problem, const Orbit<double>& from,
-                          const Chain& target) {
-  if (target.sites != problem.chain.sites)
-    throw std::invalid_argument("continuation between two chains needs chains of equal length");
-  NewtonRule<double> rule;
-  rule.damped = true, rule.most_steps = 12, rule.reuse_below = 1e-9;
-  const Chain start = problem.chain;
-  Orbit<double> here = from;
-  Vector<double> slope = Vector<double>::Zero(from.x.size());
-  for (double part = 0, step = 1.0 / 8; part < 1;) {
-    const double next = std::min(1.0, part + step);
-    problem.chain = between(start, target, next);
-    const Vector<double> guess = here.x + (next - part) * slope;
-    History history;
-    try {
-      const Orbit<double> there = newton(problem, guess, rule);
-      history = there.history;
-      if (sup<double>(there.x - guess) < 0.1 * here.amplitude) {
-        slope = (there.x - here.x) / (next - part);
-        here = there, part = next, step *= 2;
-        continue;
-      }
-    } catch (const NewtonFailed& error) {
-      history = error.history;
-    }
-    // It failed or went too far
-    step /= 2;
-    if (step > 1.0 / 4096) continue;
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  ": continuation to this chain stops at the fraction %.3g, with contacts of "
-                  "exponent %.4g compressed by %.4g",
-                  part, problem.chain.contact.exponent(), problem.chain.contact.opening());
-    throw NewtonFailed(problem.name() + text, history);
-  }
-  return here;
 }
 
 Vector<double> discrete_gradient(const std::vector<double>& y) {

@@ -3,9 +3,7 @@
 # Static breathers of the chain
 
 A static breather is a vibration with one frequency $\omega_b$ that is localized at a few sites. At small amplitude its
-profile $u_n$ is known approximately (quasi_continuum.hpp), Eqs. (18) to (20):
-$$y_n(0) = 2\epsilon\,u_n,\qquad \epsilon = \bigl(2\tau_0(\omega_b-1)\bigr)^2.$$
-Close to $\omega_b = 1$ Newton's method converges from there. To reach higher frequencies we follow the
+profile is known approximately (ansatz.hpp), and close to $\omega_b = 1$ Newton's method converges from there. To reach higher frequencies we follow the
 branch (continuation.hpp), so that we know to which family a breather belongs. */
 
 #include <cstddef>
@@ -13,14 +11,11 @@ branch (continuation.hpp), so that we know to which family a breather belongs. *
 #include <string>
 #include <vector>
 
+#include "lattice/orbits/ansatz.hpp"
 #include "lattice/orbits/continuation.hpp"
 #include "lattice/orbits/shooting.hpp"
 
 namespace lattice {
-
-/// A bond-centred breather at t = 0: its central contact is compressed, as in Eq. (18), or stretched,
-/// as it is half a period later.
-enum class Phase { compressed, stretched };
 
 /// The problem of a breather of frequency `omega` in wells of a kind. No overlap is negligible, because
 /// the tail is part of the breather. Throws std::invalid_argument if the number of sites does not fit the
@@ -33,11 +28,6 @@ template <class T>
 Shooting<T> breather_problem(Centre centre, const T& omega, double s, std::size_t sites) {
   return breather_problem(centre, omega, Well(Quartic{s}), sites);
 }
-
-/// The approximate breather of Eq. (20), at rest, and the same for contacts that are none of spheres. Throws
-/// std::invalid_argument unless the exponent of the contact is above one.
-State<double> ansatz(Centre centre, double omega, std::size_t sites,
-                     Phase phase = Phase::compressed, const Contact& contact = Hertz{});
 
 /// Up to this frequency, that of the article's figure 4, Newton's method starts from the quasi-continuum profile.
 constexpr double direct_up_to = 1.1;
@@ -82,24 +72,6 @@ struct ShortChain : std::invalid_argument {
 /// the chain is as long as necessary but not shorter than `usual`. Throws ShortChain, NewtonFailed.
 Fitted fit_chain(Centre centre, double omega, const Well& well, std::size_t sites,
                  std::size_t usual, double precision, Phase phase);
-
-/**
-## Other chains
-
-The quasi-continuum profile knows exponents of contacts but neither compression nor masses: such breathers are reached
-on a path from a chain whose breather is known, at one frequency. */
-/// The same law by its simplest type, with no overlap negligible, lest the tail be cut off.
-Contact bare(const Contact& contact);
-
-/// The chain at `part` of the way from `a` to `b`, from 0 to 1, of the same length. Masses, stiffnesses, the
-/// anharmonicity of quartic wells, the exponent and the root of the compression change linearly; ends, other wells and
-/// a contact of the caller's own are those of `b`.
-Chain between(const Chain& a, const Chain& b, double part);
-
-/// The orbit of `problem` followed to the chain `target` at fixed frequency. A step is halved if it fails or goes
-/// farther than a tenth of the amplitude, which may lead to another family, and doubled otherwise. Throws NewtonFailed
-/// where the branch folds back, with how far the path went; std::invalid_argument if the lengths differ.
-Orbit<double> continue_to(Shooting<double> problem, const Orbit<double>& from, const Chain& target);
 
 /// Discrete gradient of a profile, y_(n+1) - y_(n-1), not normalised, and zero at both ends: nearly the pinning mode.
 Vector<double> discrete_gradient(const std::vector<double>& y);

@@ -50,11 +50,6 @@ inline std::size_t short_chain(double alpha = 1.5) {
   return std::size_t(std::numbers::pi * alpha / (2 * (alpha - 1)));
 }
 
-/// The default length of a chain for a state of this exponent.
-inline std::size_t sites_of(Centre centre, double alpha) {
-  return sites_of(centre) + 2 * short_chain(alpha) - 2 * short_chain();
-}
-
 /// The stationary state of frequency `mu` with the given centre on `sites` sites with free ends;
 /// its phase is that of Eqs. (18) and (19) (central contact of a bond-centred state compressed,
 /// central bead of a site-centred one displaced forward). Throws std::invalid_argument for impossible

@@ -178,8 +178,8 @@ TEST_CASE("a windowed run has the bits of the full run", "[property][window]") {
          {Method(EventCorrected{0.05}), {Splitting{blanes_moan_6(), 0.05}}}) {
       auto windowed = start, full = start;
       Window some = waking(chain, windowed), all{0, chain.sites};
-      method.on(chain)(windowed, some, 0.05, 2000);
-      method.on(chain)(full, all, 0.05, 2000);
+      method.on(chain)(chain, windowed, some, 0.05, 2000);
+      method.on(chain)(chain, full, all, 0.05, 2000);
       CHECK(some.last - some.first < chain.sites);
       CHECK(windowed.y == full.y);
       CHECK(windowed.v == full.v);

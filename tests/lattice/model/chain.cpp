@@ -5,6 +5,7 @@
 #include "lattice/events/event_driven.hpp"
 #include "lattice/impact/impact.hpp"
 #include "lattice/orbits/breather.hpp"
+#include "lattice/orbits/other_chains.hpp"
 #include "lattice/quadruple/orbits.hpp"
 #include "sec3/breather_like.hpp"
 #include "support/check.hpp"

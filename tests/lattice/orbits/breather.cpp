@@ -10,6 +10,9 @@
 #include "lattice/algebra/eigenvalues.hpp"
 #include "lattice/model/potential_names.hpp"
 #include "lattice/quadruple/orbits.hpp"
+#include "sec3/article_chains.hpp"
+#include "sec3/breather_pairs.hpp"
+#include "sec3/resolutions.hpp"
 #include "support/check.hpp"
 #include "support/return_error.hpp"
 
@@ -308,7 +311,7 @@ TEST_CASE("the linear tail is long enough, and falls at the rate of the band",
   const auto longer = chosen.find();
   // Twenty more sites change nothing, as the wider type sees it
   const auto wide = [](const Fitted& one) {
-    return newton(in_precision<Wide>(one.problem), one.orbit, rule<Wide>(0));
+    return newton(in_precision<Wide>(one.problem), one.orbit, rule<Wide>(Resolution::fine));
   };
   const Orbit<Wide> a = wide(found), b = wide(longer);
   check_close(double(a.energy - b.energy), 0, 1e-15 * double(b.energy));
@@ -445,7 +448,8 @@ TEST_CASE("barriers of other wells and contacts", "[property][chains]") {
     for (int k : {0, 1}) {
       one.centre = both_centres[k];
       const Fitted at = one.find();
-      energy[k] = newton(in_precision<Wide>(at.problem), at.orbit, rule<Wide>(0)).energy;
+      energy[k] =
+          newton(in_precision<Wide>(at.problem), at.orbit, rule<Wide>(Resolution::fine)).energy;
     }
     const double error = 1e-15 * double(energy[0]);
     check_close(gap.value, double(energy[0] - energy[1]), error);

@@ -2,7 +2,8 @@
 
 #include "lattice/orbits/continuation.hpp"
 
-#include "lattice/orbits/breather_pairs.hpp"
+#include "lattice/orbits/other_chains.hpp"
+#include "sec3/article_chains.hpp"
 #include "support/check.hpp"
 #include "support/return_error.hpp"
 

@@ -3,7 +3,8 @@
 #include "lattice/orbits/newton.hpp"
 
 #include "lattice/gsl/random.hpp"
-#include "lattice/orbits/breather_pairs.hpp"
+#include "sec3/article_chains.hpp"
+#include "sec3/resolutions.hpp"
 #include "support/check.hpp"
 #include "support/return_error.hpp"
 

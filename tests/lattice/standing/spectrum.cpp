@@ -8,7 +8,8 @@
 
 #include "lattice/dps/evolve.hpp"
 #include "lattice/gsl/random.hpp"
-#include "sec33/dps_motion.hpp"
+#include "sec3/article_chains.hpp"
+#include "sec3/dps_motion.hpp"
 #include "support/check.hpp"
 
 using namespace lattice;

@@ -6,6 +6,7 @@
 
 #include "lattice/dps/evolve.hpp"
 #include "lattice/quadruple/quadruple.hpp"
+#include "sec3/article_chains.hpp"
 #include "support/check.hpp"
 
 using namespace lattice;

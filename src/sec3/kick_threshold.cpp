@@ -1,4 +1,4 @@
-#include "sec33/kick_threshold.hpp"
+#include "sec3/kick_threshold.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,7 @@
 
 #include "lattice/algebra/dense.hpp"
 #include "lattice/model/sites.hpp"
+#include "sec3/article_chains.hpp"
 
 namespace lattice {
 

@@ -12,8 +12,8 @@ point. This file finds it: by regula falsi in double precision, and a last step 
 
 #include "lattice/numerics/estimate.hpp"
 #include "lattice/orbits/breather.hpp"
-#include "lattice/orbits/breather_pairs.hpp"
 #include "lattice/orbits/floquet.hpp"
+#include "sec3/article_chains.hpp"
 
 namespace lattice {
 

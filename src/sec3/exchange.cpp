@@ -1,4 +1,4 @@
-#include "sec33/exchange.hpp"
+#include "sec3/exchange.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,6 +6,7 @@
 #include "lattice/model/precisions.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/numerics/progress.hpp"
+#include "sec3/resolutions.hpp"
 
 namespace lattice {
 
@@ -25,18 +26,18 @@ Spectrum spectrum(const Shooting<double>& problem, const Orbit<double>& orbit) {
 template <class T>
 Spectrum spectrum(const Shooting<T>& in_t, const Orbit<double>& orbit, double rank) {
   Progress progress("tolerances", 2);
-  const auto pairs = [&](int coarser) {
+  const auto pairs = [&](Resolution resolution) {
     Orbit<double> guess = orbit;
     // Slightly off the orbit, so that the coarser run has to find it for itself
-    if (coarser) guess.x *= 1.000001;
-    auto how = rule<T>(coarser);
+    if (resolution == Resolution::coarse) guess.x *= 1.000001;
+    auto how = rule<T>(resolution);
     how.rank = rank, how.scale = rank > 0 ? 1 : 0;
     const Orbit<T> found = newton(in_t, guess, how);
     return floquet_pairs<T>(in_t.chain, found.start, found.period(), how.events);
   };
-  const MultiplierPairs<T> fine = pairs(0);
+  const MultiplierPairs<T> fine = pairs(Resolution::fine);
   progress.tick();
-  return {pairs_with_errors(pairs(1), fine), fine.mode.template cast<double>()};
+  return {pairs_with_errors(pairs(Resolution::coarse), fine), fine.mode.template cast<double>()};
 }
 
 // A bead at rest turns with frequency one, which is its multiplier

@@ -1,6 +1,6 @@
 // Decorated cantilevers: beam, units, defect.
 
-#include "lattice/model/cantilever.hpp"
+#include "lattice/cantilever/cantilever.hpp"
 
 #include "support/check.hpp"
 

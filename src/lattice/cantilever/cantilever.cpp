@@ -1,4 +1,4 @@
-#include "lattice/model/cantilever.hpp"
+#include "lattice/cantilever/cantilever.hpp"
 
 namespace lattice {
 

@@ -6,42 +6,16 @@ Site-centred and bond-centred breathers of one frequency, and the small differen
 (breather.hpp), at two resolutions. */
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <vector>
 
 #include "lattice/numerics/estimate.hpp"
 #include "lattice/orbits/breather.hpp"
+#include "sec3/article_chains.hpp"
+#include "sec3/resolutions.hpp"
 
 namespace lattice {
-
-/// What double precision is checked against: a 64-bit mantissa where the processor has one.
-using Wide = long double;
-
-/// The breather of frequency `omega` in quartic wells, on the chain that all pairs use.
-inline Shooting<double> problem_of(Centre centre, double omega, double s = 0) {
-  return breather_problem(centre, omega, s, sites_of(centre));
-}
-
-/// The rules of the two resolutions: the default tolerance of `EventTolerance`, or 16 times that if `coarser`.
-template <class T>
-NewtonRule<T> rule(int coarser) {
-  NewtonRule<T> out;
-  out.events.tolerance = T(128) * std::numeric_limits<T>::epsilon();
-  if (coarser) out.events.tolerance *= T(16);
-  return out;
-}
-
-/// The finer rule for the tail: every site to the same relative accuracy, and every contact event, however faint.
-template <class T>
-NewtonRule<T> scaled_rule() {
-  NewtonRule<T> out = rule<T>(0);
-  out.scaled = true;
-  out.events.slowest_event = T(0);
-  return out;
-}
 
 /// In what two breathers agree when their energies are compared: frequency, or action.
 enum class Equal { frequency, action };
@@ -72,26 +46,9 @@ struct BreatherPair {
   }
 };
 
-/**
-The difference of the two is the error, but it may be small by chance. Comparison with quadruple precision shows errors
-of the energy of up to ten tolerances, so the error is never below sixteen: 2048 roundings of `size`, which is the
-energy or, where it is more, what 1/64 of the frequency changes of it. At equal action a quarter of the energy serves as
-size: an orbit makes $E - \mathcal A/T_b$ stationary, and this barrier suffers less from an error of the orbit. */
-/// `fine` with that error.
-template <class T>
-Estimate agree(const T& coarse, const T& fine, const T& size) {
-  const T floor = T(2048) * std::numeric_limits<T>::epsilon() * magnitude(size);
-  return {double(fine), double(magnitude<T>(fine - coarse) + floor)};
-}
-
 /// Measures at both tolerances in type T. Throws NewtonFailed.
 template <class T>
 void measure_in(BreatherPair& pair);
-
-/// Whether a value is known to three parts in a thousand.
-inline bool settled(const Estimate& e) {
-  return e.error <= 3e-3 * std::abs(e.value);
-}
 
 /// The family of the breather of `problem` at increasing frequencies, as far as it reaches.
 std::vector<Orbit<double>> breathers_at(Shooting<double> problem,

@@ -13,8 +13,8 @@ The chapter `sec33_mobility` derives both. */
 
 #include "lattice/events/event_driven.hpp"
 #include "lattice/integrators/event_corrected.hpp"
-#include "lattice/orbits/breather_pairs.hpp"
-#include "sec33/kick.hpp"
+#include "sec3/breather_pairs.hpp"
+#include "sec3/kick.hpp"
 
 namespace lattice {
 

@@ -1,4 +1,4 @@
-#include "lattice/orbits/breather_pairs.hpp"
+#include "sec3/breather_pairs.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -20,12 +20,12 @@ struct Measured {
 /// Both breathers of a pair and the barrier between them, at one tolerance. The coarser one starts off the orbit, by
 /// one part in a million, so that it has to find its own way back.
 template <class T>
-static Measured<T> measured(const BreatherPair& pair, int coarser) {
-  const NewtonRule<T> how = rule<T>(coarser);
+static Measured<T> measured(const BreatherPair& pair, Resolution resolution) {
+  const NewtonRule<T> how = rule<T>(resolution);
   Measured<T> out;
   for (int k : {0, 1}) {
     Orbit<double> guess = pair.orbit[k];
-    if (coarser) guess.x *= 1.000001;
+    if (resolution == Resolution::coarse) guess.x *= 1.000001;
     out.orbit[k] = newton(in_precision<T>(pair.problem(k)), guess, how);
   }
   out.gap = barrier(in_precision<T>(pair.problem(0)), out.orbit[0], out.orbit[1], how);
@@ -34,7 +34,7 @@ static Measured<T> measured(const BreatherPair& pair, int coarser) {
 
 /// Two resolutions side by side: the finer one gives the value, their difference the error.
 template <class T>
-static void assess(BreatherPair& pair, const Measured<T>& coarse, const Measured<T>& fine) {
+static void set_errors(BreatherPair& pair, const Measured<T>& coarse, const Measured<T>& fine) {
   // Near omega_b = 1 the energy changes so fast with the frequency that the rounding of the phase shows in it
   const auto size_of = [&](const Orbit<T>& b) {
     return std::max(b.energy, T(pair.omega) * magnitude(b.energy_omega) / T(64));
@@ -42,35 +42,37 @@ static void assess(BreatherPair& pair, const Measured<T>& coarse, const Measured
   const T size = size_of(fine.orbit[1]);
   for (int k : {0, 1}) {
     const Orbit<T>&a = coarse.orbit[k], &b = fine.orbit[k];
-    pair.energy[k] = agree(a.energy, b.energy, size_of(b));
-    pair.amplitude[k] = agree(a.amplitude, b.amplitude, b.amplitude);
+    pair.energy[k] = with_flow_error(a.energy, b.energy, size_of(b));
+    pair.amplitude[k] = with_flow_error(a.amplitude, b.amplitude, b.amplitude);
   }
   // The barriers are tiny, but their rounding is that of the energies they are differences of
-  pair.equal_frequency = agree(coarse.gap.equal_frequency, fine.gap.equal_frequency, size);
-  pair.equal_action =
-      agree<T>(coarse.gap.equal_action, fine.gap.equal_action, fine.orbit[1].energy / T(4));
+  pair.equal_frequency =
+      with_flow_error(coarse.gap.equal_frequency, fine.gap.equal_frequency, size);
+  pair.equal_action = with_flow_error<T>(coarse.gap.equal_action, fine.gap.equal_action,
+                                         fine.orbit[1].energy / T(4));
   const auto slope = [](const Measured<T>& m) {
     return m.orbit[0].energy_omega - m.orbit[1].energy_omega;
   };
-  pair.slope = agree(slope(coarse), slope(fine), fine.orbit[1].energy_omega);
+  pair.slope = with_flow_error(slope(coarse), slope(fine), fine.orbit[1].energy_omega);
   // At equal action it is (omega_site/omega - 1) H'_bond, as dH = omega dA / 2 pi along both families
   const auto slope_action = [&](const Measured<T>& m) {
     return m.orbit[1].energy_omega * (m.gap.omega_site / T(pair.omega) - T(1));
   };
-  pair.slope_action = agree(slope_action(coarse), slope_action(fine), fine.orbit[1].energy_omega);
+  pair.slope_action =
+      with_flow_error(slope_action(coarse), slope_action(fine), fine.orbit[1].energy_omega);
   pair.wide = sizeof(T) > sizeof(double);
 }
 
 template <class T>
 void measure_in(BreatherPair& pair) {
-  assess<T>(pair, measured<T>(pair, 1), measured<T>(pair, 0));
+  set_errors<T>(pair, measured<T>(pair, Resolution::coarse), measured<T>(pair, Resolution::fine));
 }
 
 /// At one tolerance, for a step of a search; the errors are those of rounding alone.
 template <class T>
-static void measure_once(BreatherPair& pair, int coarser) {
-  const auto only = measured<T>(pair, coarser);
-  assess<T>(pair, only, only);
+static void measure_once(BreatherPair& pair, Resolution resolution) {
+  const auto only = measured<T>(pair, resolution);
+  set_errors<T>(pair, only, only);
 }
 
 /// Double precision on the way to a pair: the last evaluations need no derivative of their own.
@@ -150,9 +152,9 @@ template <class T>
 static Estimate last_steps(const BreatherPair& low, const BreatherPair& high, double omega,
                            Equal equal) {
   double step = 0, error = 0;
-  for (int coarser : {1, 0}) {
+  for (const Resolution resolution : {Resolution::coarse, Resolution::fine}) {
     BreatherPair at = pair_between(low, high, omega);
-    measure_once<T>(at, coarser);
+    measure_once<T>(at, resolution);
     const Sloped gap = at.gap(equal);
     step = gap.barrier.value / gap.slope.value;
     error = std::abs(gap.barrier.error / gap.slope.value);
@@ -170,7 +172,7 @@ Estimate frequency_of_zero(const BreatherPair& left, const BreatherPair& right, 
   // Double precision goes as far as the barrier stands out from its error
   for (int k = 0; k < 40; ++k) {
     BreatherPair at = pair_between(low, high, omega);
-    measure_once<double>(at, 0);
+    measure_once<double>(at, Resolution::fine);
     const auto [now, slope] = at.gap(equal);
     const double step = now.value / slope.value, next = omega - step;
     ((now.value > 0) == (above > 0) ? high : low) = std::move(at);

@@ -1,4 +1,4 @@
-#include "sec33/dps_motion.hpp"
+#include "sec3/dps_motion.hpp"
 
 #include <algorithm>
 #include <cmath>

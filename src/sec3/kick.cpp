@@ -1,4 +1,4 @@
-#include "sec33/kick.hpp"
+#include "sec3/kick.hpp"
 
 #include <cmath>
 #include <stdexcept>
