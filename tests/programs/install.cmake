@@ -60,7 +60,7 @@ endif()
 # Another project takes the core into a shared library on a machine without GSL and Boost, from the installed library as
 # from a subfolder, and may install its own. The subfolder is compiled as the project says, and adds the library alone.
 file(WRITE ${place}/outer/outer.cpp "#include \"lattice/impact/impact.hpp\"\nusing namespace lattice;\n"
-     "double moved() {\n  auto state = struck(9, 1);\n  evolve(EventCorrected{0.05}, Chain{9}, state, 1, 1);\n  return state.y[0];\n}\n")
+     "double moved() {\n  auto state = struck(9, 1);\n  evolve(EventCorrected{0.05}, Chain{9}, state, 1);\n  return state.y[0];\n}\n")
 foreach(way "find_package(lattice REQUIRED)" "add_subdirectory(\"${EXAMPLES}/..\" lattice)")
   file(WRITE ${place}/outer/CMakeLists.txt "cmake_minimum_required(VERSION 3.20)\nproject(outer LANGUAGES CXX)\n"
        "set(CMAKE_DISABLE_FIND_PACKAGE_GSL ON)\nset(CMAKE_DISABLE_FIND_PACKAGE_Boost ON)\n${way}\n"
