@@ -12,6 +12,7 @@
 #include "sec3/resolutions.hpp"
 
 namespace lattice {
+using namespace report;
 namespace {
 
 using Multiplier = std::complex<double>;

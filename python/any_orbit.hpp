@@ -13,6 +13,7 @@ and `Chain.multipliers`. */
 #include "commands/one_breather.hpp"
 
 namespace lattice {
+using namespace report;
 
 /// An orbit that begins at rest. Far from y = 0, and where a shift of the whole chain costs nothing, its amplitude is that
 /// of the motion: half the distance between the two extreme positions of the bead that moves most.

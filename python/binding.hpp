@@ -31,6 +31,7 @@ How a command is read, runs beside the interpreter, and answers. Each module inc
 
 namespace py = pybind11;
 using namespace lattice;
+using namespace report;
 
 namespace {
 

@@ -30,6 +30,7 @@ The code needs Eigen and, of our library, a least-squares line (`fit_line`), tab
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 using namespace lattice;
+using namespace report;
 
 /**
 ## The equation of motion

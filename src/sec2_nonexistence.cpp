@@ -42,6 +42,7 @@ localized state (c, d).](fig:x16)
 #include "report/program.hpp"
 
 using namespace lattice;
+using namespace report;
 
 /**
 ## Model

@@ -38,6 +38,7 @@ packet, and the norm left at the struck end.
 #include "sec3/travelling_wave.hpp"
 
 using namespace lattice;
+using namespace report;
 
 /**
 ## From the chain to the envelope

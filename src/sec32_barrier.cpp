@@ -48,6 +48,7 @@ $$E_{PN} = H_{\rm site}(\omega_b)-H_{\rm bond}(\omega_b),\qquad
 #include "sec3/resolutions.hpp"
 
 using namespace lattice;
+using namespace report;
 
 /**
 ## The experiment

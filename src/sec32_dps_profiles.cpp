@@ -33,6 +33,7 @@ its quasi-continuum approximation.
 #include "report/program.hpp"
 
 using namespace lattice;
+using namespace report;
 
 /**
 ## The equation and its approximation

@@ -56,6 +56,7 @@ $$\dot y_n(T_b/2) = 0 \quad\text{(bond)},\qquad
 #include "sec3/static_breathers.hpp"
 
 using namespace lattice;
+using namespace report;
 
 /**
 ## The experiment

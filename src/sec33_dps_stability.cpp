@@ -52,6 +52,7 @@ returns both signs of it. */
 #include "sec3/dps_motion.hpp"
 
 using namespace lattice;
+using namespace report;
 
 /**
 ## The experiment

@@ -65,6 +65,7 @@ and Cretegny 1998). Its $\kappa$ is now a simple eigenvalue: an error $\eta$ of 
 #include "sec3/resolutions.hpp"
 
 using namespace lattice;
+using namespace report;
 
 /**
 ## The experiment

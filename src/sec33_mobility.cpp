@@ -52,6 +52,7 @@ spreads evenly over the phases, and measure distances from the first average. */
 #include "sec3/kick_threshold.hpp"
 
 using namespace lattice;
+using namespace report;
 
 /**
 ## The experiment

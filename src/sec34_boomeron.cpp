@@ -59,6 +59,7 @@ one. */
 #include "sec34/ensemble.hpp"
 
 using namespace lattice;
+using namespace report;
 
 /**
 ## The experiments

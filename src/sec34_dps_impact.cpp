@@ -59,6 +59,7 @@ $X(t)$ fitted from site 20 on (`fit_from`). The article fits far from the bounda
 #include "sec34/packet.hpp"
 
 using namespace lattice;
+using namespace report;
 
 /**
 ## The experiment, in both models

@@ -62,6 +62,7 @@ sites 20 and 60, and take the linear well and the two soft ones that the article
 #include "sec34/packet.hpp"
 
 using namespace lattice;
+using namespace report;
 
 /**
 ## The experiment

@@ -47,6 +47,7 @@ The article gives no parameters; those below are ours. */
 #include "report/program.hpp"
 
 using namespace lattice;
+using namespace report;
 
 /**
 ## The experiment

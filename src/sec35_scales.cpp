@@ -43,6 +43,7 @@ $(5/8)^{2/5}\,\delta$. */
 #include "sec35/constants.hpp"
 
 using namespace lattice;
+using namespace report;
 
 // The article's cradle and array
 const Cradle cradle{.length = 0.5, .collision = 0.077e-3};  // m, s

@@ -48,6 +48,7 @@ cradle. In the program $\tilde R$ is `ratio`; cantilever.hpp has $\mu$, $\eta$ a
 #include "sec3/array_impact.hpp"
 
 using namespace lattice;
+using namespace report;
 
 /**
 ## The experiment

@@ -53,6 +53,7 @@ $$\sigma = Q\,\bigl[-\tfrac12\omega''\,\bigl(\tfrac12\omega''Q^2 + 2h|A|^2\bigr)
 #include "sec4/phonons.hpp"
 
 using namespace lattice;
+using namespace report;
 using std::numbers::pi;
 
 /**

@@ -30,6 +30,7 @@ derivatives, which stops at the events. We measure their errors and explain `flo
 #include "report/program.hpp"
 
 using namespace lattice;
+using namespace report;
 
 /**
 ## What to expect

@@ -30,6 +30,7 @@
 #include "support/dps_deviation.hpp"
 
 using namespace lattice;
+using namespace report;
 
 namespace {
 

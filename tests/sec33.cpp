@@ -13,6 +13,7 @@
 #include "support/check.hpp"
 
 using namespace lattice;
+using namespace report;
 
 namespace {
 

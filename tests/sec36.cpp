@@ -7,6 +7,7 @@
 #include "support/check.hpp"
 
 using namespace lattice;
+using namespace report;
 
 TEST_CASE("two beads collide, and a cradle's ratio", "[unit][cantilever]") {
   const Collision by_energy = collision_by_energy();

@@ -14,6 +14,7 @@
 #include "support/check.hpp"
 
 using namespace lattice;
+using namespace report;
 
 namespace {
 

@@ -15,6 +15,7 @@
 #include "support/scratch.hpp"
 
 using namespace lattice;
+using namespace report;
 
 namespace fs = std::filesystem;
 

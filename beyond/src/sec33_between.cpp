@@ -37,6 +37,7 @@ because $b$ is tiny compared with the $a$ of other wells. */
 #include "sec33/held.hpp"
 
 using namespace lattice;
+using namespace report;
 
 /**
 ## Model and method

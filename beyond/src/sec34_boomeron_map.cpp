@@ -40,6 +40,7 @@ $e_n$ of Eq. (23) is largest, and its place $X$ is the energy centre, Eq. (24). 
 #include "sec34/wake.hpp"
 
 using namespace lattice;
+using namespace report;
 
 /**
 ## What counts as turning

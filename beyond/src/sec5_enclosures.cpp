@@ -35,6 +35,7 @@ One proof, that of the DpS breathers, is written out with its code. The others r
 #include "sec5/wave_enclosure.hpp"
 
 using namespace lattice;
+using namespace report;
 
 using Number = Interval<double>;
 using Numbers = std::vector<Number>;

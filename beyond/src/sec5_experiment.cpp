@@ -62,6 +62,7 @@ that of the energy, $T_E$. */
 #include "sec5/solution_curve.hpp"
 
 using namespace lattice;
+using namespace report;
 using By = Drive::By;
 
 /**

@@ -30,6 +30,7 @@ solution where an integral is largest. It is complete on this page, and nobody o
 #include "sec5/two_signs.hpp"
 
 using namespace lattice;
+using namespace report;
 
 /**
 ## One equation instead of a lattice

@@ -38,6 +38,7 @@ Section 5 calls their computation by Newton's method an interesting open problem
 #include "sec5/travelling.hpp"
 
 using namespace lattice;
+using namespace report;
 
 /**
 ## Model and method

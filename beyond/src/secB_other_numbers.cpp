@@ -28,6 +28,7 @@ With another impact velocity $v_0$ all displacements grow like $v_0^{4/5}$ and a
 #include "report/program.hpp"
 
 using namespace lattice;
+using namespace report;
 
 struct BeadVelocities {
   std::vector<double> t{};

@@ -14,6 +14,7 @@ its error in the table is mostly that of the straight line whose slope it is. */
 #include "report/program.hpp"
 
 using namespace lattice;
+using namespace report;
 
 constexpr std::size_t sites = 400;  // so many that no wave comes back from the far end
 constexpr double v_0 = 1.9;         // velocity of the impact

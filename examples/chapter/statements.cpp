@@ -2,6 +2,7 @@
 #include "report/statement.hpp"
 
 using namespace lattice;
+using namespace report;
 
 STATEMENT("lighter_beads_make_the_packet_slower_and_weaker") {
   const Data speeds = table("own_chain", "speeds").where("mu", 0.94, 1);

@@ -15,6 +15,7 @@ that is not small. */
 #include "sec35/collision.hpp"
 
 namespace lattice {
+using namespace report;
 
 /// The command: an impact velocity in m/s.
 struct AllScales {

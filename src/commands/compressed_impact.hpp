@@ -17,6 +17,7 @@ packet to report. */
 #include "sec4/packets.hpp"
 
 namespace lattice {
+using namespace report;
 
 /// The command.
 struct CompressedImpact {

@@ -27,6 +27,7 @@ and where the two runs differ by half of the largest amplitude, nothing is known
 #include "report/program.hpp"
 
 namespace lattice {
+using namespace report;
 
 /// The command: its parameters (dimensionless), its two runs, its tables.
 struct DpsStrike {

@@ -10,6 +10,7 @@
 #include "sec3/resolutions.hpp"
 
 namespace lattice {
+using namespace report;
 
 namespace {
 

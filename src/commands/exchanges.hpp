@@ -18,6 +18,7 @@ as wide, follow. */
 #include "sec3/exchange.hpp"
 
 namespace lattice {
+using namespace report;
 
 /// The ends of the search, and all exchanges between them, in extended precision.
 struct InWells {

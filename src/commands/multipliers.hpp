@@ -17,6 +17,7 @@ In Python this is `lattice.multipliers`. */
 #include "sec3/resolutions.hpp"
 
 namespace lattice {
+using namespace report;
 
 /// Real and imaginary part, modulus, argument (rad), error: the headings of the chapter too.
 inline Columns multiplier_columns() {

@@ -12,6 +12,7 @@ with their signs, from two tolerances in extended precision, for other wells (`-
 #include "sec3/resolutions.hpp"
 
 namespace lattice {
+using namespace report;
 
 /// The command: omega_b, well and contact, the pair of breathers, the table.
 struct OneBarrier : ChosenBreather {

@@ -18,6 +18,7 @@ Contacts may have another exponent (`--contact power --alpha 1.8`) or be compres
 #include "sec3/resolutions.hpp"
 
 namespace lattice {
+using namespace report;
 
 /// An orbit in double and in extended precision (a 64-bit mantissa), from which all that is said of it is read.
 struct FoundOrbit : Fitted {

@@ -25,6 +25,7 @@ In Python this is `lattice.strike`, which also takes chains that no option can d
 #include "report/program.hpp"
 
 namespace lattice {
+using namespace report;
 
 /// The strongest site in both runs. Where two sites are nearly as strong these differ, and it may be that neither is
 /// the strongest.

@@ -16,6 +16,7 @@ some seconds and refuses an unstable centre. */
 #include "sec3/kick_threshold.hpp"
 
 namespace lattice {
+using namespace report;
 
 /// Which breather is kicked, on which chain.
 struct KickedBreather : ChosenBreather {

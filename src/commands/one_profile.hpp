@@ -15,6 +15,7 @@ contacts grows with the square of the overlap. */
 #include "sec3/breather_options.hpp"
 
 namespace lattice {
+using namespace report;
 
 /// The command: centre, frequency, length and exponent; the table has a row for each site.
 struct OneProfile : ChosenBreather {

@@ -16,6 +16,7 @@ the force of the contacts grows with the square of the overlap. */
 #include "sec3/breather_options.hpp"
 
 namespace lattice {
+using namespace report;
 
 /// The unit of exponents in tables.
 inline constexpr char rate_unit[] = "1 per unit of tau/(2 tau_0)";

@@ -21,6 +21,7 @@ end of the chain, unless `--sites` gives it a length; where the far end moves th
 #include "report/program.hpp"
 
 namespace lattice {
+using namespace report;
 
 inline constexpr double decorrelation_interval = 2;  ///< of time, between two comparisons
 

@@ -4,6 +4,7 @@
 #include <string>
 
 namespace lattice {
+using namespace report;
 
 static constexpr char speed_unit[] = "site per unit of time";
 

@@ -12,6 +12,7 @@ wavenumbers whose phonons are modulationally unstable; `coefficients` evaluates 
 #include "sec4/phonons.hpp"
 
 namespace lattice {
+using namespace report;
 
 /**
 The ranges exclude values at which a formula loses its digits or a run its meaning. */

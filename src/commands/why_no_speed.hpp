@@ -14,6 +14,7 @@ The foremost packet of an impact is measured on its way from site 20 to twenty s
 #include "report/table.hpp"
 
 namespace lattice {
+using namespace report;
 
 /// Where this way ends in a chain of so many sites.
 inline double way_end(std::size_t sites) {

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <utility>
 
-namespace lattice {
+namespace report {
 
 static const char* list = nullptr;  // of this program
 
@@ -61,4 +61,4 @@ void describe(const std::string& name, Table& table) {
   }
 }
 
-}  // namespace lattice
+}  // namespace report

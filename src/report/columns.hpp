@@ -12,7 +12,7 @@ their own for that column. The list is compiled into the program. A column that 
 
 #include "report/table.hpp"
 
-namespace lattice {
+namespace report {
 
 /// Makes a list known to the program, whose text lives as long as it. One object of it stands beside each chapter.
 struct ColumnList {
@@ -23,4 +23,4 @@ struct ColumnList {
 /// without words is the difference of two resolutions. Throws std::runtime_error for a list that is none.
 void describe(const std::string& name, Table& table);
 
-}  // namespace lattice
+}  // namespace report

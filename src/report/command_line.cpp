@@ -16,7 +16,7 @@ happened when a line is refused. */
 
 #include "lattice/model/potential_names.hpp"
 
-namespace lattice {
+namespace report {
 
 /**
 A misspelt name is answered with the nearest one. The distance of two words is the least number of letters
@@ -313,4 +313,4 @@ std::string command_text(const std::string& program, int argc, const char* const
   return out;
 }
 
-}  // namespace lattice
+}  // namespace report

@@ -14,7 +14,7 @@ what is allowed, and the nearest name where one was misspelt. */
 
 #include "report/parameters.hpp"
 
-namespace lattice {
+namespace report {
 
 /// Parameters under the name of a command; the program itself has them under no name.
 struct Offer {
@@ -45,4 +45,4 @@ std::optional<std::string> nearest(const std::string& word, const std::vector<st
 /// The whole command as a shell would read it, on one line and without `--threads` and `--out`, on which no result depends.
 std::string command_text(const std::string& program, int argc, const char* const* argv);
 
-}  // namespace lattice
+}  // namespace report

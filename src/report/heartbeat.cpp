@@ -13,7 +13,7 @@
 #include <thread>
 #include <utility>
 
-namespace lattice {
+namespace report {
 namespace {
 
 /// Seconds to two digits: `7 s`, `140 s`, `23 min`, `4.5 h`.
@@ -94,4 +94,4 @@ void Heartbeat::show(const std::string& label, const std::stop_token& over) cons
   }
 }
 
-}  // namespace lattice
+}  // namespace report

@@ -13,7 +13,9 @@ when, how far it is (progress.hpp), and how long it will take. */
 
 #include "lattice/numerics/progress.hpp"
 
-namespace lattice {
+namespace report {
+
+using namespace lattice;  // whose numbers it writes
 
 /// The line that is shown: who computes since how many seconds, and the stages, the oldest first.
 std::string progress_line(const std::string& who, double seconds,
@@ -34,4 +36,4 @@ class Heartbeat {
   std::jthread thread_{};         ///< writes the line
 };
 
-}  // namespace lattice
+}  // namespace report

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace lattice {
+namespace report {
 
 namespace {
 
@@ -117,4 +117,4 @@ void add_ends(Parameters& p, Ends& ends) {
   p.add("ends", ends, "boundary conditions of the chain", names);
 }
 
-}  // namespace lattice
+}  // namespace report

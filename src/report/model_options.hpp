@@ -13,7 +13,7 @@ parameters. */
 #include "lattice/model/potential_names.hpp"
 #include "report/parameters.hpp"
 
-namespace lattice {
+namespace report {
 
 /// Adds `--well` and its parameters, which may have ranges of the program's `own`.
 void add_well(Parameters& p, Well& well, const Ranges& own = {});
@@ -28,4 +28,4 @@ void add_holding_well(Parameters& p, Well& well, const std::string& without);
 /// Adds `--ends`, by the names of chain.hpp.
 void add_ends(Parameters& p, Ends& ends);
 
-}  // namespace lattice
+}  // namespace report

@@ -14,7 +14,7 @@ allowed. */
 
 #include "lattice/model/potential_names.hpp"
 
-namespace lattice {
+namespace report {
 
 std::optional<double> typed_number(std::string_view text) {
   const auto slash = text.find('/');
@@ -138,4 +138,4 @@ std::string Parameters::names() const {
   return comma_list(all);
 }
 
-}  // namespace lattice
+}  // namespace report

@@ -30,7 +30,7 @@ variable holds before the line is read is the default. A default that is no plai
 
 #include "report/table.hpp"
 
-namespace lattice {
+namespace report {
 
 /// The reader's input cannot be used: exit code 2.
 struct UsageError : std::runtime_error {
@@ -176,4 +176,4 @@ class Parameters {
   std::vector<std::function<void()>> then_{};
 };
 
-}  // namespace lattice
+}  // namespace report

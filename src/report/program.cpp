@@ -21,7 +21,7 @@
 #include "report/heartbeat.hpp"
 #include "report/sums.hpp"
 
-namespace lattice {
+namespace report {
 
 /**
 ## Numbers */
@@ -321,4 +321,4 @@ int run(const Program& program, int argc, char** argv) {
   });
 }
 
-}  // namespace lattice
+}  // namespace report

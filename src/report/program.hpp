@@ -25,7 +25,7 @@ behind. */
 #include "report/parameters.hpp"
 #include "report/table.hpp"
 
-namespace lattice {
+namespace report {
 
 /// The computation did not deliver what it promised: exit code 1.
 struct Failure : std::runtime_error {
@@ -157,4 +157,4 @@ int run(const Program& program, int argc, char** argv);
 /// Calls `work` and returns the exit code: what it throws is one line under the name of the `program`.
 int exit_code(const std::string& program, const std::function<void()>& work);
 
-}  // namespace lattice
+}  // namespace report

@@ -11,7 +11,7 @@
 
 #include "report/sums.hpp"
 
-namespace lattice {
+namespace report {
 
 static Estimate joined(const Estimate& a, const Estimate& b, double value, double error) {
   return a.is_exact && b.is_exact ? exact(value) : Estimate(value, error);
@@ -535,4 +535,4 @@ Register::Register(const std::string& id, const char* file, int line,
   if (!is_new) throw std::logic_error("the statement " + id + " is judged twice");
 }
 
-}  // namespace lattice
+}  // namespace report

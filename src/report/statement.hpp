@@ -40,7 +40,7 @@ compare. */
 #include "lattice/numerics/estimate.hpp"
 #include "report/table.hpp"
 
-namespace lattice {
+namespace report {
 
 /**
 ## Arithmetic with errors
@@ -348,15 +348,15 @@ struct Register {
            Judged (*run)(Tables&, const std::string&));
 };
 
-}  // namespace lattice
+}  // namespace report
 
-#define LATTICE_STATEMENT(id, name)                                                               \
-  namespace {                                                                                     \
-  struct name final : lattice::Statement {                                                        \
-    void judge() override;                                                                        \
-  };                                                                                              \
-  const lattice::Register register_##name(id, __FILE__, __LINE__, &lattice::Register::run<name>); \
-  }                                                                                               \
+#define LATTICE_STATEMENT(id, name)                                                             \
+  namespace {                                                                                   \
+  struct name final : report::Statement {                                                       \
+    void judge() override;                                                                      \
+  };                                                                                            \
+  const report::Register register_##name(id, __FILE__, __LINE__, &report::Register::run<name>); \
+  }                                                                                             \
   void name::judge()
 #define LATTICE_EXPANDED(id, line) LATTICE_STATEMENT(id, Statement_##line)
 /// A statement of the list with this id; its body follows.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <fstream>
 
-namespace lattice {
+namespace report {
 
 std::string sha256(const std::string& bytes) {
   char digits[SHA256_DIGEST_STRING_LENGTH];
@@ -36,4 +36,4 @@ bool is_quick(const Table& table) {
   });
 }
 
-}  // namespace lattice
+}  // namespace report

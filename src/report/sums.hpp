@@ -12,7 +12,7 @@ program, the revision, the compiler and the libraries, is in `run.ecsv` beside t
 
 #include "report/table.hpp"
 
-namespace lattice {
+namespace report {
 
 /// SHA-256 of some bytes, as `sha256sum` prints it.
 std::string sha256(const std::string& bytes);
@@ -29,4 +29,4 @@ void write_sums(const std::filesystem::path& folder, const Sums& sums);
 /// Whether a table is of a run with `--quick`, as its header says.
 bool is_quick(const Table& table);
 
-}  // namespace lattice
+}  // namespace report

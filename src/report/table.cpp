@@ -15,7 +15,7 @@ here; what a table promises is said in table.hpp. */
 #include <stdexcept>
 #include <system_error>
 
-namespace lattice {
+namespace report {
 
 Column number(std::string name, std::string description, std::string unit) {
   return {std::move(name), std::move(unit), std::move(description), Kind::real};
@@ -316,4 +316,4 @@ Table read(const std::filesystem::path& path) {
   }
 }
 
-}  // namespace lattice
+}  // namespace report

@@ -28,7 +28,9 @@ has one when it is read. */
 #include "lattice/numerics/estimate.hpp"
 #include "lattice/numerics/parallel.hpp"
 
-namespace lattice {
+namespace report {
+
+using namespace lattice;  // whose numbers it writes
 
 /// One entry: a number, a count or a text.
 using Cell = std::variant<double, std::int64_t, std::string>;
@@ -180,4 +182,4 @@ Cell parse(const std::string& text, Kind kind);
 
 }  // namespace ecsv
 
-}  // namespace lattice
+}  // namespace report

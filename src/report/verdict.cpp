@@ -13,7 +13,7 @@
 
 #include "report/table.hpp"
 
-namespace lattice {
+namespace report {
 
 static const std::string number_pattern = R"((-?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?))";
 static const double nan = std::nan("");
@@ -330,4 +330,4 @@ Cases judge(const std::filesystem::path& volume, Tables& tables) {
   return out;
 }
 
-}  // namespace lattice
+}  // namespace report

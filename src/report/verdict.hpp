@@ -13,7 +13,7 @@ of other authors are rows of the same form. What our tables say to it is found b
 
 #include "report/statement.hpp"
 
-namespace lattice {
+namespace report {
 
 /// A row of a list of claims, findings or numbers of others. Texts that a list has not are empty.
 struct Claim {
@@ -61,4 +61,4 @@ bool is_met(const std::string& verdict);
 /// The verdict on a row, which may be covered by another one of `all`; the recorded one if a program has not run.
 std::string verdict(const Case& one, const Cases& all);
 
-}  // namespace lattice
+}  // namespace report

@@ -19,7 +19,7 @@ volume has its own, with the statements of its own chapters. */
 #include "report/verdict.hpp"
 
 namespace fs = std::filesystem;
-using namespace lattice;
+using namespace report;
 
 namespace {
 

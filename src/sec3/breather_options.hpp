@@ -14,6 +14,7 @@ decides how many sites it needs; a chain length that the reader names is taken o
 #include "sec3/breather_like.hpp"
 
 namespace lattice {
+using namespace report;
 
 /// Frequencies of breathers, and why there are no others.
 inline Allowed breather_range(double least, double most) {

@@ -9,6 +9,7 @@
 #include "lattice/impact/impact.hpp"
 
 namespace lattice {
+using namespace report;
 
 ApproximateStart approximate_start(std::size_t sites, double eps) {
   const std::vector<double> a = interleaved(dps_impact(sites));

@@ -12,6 +12,7 @@ What the chapter `sec34_dps_impact` measures on states of the chain (y and v) an
 #include "report/program.hpp"
 
 namespace lattice {
+using namespace report;
 
 /// The approximation, Eq. (13), at t = 0, from the right-hand side of the DpS equation alone: the largest displacement,
 /// and the velocities of the first bead beyond 2 eps, of the second and, largest, of the others.

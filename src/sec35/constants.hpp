@@ -11,6 +11,7 @@ This file integrates the equation of a beam (cantilever.hpp) and the pressure be
 #include "report/program.hpp"
 
 namespace lattice {
+using namespace report;
 
 /// Table `beam`: stiffness, frequency and effective mass of a clamped beam, and what the model with a point mass costs.
 inline void report_beam(Report& report, const CantileverArray& array) {

@@ -14,6 +14,7 @@
 #include "sec4/phonons.hpp"
 
 namespace lattice {
+using namespace report;
 
 using std::numbers::pi;
 

@@ -11,6 +11,7 @@ wavenumber that the formulas call the fastest one, and by runs from the soliton 
 #include "report/program.hpp"
 
 namespace lattice {
+using namespace report;
 
 /// Writes `contact_series` (of the compression `d`), `compressions`, `inflection_signs`, `sides`, `band_edges` and
 /// `instability` and `inflection` (of `d`).

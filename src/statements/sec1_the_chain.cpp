@@ -4,6 +4,7 @@
 #include "report/statement.hpp"
 
 using namespace lattice;
+using namespace report;
 
 STATEMENT("chain.travelling_decay") {
   // An exponential falls by the same factor from each bead to the next

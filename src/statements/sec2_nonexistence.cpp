@@ -4,6 +4,7 @@
 #include "report/statement.hpp"
 
 using namespace lattice;
+using namespace report;
 
 STATEMENT("thm.mean_force") {
   // Without wells every contact of a periodic motion has the same mean force, which is not zero

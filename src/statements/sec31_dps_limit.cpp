@@ -8,6 +8,7 @@
 #include "report/statement.hpp"
 
 using namespace lattice;
+using namespace report;
 
 STATEMENT("dps.tau0") {
   answer(table("time_constant")["tau_0"]);

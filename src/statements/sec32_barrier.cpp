@@ -8,6 +8,7 @@
 #include "report/statement.hpp"
 
 using namespace lattice;
+using namespace report;
 
 namespace {
 

@@ -6,6 +6,7 @@
 #include "report/statement.hpp"
 
 using namespace lattice;
+using namespace report;
 
 STATEMENT("dps.scaling") {
   // Of the breather whose exponent may be the farther from two

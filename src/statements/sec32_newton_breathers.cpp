@@ -6,6 +6,7 @@
 #include "report/statement.hpp"
 
 using namespace lattice;
+using namespace report;
 
 /// What an article's Gauss-Newton method may have found.
 static const char* const whole_periods[] = {"whole_period", "without_pinning_mode"};

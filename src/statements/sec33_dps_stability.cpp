@@ -4,6 +4,7 @@
 #include "report/statement.hpp"
 
 using namespace lattice;
+using namespace report;
 
 STATEMENT("dps.bond_stable") {
   for (double mu : {1.0, 10.0}) less(table("margins").at("centre", "bond", "mu", mu)["margin"], 0);

@@ -8,6 +8,7 @@
 #include "report/statement.hpp"
 
 using namespace lattice;
+using namespace report;
 
 STATEMENT("floquet.spectrum") {
   const auto structure = [&](const Data& breathers) {

@@ -4,6 +4,7 @@
 #include "report/statement.hpp"
 
 using namespace lattice;
+using namespace report;
 
 static Quantity speed(const Data& strong_kicks, const char* breather) {
   return strong_kicks.at("breather", breather)["speed"];

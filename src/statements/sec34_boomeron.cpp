@@ -6,6 +6,7 @@
 #include "report/statement.hpp"
 
 using namespace lattice;
+using namespace report;
 
 STATEMENT("boomeron.reversal") {
   const Data out = table("acceleration").where("s", 1).where("velocity", 1.9);

@@ -5,6 +5,7 @@
 #include "report/statement.hpp"
 
 using namespace lattice;
+using namespace report;
 
 STATEMENT("impact.ansatz_orders") {
   const Data start = table("start").where("eps", 1e-6, 1e-2);

@@ -7,6 +7,7 @@
 #include "report/statement.hpp"
 
 using namespace lattice;
+using namespace report;
 
 // What is said of impacts below the blow-up is judged up to the first escape. In the last 0.05 before it (`ending`) the outcome
 // is erratic; without them other verdicts are reached

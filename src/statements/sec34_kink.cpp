@@ -7,6 +7,7 @@
 #include "report/statement.hpp"
 
 using namespace lattice;
+using namespace report;
 
 STATEMENT("impact.kink") {
   const Data scan = table("kink_transition").where("velocity", 1, 8);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 using namespace lattice;
+using namespace report;
 
 STATEMENT("scale.contact_time") {
   answer(table("collision")["contact_time"]);

@@ -4,6 +4,7 @@
 #include "report/statement.hpp"
 
 using namespace lattice;
+using namespace report;
 
 STATEMENT("integrators.order") {
   const Data open = table("orders").where("contacts", "open"),

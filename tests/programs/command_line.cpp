@@ -8,6 +8,7 @@
 #include "support/commands.hpp"
 
 using namespace lattice;
+using namespace report;
 namespace fs = std::filesystem;
 
 namespace {

@@ -9,6 +9,7 @@
 #include "support/commands.hpp"
 
 using namespace lattice;
+using namespace report;
 namespace fs = std::filesystem;
 
 TEST_CASE("what the prose tells a reader to type is there", "[cli]") {

@@ -11,6 +11,7 @@
 #include "support/run.hpp"
 
 using namespace lattice;
+using namespace report;
 namespace fs = std::filesystem;
 
 namespace {

@@ -10,6 +10,7 @@
 #include "support/run.hpp"
 
 using namespace lattice;
+using namespace report;
 
 namespace {
 

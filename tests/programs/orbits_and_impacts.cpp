@@ -5,6 +5,7 @@
 #include "support/commands.hpp"
 
 using namespace lattice;
+using namespace report;
 
 namespace {
 

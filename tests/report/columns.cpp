@@ -5,6 +5,7 @@
 #include "support/check.hpp"
 
 using namespace lattice;
+using namespace report;
 
 TEST_CASE("a column takes its meaning from the list beside the chapter", "[unit][table]") {
   Table table{{"velocity", "speed", "speed_error", "drift", "drift_error"}};

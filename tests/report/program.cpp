@@ -15,6 +15,7 @@
 #include "support/scratch.hpp"
 
 using namespace lattice;
+using namespace report;
 
 TEST_CASE("a chapter can say which value was used", "[unit][frame]") {
   const Provenance provenance{{{"command", "c"}, {"seed", "none"}},

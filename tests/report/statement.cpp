@@ -10,6 +10,7 @@
 #include "support/scratch.hpp"
 
 using namespace lattice;
+using namespace report;
 
 namespace {
 

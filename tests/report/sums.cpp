@@ -9,6 +9,7 @@
 #include "support/scratch.hpp"
 
 using namespace lattice;
+using namespace report;
 
 TEST_CASE("the sum is SHA-256", "[unit][sums]") {
   // Of the standard, FIPS 180-2

@@ -12,6 +12,7 @@
 #include "support/scratch.hpp"
 
 using namespace lattice;
+using namespace report;
 
 TEST_CASE("a table survives the round trip", "[unit][table]") {
   Table table{number("x", "a number, with 'quotes'", "m"), count("k", "a count"),

@@ -9,6 +9,7 @@
 #include "support/scratch.hpp"
 
 using namespace lattice;
+using namespace report;
 
 namespace {
 

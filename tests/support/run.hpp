@@ -55,19 +55,19 @@ inline Result call(const std::string& command) {
 }
 
 /// What a command answered; it must have succeeded.
-inline lattice::Table table_of(const Result& answer) {
+inline report::Table table_of(const Result& answer) {
   CAPTURE(answer.errors);
   REQUIRE(answer.code == 0);
   std::istringstream in(answer.output);
   return lattice::from_text(in);
 }
-inline lattice::Table table_of(const std::string& command) {
+inline report::Table table_of(const std::string& command) {
   CAPTURE(command);
   return table_of(call(command));
 }
 
 /// The row of a quantity or of another word in the first column.
-inline std::size_t row_of(const lattice::Table& t, const std::string& name) {
+inline std::size_t row_of(const report::Table& t, const std::string& name) {
   const auto names = t.texts(t.columns.front().name);
   const auto found = std::find(names.begin(), names.end(), name);
   CAPTURE(name);
@@ -78,13 +78,13 @@ inline std::size_t row_of(const lattice::Table& t, const std::string& name) {
 /// What the table says in the row of a quantity.
 inline double quantity(const Result& r, const std::string& name,
                        const std::string& column = "value") {
-  const lattice::Table t = table_of(r);
+  const report::Table t = table_of(r);
   return t.numbers(column)[row_of(t, name)];
 }
 
 /// The same of a column of words.
 inline std::string text_of(const Result& r, const std::string& name, const std::string& column) {
-  const lattice::Table t = table_of(r);
+  const report::Table t = table_of(r);
   return t.texts(column)[row_of(t, name)];
 }
 

@@ -113,7 +113,7 @@ inline Scan scan(const Contender& method, const Demand& demand, double patience,
 /**
 The two tables that the figure and the reader need. */
 struct Book {
-  lattice::Table ratios{}, precision{};
+  report::Table ratios{}, precision{};
 
   /// One comparison, in the table and on standard output.
   void ratio(const std::string& problem, const std::string& peer, const std::string& quantity,

@@ -18,6 +18,7 @@ Timings differ from run to run; the ratios, taken within one run, hardly do. */
 #include "report/table.hpp"
 
 using namespace lattice;
+using namespace report;
 using namespace bench;
 
 namespace {

@@ -9,6 +9,7 @@
 #include "lattice/numerics/progress.hpp"
 
 namespace lattice {
+using namespace report;
 
 template <class T>
 std::pair<double, double> phase_and_rest(const Shooting<T>& problem, const Orbit<T>& orbit,

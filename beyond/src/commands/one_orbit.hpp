@@ -16,6 +16,7 @@ In Python this is `lattice.travelling`. */
 #include "sec5/travelling.hpp"
 
 namespace lattice {
+using namespace report;
 
 /// kappa of the phase and the largest modulus of the multipliers that do not lie near one.
 template <class T>

@@ -12,6 +12,7 @@
 #include "report/sums.hpp"
 
 namespace lattice {
+using namespace report;
 
 Part parse_part(const std::string& text) {
   unsigned long k = 0, n = 0;

@@ -22,6 +22,7 @@ kept. */
 #include "report/table.hpp"
 
 namespace lattice {
+using namespace report;
 
 /// The points i with i = index - 1 modulo count.
 struct Part {

@@ -4,6 +4,7 @@
 #include "report/statement.hpp"
 
 using namespace lattice;
+using namespace report;
 
 STATEMENT("exchange.six") {
   // Six exchanges one after the other, of which the first is near 1 and the last below 1.5

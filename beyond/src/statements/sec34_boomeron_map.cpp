@@ -6,6 +6,7 @@
 #include "report/statement.hpp"
 
 using namespace lattice;
+using namespace report;
 
 STATEMENT("turning.waves") {
   // With an absorber at the end the packet does not go twice as far, and returns

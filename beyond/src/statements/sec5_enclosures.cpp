@@ -4,6 +4,7 @@
 #include "report/statement.hpp"
 
 using namespace lattice;
+using namespace report;
 
 STATEMENT("dps.enclosed") {
   // One real pair of exponents about a site, none about a bond

@@ -4,6 +4,7 @@
 #include "report/statement.hpp"
 
 using namespace lattice;
+using namespace report;
 
 STATEMENT("travelling.exchanges") {
   // The last and the ninth exchange of the quotients

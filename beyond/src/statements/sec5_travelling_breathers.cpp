@@ -4,6 +4,7 @@
 #include "report/statement.hpp"
 
 using namespace lattice;
+using namespace report;
 
 STATEMENT("travelling.speeds") {
   const Data orbits = table("exactness");

@@ -4,6 +4,7 @@
 #include "report/statement.hpp"
 
 using namespace lattice;
+using namespace report;
 
 STATEMENT("fragment_1") {
   answer(table("rebounds").at("ball", 1)["velocity"]);

@@ -5,6 +5,7 @@
 #include "support/check.hpp"
 
 using namespace lattice;
+using namespace report;
 
 TEST_CASE("a line that cannot be meant is refused by what is beyond the article", "[cli]") {
   const std::string orbit = "sec5_travelling_breathers orbit ", map = "sec34_boomeron_map map ";

@@ -17,6 +17,7 @@
 #undef main
 
 using namespace lattice;
+using namespace report;
 
 namespace {
 

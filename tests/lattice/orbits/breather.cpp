@@ -17,6 +17,7 @@
 #include "support/return_error.hpp"
 
 using namespace lattice;
+using namespace report;
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include "support/check.hpp"
 
 using namespace lattice;
+using namespace report;
 
 namespace {
 
