@@ -76,10 +76,12 @@ LateFate late_fate(const WavesAbsorbed& impact, double step, double until, std::
   double mean = 0, late = std::nan("");
   const auto watch = [&](const State<double>& now, const std::vector<double>& density) {
     recent.add(now.t, density);
-    if (recent.t.size() < width) return true;
-    mean = std::accumulate(recent.centre.begin(), recent.centre.end(), 0.0) / double(width);
+    if (recent.size() < width) return true;
+    mean = 0;
+    for (const PathSample& at : recent) mean += at.centre;
+    mean /= double(width);
     if (mean > out.furthest)
-      out.furthest = mean, out.when = (recent.t.front() + recent.t.back()) / 2;
+      out.furthest = mean, out.when = (recent[0].t + recent.back().t) / 2;
     if (std::isnan(late) && now.t > 0.9 * until) late = mean;
     recent = {};
     if (mean < out.furthest - 5) out.late = Late::returns;
