@@ -59,7 +59,7 @@ inline report::Table table_of(const Result& answer) {
   CAPTURE(answer.errors);
   REQUIRE(answer.code == 0);
   std::istringstream in(answer.output);
-  return lattice::from_text(in);
+  return report::from_text(in);
 }
 inline report::Table table_of(const std::string& command) {
   CAPTURE(command);
