@@ -79,8 +79,7 @@ LateFate late_fate(const WavesAbsorbed& impact, double step, double until, std::
     mean = 0;
     for (const PathSample& at : recent) mean += at.centre;
     mean /= double(width);
-    if (mean > out.furthest)
-      out.furthest = mean, out.when = (recent[0].t + recent.back().t) / 2;
+    if (mean > out.furthest) out.furthest = mean, out.when = (recent[0].t + recent.back().t) / 2;
     if (std::isnan(late) && now.t > 0.9 * until) late = mean;
     recent = {};
     if (mean < out.furthest - 5) out.late = Late::returns;
