@@ -715,7 +715,7 @@ Letters in Mathematical Physics 106, 2016, arXiv:1502.01995); here the well itse
 travelling breathers were computed by James (Philosophical Transactions A 376, 20170138, 2018), who finds tails except
 at particular parameters.
 
-**To change it.** Families are the list in `families`, impacts that in `report_packets`, with frames in `frames`. The packets get wells as a second member of `Chain` in the `follow` that has a `Frame`; in others than linear ones the frequency of a passed
+**To change it.** Families are the list in `families`, impacts that in `report_packets`, with frames in `frames`. The packets get wells as a second member of `Chain` in `course_after`; in others than linear ones the frequency of a passed
 bead depends on its amplitude, and $\vartheta$ means less. */
 void reproduce(Report& report) {
   std::vector<std::size_t> from_five{5, 6, 8};
