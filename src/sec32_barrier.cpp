@@ -386,7 +386,7 @@ void reproduce(Report& report) {
 
 **To change it.** Other soft and hard wells are `soft` and `hard` (also in the script of figure 7, at the top of the
 statements, and in the addresses of the numbers here); `intervals` is the grid of frequencies. Longer chains, other
-wells and other contacts go into `conditions`, for instance `bare(PowerContact{1.6})` into `problem.chain.contact`: all
+wells and other contacts go into `conditions`, for instance `without_cutoff(PowerContact{1.6})` into `problem.chain.contact`: all
 breathers of the run come from there (the command has its own). This exponent takes two minutes of processor time, a
 quick run 16 s. The factor $-\delta/5$ and the printed numbers then no longer apply.
 

@@ -68,10 +68,10 @@ the period (around a bond over half of it) and returns the conditions $R$ and th
 combinations taken of the linearised flow. Its steps have variable length and order and end at every *contact event*,
 the opening or closing of a contact (event_driven.hpp); their tolerance is 128 machine epsilons of the largest
 displacement, or, in a coarser run, 16 times that (`rule`). The difference of the two runs is the error of a number. */
-constexpr std::size_t sites = 31;       // around a site, and one more around a bond
-constexpr double omega_b = 1.1;         // frequency of the breather of figures x44, 4 and 5
-constexpr double s = 0;                 // anharmonicity of the wells
-const Contact contact = bare(Hertz{});  // without a cutoff of the force, since the tail counts
+constexpr std::size_t sites = 31;  // around a site, and one more around a bond
+constexpr double omega_b = 1.1;    // frequency of the breather of figures x44, 4 and 5
+constexpr double s = 0;            // anharmonicity of the wells
+const Contact contact = without_cutoff(Hertz{});  // since the tail counts
 const double alpha = contact.exponent();
 constexpr std::size_t article_steps = 5, most_steps = 10;  // of Newton's method
 constexpr double least_kept = 1e-5;  // least singular value over the largest, if chosen
@@ -438,7 +438,7 @@ void report_small_amplitude(Report& report) {
 
 **To change it.** The frequency of the first breather is `omega_b`, up to 1.1, and `sites` its chain. `s` is the well of
 the chapter; below zero the branches turn back before 2, and the last of `searched` has to be smaller (1.7 for
-$s = -0.5$). Another contact is for instance `bare(PowerContact{1.8})` (then `least_kept` is $10^{-3}$); another well
+$s = -0.5$). Another contact is for instance `without_cutoff(PowerContact{1.8})` (then `least_kept` is $10^{-3}$); another well
 replaces `Quartic{anharmonicity}` in `conditions` (with `Pendulum{}` the last of `searched` is 1.7).
 
 1. *Easy.* How does the amplitude grow with $\omega_b - 1$?

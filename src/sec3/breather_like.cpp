@@ -113,7 +113,7 @@ static Shooting<double> problem_like(Centre centre, double omega, const Chain& l
                                      std::size_t sites) {
   Shooting<double> problem = breather_problem(centre, omega, like.well, sites);
   Chain chain = lengthened(like, sites);
-  chain.contact = bare(like.contact);
+  chain.contact = without_cutoff(like.contact);
   problem.chain = chain;
   return problem;
 }
@@ -125,7 +125,7 @@ static Orbit<double> find_like(const Shooting<double>& problem, Phase phase) {
   Shooting<double> first = problem;
   first.chain.variation.reset();
   if (!problem.chain.contact.is<OwnContact>())
-    first.chain.contact = bare(PowerContact{problem.chain.contact.exponent()});
+    first.chain.contact = without_cutoff(PowerContact{problem.chain.contact.exponent()});
   const Orbit<double> orbit = find_breather(first, phase);
   const bool there = !problem.chain.variation && problem.chain.contact.opening() == 0;
   return there ? orbit : continue_to(first, orbit, problem.chain);
@@ -134,7 +134,7 @@ static Orbit<double> find_like(const Shooting<double>& problem, Phase phase) {
 // The breather on a short chain that holds a thousandth of its tail, then on longer ones until one holds it all
 Fitted fit_chain(Centre centre, double omega, const Chain& like, std::size_t sites,
                  std::size_t usual, double precision, Phase phase) {
-  const Contact contact = bare(like.contact);
+  const Contact contact = without_cutoff(like.contact);
   if (!like.variation && like.ends == Ends::free && contact.is<Hertz>())
     return fit_chain(centre, omega, like.well, sites, usual, precision, phase);
   Shooting<double> problem = problem_like(centre, omega, like, usual);

@@ -119,8 +119,8 @@ static Path path_of(const Numbers& centre, const Numbers& peak, double apart = 1
 TEST_CASE("a path is read between its samples", "[unit][observe]") {
   const Path path{
       {{0, 10, 6, 1}, {2, 12, 5, 4}, {4, 15, 3, 5}, {6, 19, 2, 2}, {8, 24, 8, 7}, {10, 22, 1, 3}}};
-  CHECK(path.until(19) == 4);
-  CHECK(path.until(99) == 6);
+  CHECK(path.count_before(19) == 4);
+  CHECK(path.count_before(99) == 6);
   CHECK(path.between(12, 23).first == Numbers{2, 4, 6});  // the last one is back too late
   CHECK(path.between(12, 23).second == Numbers{12, 15, 19});
   check_close(path.line(12, 19)->slope, 1.75, 1e-14);

@@ -22,13 +22,13 @@ Estimate Path::speed_during(double from, double to) const {
 
 // The first sample beyond x, and the share of the interval before it after which the centre passes x
 static std::pair<std::size_t, double> passage(const Path& path, double x) {
-  const std::size_t i = path.until(x);
+  const std::size_t i = path.count_before(x);
   if (i == 0 || i == path.size()) throw std::runtime_error("no packet passes the site asked for");
   return {i, (x - path[i - 1].centre) / (path[i].centre - path[i - 1].centre)};
 }
 
-double Path::energy_at(double x) const {
-  const auto [i, part] = passage(*this, x);
+double Path::energy_at(double site) const {
+  const auto [i, part] = passage(*this, site);
   const double before = samples[i - 1].energy;
   return before + part * (samples[i].energy - before);
 }
@@ -53,7 +53,7 @@ this error a lower maximum may be the largest. */
 Estimate Path::largest_peak(double from, double to) const {
   double best = std::nan(""), bound = best;
   const auto peak = [&](std::size_t k) { return samples[k].peak; };
-  for (std::size_t i = 1, end = until(to), all = size(); i <= end && i + 1 < all; ++i) {
+  for (std::size_t i = 1, end = count_before(to), all = size(); i <= end && i + 1 < all; ++i) {
     if (peak(i) < peak(i - 1)) continue;
     const Parabola top(peak(i - 1), peak(i), peak(i + 1));
     // After the last sample nobody sees the fall: there the parabola tells

@@ -54,17 +54,17 @@ struct Path {
   /// Appends a centre.
   void add(double time, double x) { samples.push_back({time, x}); }
 
-  /// How many samples count: those before the first centre beyond `to`, even if a later one is back within.
-  std::size_t until(double to) const {
+  /// How many samples count: those before the first centre beyond `site`, even if a later one is back within.
+  std::size_t count_before(double site) const {
     return std::size_t(
-        std::find_if(begin(), end(), [to](const PathSample& at) { return at.centre > to; }) -
+        std::find_if(begin(), end(), [site](const PathSample& at) { return at.centre > site; }) -
         begin());
   }
 
   /// Times and centres of the samples between `from` and `to`.
   std::pair<std::vector<double>, std::vector<double>> between(double from, double to) const {
     std::pair<std::vector<double>, std::vector<double>> points;
-    for (std::size_t i = 0, end = until(to); i < end; ++i)
+    for (std::size_t i = 0, end = count_before(to); i < end; ++i)
       if (samples[i].centre >= from) {
         points.first.push_back(samples[i].t);
         points.second.push_back(samples[i].centre);
@@ -77,9 +77,9 @@ struct Path {
   /// Speed between two times, with the error of the fit. Throws std::invalid_argument if fewer than three samples lie
   /// there.
   Estimate speed_during(double from, double to) const;
-  /// Energy of the packet at the instant when the centre first passes `x`, between two samples. Throws
+  /// Energy of the packet at the instant when the centre first passes `site`, between two samples. Throws
   /// std::runtime_error if it never does.
-  double energy_at(double x) const;
+  double energy_at(double site) const;
   /// Sites by which the centre moves on in `duration` after it has passed `site`. Throws
   /// std::runtime_error if the path ends before.
   double travelled(double site, double duration) const;

@@ -198,7 +198,7 @@ template <class T>
 T search_step_for(const Chain& chain, double amplitude) {
   double fastest = 0;
   for (std::size_t i = 0; i <= chain.sites; ++i) {
-    if (!counts_contact(chain, i)) continue;
+    if (!is_distinct_contact(chain, i)) continue;
     const double inverse = (i > 0 ? inverse_mass<double>(chain, i - 1) : 0) +
                            (i < chain.sites ? inverse_mass<double>(chain, i) : 0);
     const double d = chain.contact.opening(), eta = chain.eta_of(i);
@@ -261,7 +261,7 @@ class EventIntegrator {
   /// Positions and velocities are in `z`, accelerations in `a`, which may be empty if they do not matter. A missing
   /// contact counts as open.
   Overlap<T> overlap(const std::vector<T>& z, const std::vector<T>& a, std::size_t i) const {
-    if (!counts_contact(chain_, i)) return {T(-1), T(0), T(0)};
+    if (!is_distinct_contact(chain_, i)) return {T(-1), T(0), T(0)};
     return {T(chain_.contact.opening()) - stretch(chain_, z.data(), i),
             -stretch(chain_, z.data() + chain_.sites, i),
             a.empty() ? T(0) : -stretch(chain_, a.data(), i)};
@@ -278,7 +278,7 @@ class EventIntegrator {
       leapfrog.step(now, dt);
       first.ahead = dt;
       for (std::size_t i = 0; i <= chain_.sites; ++i)
-        if (counts_contact(chain_, i)) check_contact(before, now, dt, i, gone == T(0), first);
+        if (is_distinct_contact(chain_, i)) check_contact(before, now, dt, i, gone == T(0), first);
       first.ahead = gone + first.ahead;
       gone += dt;
     }

@@ -116,7 +116,7 @@ T stretch(const Chain& chain, const T* q, std::size_t i) {
 }
 
 /// Whether contact `i` exists and is not another one once more: that of last and first bead of a ring counts as `sites`.
-inline bool counts_contact(const Chain& chain, std::size_t i) {
+inline bool is_distinct_contact(const Chain& chain, std::size_t i) {
   return chain.inside(i) || chain.ends == Ends::fixed || (chain.ends == Ends::periodic && i > 0);
 }
 
@@ -162,7 +162,7 @@ std::vector<T> accelerations(const Chain& chain, const std::vector<T>& y);
 /// Energy of contact `i`, each contact counted once.
 template <class T>
 T contact_energy(const Chain& chain, const T* y, std::size_t i) {
-  if (!counts_contact(chain, i)) return T(0);
+  if (!is_distinct_contact(chain, i)) return T(0);
   return T(chain.eta_of(i)) * chain.contact.energy(stretch(chain, y, i));
 }
 

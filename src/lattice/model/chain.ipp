@@ -144,7 +144,7 @@ Hessian<T> linearise(const Chain& chain, const std::vector<T>& y) {
       chain.well, [&](const auto& well) { stiffnesses_of(well, y.data(), h.diagonal.data(), n); });
   // A contact stiffens both its beads and couples them; at an end there is only one bead
   for (std::size_t i = 0; i <= n; ++i) {
-    if (!counts_contact(chain, i)) continue;
+    if (!is_distinct_contact(chain, i)) continue;
     const T k = T(chain.eta_of(i)) * chain.contact.stiffness(stretch(chain, y.data(), i));
     if (i > 0) h.diagonal[i - 1] += k;
     if (i < n || ring) h.diagonal[i % n] += k;

@@ -222,7 +222,7 @@ inline Contact simplest(const Contact& contact) {
 }
 
 /// The same law by its simplest type, with no overlap negligible, lest the tail of a breather be cut off.
-inline Contact bare(const Contact& contact) {
+inline Contact without_cutoff(const Contact& contact) {
   Contact simple = simplest(contact);
   std::visit(
       [](auto& c) {

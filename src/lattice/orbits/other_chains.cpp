@@ -24,7 +24,8 @@ Chain between(const Chain& a, const Chain& b, double part) {
     out.well = Quartic{mixed(from->s, to->s)};
   if (b.contact.is<OwnContact>()) return out;
   const double root = mixed(std::sqrt(a.contact.opening()), std::sqrt(b.contact.opening()));
-  out.contact = bare(PowerContact{mixed(a.contact.exponent(), b.contact.exponent()), root * root});
+  out.contact =
+      without_cutoff(PowerContact{mixed(a.contact.exponent(), b.contact.exponent()), root * root});
   return out;
 }
 
