@@ -87,7 +87,7 @@ or_read := || { code=$$?; [ $$code = 141 ] || exit $$code; }
 # Folders have the names of some of them.
 .PHONY: all figures chapter test beyond test-beyond ready all-figures all-data programs configure summary verdicts book weave install-book install-browse \
   test-book test-lineage tests examples python run-tests run-tests-beyond test-faults test-fuzz test-python bench paper typeset install-paper \
-  accept refresh show verify second mutants test-platforms test-slurm fresh container dist style tidy \
+  accept refresh show verify second mutants test-platforms fresh container dist style tidy \
   install-deps burn help
 took = . tools/shared.sh; echo "$$(now) $$(cat $(D)/report/start)" | awk '{ printf "$(1)", ($$1 > $$2 ? $$1 - $$2 : 0) }'
 
@@ -329,11 +329,6 @@ mutants:
 test-platforms: install-deps
 	@sh tools/platforms.sh $(PLATFORMS)
 
-## test-slurm: run make and a map in parts under Slurm, on a two-node cluster on this machine (needs root)
-test-slurm: programs
-	@$(MAKE) volume=beyond programs
-	@sh tests/programs/slurm/run.sh
-
 ## fresh: run the README's commands, make beyond, test-beyond, book and paper in a bare Debian root (SUITE=trixie; needs root)
 fresh:
 	@sh tools/fresh.sh $(SUITE)
@@ -349,7 +344,7 @@ dist:
 ## style: run clang-format, shellcheck and reuse (version 4 or newer), where installed
 style:
 	@! command -v clang-format >/dev/null 2>&1 || { files=$$(git ls-files '*.cpp' '*.hpp') && clang-format --dry-run --Werror $${files:?git lists none}; }
-	@! command -v shellcheck >/dev/null 2>&1 || shellcheck .ci/run tools/*.sh tests/*/*.sh tests/programs/slurm/*.sh examples/*.sbatch $(wildcard beyond/examples/*.sbatch)
+	@! command -v shellcheck >/dev/null 2>&1 || shellcheck .ci/run tools/*.sh tests/*/*.sh examples/*.sbatch $(wildcard beyond/examples/*.sbatch)
 	@! reuse --version 2>/dev/null | grep -Eq ' ([4-9]|[1-9][0-9])\.' || reuse lint --lines
 
 ## tidy: run clang-tidy on the sources changed since a commit, SINCE=HEAD~1; without SINCE on all (an hour)
