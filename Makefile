@@ -92,7 +92,9 @@ or_read := || { code=$$?; [ $$code = 141 ] || exit $$code; }
 took = . tools/shared.sh; echo "$$(now) $$(cat $(D)/report/start)" | awk '{ printf "$(1)", ($$1 > $$2 ? $$1 - $$2 : 0) }'
 
 ## figures: compute and draw the article, then compare with it
-figures: ready
+figures:
+	@sh tools/plan.sh $(B) $(D) $(JOBS) $(home)paper/costs.ecsv $(svgs) -- $(chapters)
+	@$(MAKE) ready
 	@$(MAKE) all-figures
 	@$(MAKE) summary
 	@$(call took,together   : %.0f s with compiling and drawing\n)

@@ -11,3 +11,12 @@ hold() {
 
 # The seconds since the machine started run forwards, also where somebody sets its clock.
 now() { cut -d' ' -f1 /proc/uptime 2>/dev/null || date +%s.%N; }
+
+# `first_build BUILD JOBS TARGET...`: the minutes that it takes to compile all, one or some programs, where none is yet.
+first_build() {
+  [ -z "$(find "$1" -name '*.o' 2>/dev/null | head -n 1)" ] || return 0
+  jobs=$2
+  shift 2
+  case $* in programs | all) work=10 ;; *' '*) work=7 ;; *) work=2 ;; esac
+  echo $(((work + jobs - 1) / jobs))
+}

@@ -195,6 +195,8 @@ mv tools/lineage/__main__.py "$scratch/kept.py"
 : > tools/lineage/__main__.py
 run figures
 [ "$(find build/figures -name '*.pdf' | wc -l) $(wc -l < "$STUB_LOG")" = "3 3" ] || fail "make figures draws or runs something else than its volume"
+head -n 1 "$scratch/out" | grep -q '^figures    : compile all, compute 3 programs, draw 3 figures: about [0-9]* min on' ||
+  fail "make figures does not begin with what it will do"
 said '^together   : [0-9]* s' "a run does not say how long it took"
 said '^computing  : [0-9]* s in 3 programs' "the summary does not say what the programs took"
 run beyond
