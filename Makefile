@@ -18,17 +18,16 @@ quick := $(filter-out 0 no off false,$(QUICK))
 D := $(B)$(if $(quick),/quick)
 LAUNCH ?=
 CTEST_ARGS := --test-dir $(B) --no-tests=error --output-on-failure --timeout 900
-# PYTHON=... on the command line is taken at its word; one that the shell exports is only tried first.
+# The first python that has such modules, and python3 where none has. PYTHON=... on the command line is taken at its word;
+# one that the shell exports is only tried first.
+with = $(or $(shell for p in "$(PYTHON)" python3 /usr/bin/python3; do \
+         "$$p" -c 'import $(1)' 2>/dev/null && { echo "$$p"; break; }; done),python3)
 ifneq ($(origin PYTHON),command line)
-pythons := $(PYTHON)
-PYTHON = $(eval PYTHON := $(shell for p in $(pythons) python3 /usr/bin/python3; do \
-           $$p -c 'import matplotlib' 2>/dev/null && { echo $$p; break; }; done))$(PYTHON)
+exported := $(PYTHON)
+PYTHON = $(eval PYTHON := $(exported))$(eval PYTHON := $(call with,matplotlib))$(PYTHON)
 endif
-# What reads the tables: a python with the standard library, for the book one with these modules too.
-lineage = "$(or $(PYTHON),python3)" -m lineage
-with = "$(or $(shell for p in "$(PYTHON)" python3 /usr/bin/python3; do \
-          "$$p" -c 'import $(1)' 2>/dev/null && { echo "$$p"; break; }; done),python3)"
-sphinx = $(call with,sphinx; import myst_parser; import furo)
+lineage = "$(PYTHON)" -m lineage
+sphinx = "$(call with,sphinx; import myst_parser; import furo)"
 
 # nproc counts the cores that this shell may use; Slurm may have granted the task fewer.
 CORES := $(shell n=$$(nproc 2>/dev/null || echo 2); s=$${SLURM_CPUS_PER_TASK:-$$n}; \
@@ -210,7 +209,7 @@ install-book: install-deps
 
 ## test-book: the tests of lineage and book, and every page of the book in a headless Chromium
 test-book: test-lineage install-browse
-	@test ! -f $(D)/book/index.html || $(call with,selenium) book/browse.py $(D)/book
+	@test ! -f $(D)/book/index.html || "$(call with,selenium)" book/browse.py $(D)/book
 install-browse:
 	@DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt browse
 test-lineage:
@@ -250,7 +249,7 @@ run-tests-beyond: configure
 
 ## test-faults: test runs that are killed, run out of time or disk, or whose output is not read (minutes)
 test-faults: programs
-	@$(or $(PYTHON),python3) tests/programs/faults.py . $(B)/bin 60
+	@"$(PYTHON)" tests/programs/faults.py . $(B)/bin 60
 
 sanitized := -DCMAKE_BUILD_TYPE=Debug '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
 ## test-fuzz: run the programs, built with sanitizers, on 5,000 random command lines (SEED=..., COUNT=...; long)
@@ -259,7 +258,7 @@ SEED = $(shell date +%s)
 test-fuzz: install-deps
 	@sh tools/configure.sh $(B)/asan . $(sanitized)
 	@sh tools/build.sh $(B)/asan $(JOBS) programs
-	@LATTICE_SLACK=12 $(or $(PYTHON),python3) tests/programs/fuzz.py $(B)/asan/bin $(COUNT) $(SEED)
+	@LATTICE_SLACK=12 "$(PYTHON)" tests/programs/fuzz.py $(B)/asan/bin $(COUNT) $(SEED)
 
 ## test-python: test the Python module, built with sanitizers (long)
 test-python: export ASAN_OPTIONS := detect_leaks=0:verify_asan_link_order=0
@@ -268,7 +267,7 @@ test-python: programs
 	@sh tools/build.sh $(B)/asan $(JOBS) python_module
 	@LATTICE_SLACK=12 PYTHONPATH=$(B)/asan/python:python \
 	  LD_PRELOAD="$$(c++ -print-file-name=libasan.so) $$(c++ -print-file-name=libstdc++.so)" \
-	  $(call with,numpy) python/tests.py $(B)/bin
+	  "$(call with,numpy)" python/tests.py $(B)/bin
 
 ## bench: time the integrators against GSL and Boost.odeint (minutes) into build/ratios.ecsv; tools/bench/ratios.ecsv is what we found
 bench: ready
@@ -321,11 +320,11 @@ verify: ready
 
 ## second: recompute the headline numbers by other methods in plain Python, into paper/second.ecsv of each volume (minutes)
 second: install-deps
-	@PYTHONPATH=tests:$(PYTHONPATH) $(call with,numpy; import mpmath) -m second --write
+	@PYTHONPATH=tests:$(PYTHONPATH) "$(call with,numpy; import mpmath)" -m second --write
 
 ## mutants: put errors into the sources one at a time and check that the tests fail (long)
 mutants:
-	@$(or $(PYTHON),python3) tools/mutants.py $(MUTANTS)
+	@"$(PYTHON)" tools/mutants.py $(MUTANTS)
 
 ## test-platforms: check that other compilers, Debian 13 and ARM64 give the same bytes (an hour; PLATFORMS='clang trixie')
 test-platforms: install-deps
