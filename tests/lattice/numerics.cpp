@@ -1,6 +1,7 @@
 // Numbers with errors, fits of lines, workers, and what is shown of a computation while it runs.
 
 #include <chrono>
+#include <optional>
 #include <set>
 #include <string>
 #include <thread>
@@ -92,7 +93,7 @@ TEST_CASE("the line of progress says how far it is and how long it takes", "[uni
   ProgressLine line("p run");
   CHECK(line.at(0.9, {}) == "p run 0 s");
   CHECK(line.at(1, {"step 0.05", 0}) == "p run 1 s, step 0.05");
-  CHECK(line.at(3.9, {"step 0.05", 0.2}) == "p run 3 s, step 0.05 20 %");  // too soon to tell
+  CHECK(line.at(3.9, {"step 0.05", 0.1}) == "p run 3 s, step 0.05 10 %");  // too soon to tell
   CHECK(line.at(51, {"step 0.05", 0.259}) == "p run 51 s, step 0.05 25 % (about 143 s more)");
   // The pace of the next stage is its own, and so is that of the next one of this name
   CHECK(line.at(101, {"", 0.5}) == "p run 101 s, 50 %");
@@ -130,6 +131,11 @@ TEST_CASE("stages are seen up to the first that counts, and no number depends on
     CHECK(Progress::shown().share != 0.7);
   });
   CHECK(Progress::shown().label == "named");
+  std::optional<Progress> first;
+  first.emplace("first");
+  const Progress second("second");
+  first.reset();
+  CHECK(Progress::shown().label == "named, second");
   Progress outer("outer", 4);
   outer.tick();
   CHECK(Progress::shown().share == 0.25);
