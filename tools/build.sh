@@ -17,7 +17,7 @@ start=$(date +%s)
 # `progress " 25%] Building ..."`
 progress() {
   share=${1%%%*} left=
-  [ -z "$minutes" ] || [ "$share" -lt 5 ] || left=", about $((($(date +%s) - start) * (100 - share) / share / 60 + 1)) min more"
+  [ -z "$minutes" ] || [ "$share" -lt 10 ] || left=", about $((($(date +%s) - start) * (100 - share) / share / 60 + 1)) min more"
   printf '\r\033[K  build    %d %%%s' "$share" "$left"
 }
 status=$({ { cmake --build "$build" --parallel "$jobs" --target "$@" 2>&1 || echo failed >&3; } |
