@@ -18,17 +18,16 @@ quick := $(filter-out 0 no off false,$(QUICK))
 D := $(B)$(if $(quick),/quick)
 LAUNCH ?=
 CTEST_ARGS := --test-dir $(B) --no-tests=error --output-on-failure --timeout 900
-# PYTHON=... on the command line is taken at its word; one that the shell exports is only tried first.
+# The first python that has such modules, and python3 where none has. PYTHON=... on the command line is taken at its word;
+# one that the shell exports is only tried first.
+with = $(or $(shell for p in "$(PYTHON)" python3 /usr/bin/python3; do \
+         "$$p" -c 'import $(1)' 2>/dev/null && { echo "$$p"; break; }; done),python3)
 ifneq ($(origin PYTHON),command line)
-pythons := $(PYTHON)
-PYTHON = $(eval PYTHON := $(shell for p in $(pythons) python3 /usr/bin/python3; do \
-           $$p -c 'import matplotlib' 2>/dev/null && { echo $$p; break; }; done))$(PYTHON)
+exported := $(PYTHON)
+PYTHON = $(eval PYTHON := $(exported))$(eval PYTHON := $(call with,matplotlib))$(PYTHON)
 endif
-# What reads the tables: a python with the standard library, for the book one with these modules too.
-lineage = "$(or $(PYTHON),python3)" -m lineage
-with = "$(or $(shell for p in "$(PYTHON)" python3 /usr/bin/python3; do \
-          "$$p" -c 'import $(1)' 2>/dev/null && { echo "$$p"; break; }; done),python3)"
-sphinx = $(call with,sphinx; import myst_parser; import furo)
+lineage = "$(PYTHON)" -m lineage
+sphinx = "$(call with,sphinx; import myst_parser; import furo)"
 
 # nproc counts the cores that this shell may use; Slurm may have granted the task fewer.
 CORES := $(shell n=$$(nproc 2>/dev/null || echo 2); s=$${SLURM_CPUS_PER_TASK:-$$n}; \
@@ -87,12 +86,14 @@ or_read := || { code=$$?; [ $$code = 141 ] || exit $$code; }
 # Folders have the names of some of them.
 .PHONY: all figures chapter test beyond test-beyond ready all-figures all-data programs configure summary verdicts book weave install-book install-browse \
   test-book test-lineage tests examples python run-tests run-tests-beyond test-faults test-fuzz test-python bench paper typeset install-paper \
-  accept refresh show verify second mutants test-platforms test-slurm fresh container dist style tidy \
+  accept refresh show verify second mutants test-platforms fresh container dist style tidy \
   install-deps burn help
 took = . tools/shared.sh; echo "$$(now) $$(cat $(D)/report/start)" | awk '{ printf "$(1)", ($$1 > $$2 ? $$1 - $$2 : 0) }'
 
 ## figures: compute and draw the article, then compare with it
-figures: ready
+figures:
+	@sh tools/plan.sh $(B) $(D) $(JOBS) $(home)paper/costs.ecsv $(svgs) -- $(chapters)
+	@$(MAKE) ready
 	@$(MAKE) all-figures
 	@$(MAKE) summary
 	@$(call took,together   : %.0f s with compiling and drawing\n)
@@ -208,7 +209,7 @@ install-book: install-deps
 
 ## test-book: the tests of lineage and book, and every page of the book in a headless Chromium
 test-book: test-lineage install-browse
-	@test ! -f $(D)/book/index.html || $(call with,selenium) book/browse.py $(D)/book
+	@test ! -f $(D)/book/index.html || "$(call with,selenium)" book/browse.py $(D)/book
 install-browse:
 	@DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt browse
 test-lineage:
@@ -248,7 +249,7 @@ run-tests-beyond: configure
 
 ## test-faults: test runs that are killed, run out of time or disk, or whose output is not read (minutes)
 test-faults: programs
-	@$(or $(PYTHON),python3) tests/programs/faults.py . $(B)/bin 60
+	@"$(PYTHON)" tests/programs/faults.py . $(B)/bin 60
 
 sanitized := -DCMAKE_BUILD_TYPE=Debug '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
 ## test-fuzz: run the programs, built with sanitizers, on 5,000 random command lines (SEED=..., COUNT=...; long)
@@ -257,7 +258,7 @@ SEED = $(shell date +%s)
 test-fuzz: install-deps
 	@sh tools/configure.sh $(B)/asan . $(sanitized)
 	@sh tools/build.sh $(B)/asan $(JOBS) programs
-	@LATTICE_SLACK=12 $(or $(PYTHON),python3) tests/programs/fuzz.py $(B)/asan/bin $(COUNT) $(SEED)
+	@LATTICE_SLACK=12 "$(PYTHON)" tests/programs/fuzz.py $(B)/asan/bin $(COUNT) $(SEED)
 
 ## test-python: test the Python module, built with sanitizers (long)
 test-python: export ASAN_OPTIONS := detect_leaks=0:verify_asan_link_order=0
@@ -266,15 +267,12 @@ test-python: programs
 	@sh tools/build.sh $(B)/asan $(JOBS) python_module
 	@LATTICE_SLACK=12 PYTHONPATH=$(B)/asan/python:python \
 	  LD_PRELOAD="$$(c++ -print-file-name=libasan.so) $$(c++ -print-file-name=libstdc++.so)" \
-	  $(call with,numpy) python/tests.py $(B)/bin
+	  "$(call with,numpy)" python/tests.py $(B)/bin
 
-## bench: time the integrators against GSL and Boost.odeint (ten minutes), as in tools/bench/ratios.ecsv
+## bench: time the integrators against GSL and Boost.odeint (minutes) into build/ratios.ecsv; tools/bench/ratios.ecsv is what we found
 bench: ready
 	@sh tools/build.sh $(B) $(JOBS) bench
-	@mkdir -p $(B)/bench
-	@$(B)/bin/bench_ratios $(B)/bench
-	@"$(PYTHON)" figures/x04_work_precision.py $(B)/bench $(B)/bench/work_precision.svg
-	@$(MAKE) $(B)/bench/work_precision.pdf $(B)/bench/work_precision.png
+	@$(B)/bin/bench_ratios $(B)/ratios.ecsv
 
 ## paper: typeset build/paper.pdf, and theorem.pdf of volume two, from the reference values and the figures
 paper: install-paper
@@ -322,20 +320,15 @@ verify: ready
 
 ## second: recompute the headline numbers by other methods in plain Python, into paper/second.ecsv of each volume (minutes)
 second: install-deps
-	@PYTHONPATH=tests:$(PYTHONPATH) $(call with,numpy; import mpmath) -m second --write
+	@PYTHONPATH=tests:$(PYTHONPATH) "$(call with,numpy; import mpmath)" -m second --write
 
 ## mutants: put errors into the sources one at a time and check that the tests fail (long)
 mutants:
-	@$(or $(PYTHON),python3) tools/mutants.py $(MUTANTS)
+	@"$(PYTHON)" tools/mutants.py $(MUTANTS)
 
 ## test-platforms: check that other compilers, Debian 13 and ARM64 give the same bytes (an hour; PLATFORMS='clang trixie')
 test-platforms: install-deps
 	@sh tools/platforms.sh $(PLATFORMS)
-
-## test-slurm: run make and a map in parts under Slurm, on a two-node cluster on this machine (needs root)
-test-slurm: programs
-	@$(MAKE) volume=beyond programs
-	@sh tests/programs/slurm/run.sh
 
 ## fresh: run the README's commands, make beyond, test-beyond, book and paper in a bare Debian root (SUITE=trixie; needs root)
 fresh:
@@ -352,7 +345,7 @@ dist:
 ## style: run clang-format, shellcheck and reuse (version 4 or newer), where installed
 style:
 	@! command -v clang-format >/dev/null 2>&1 || { files=$$(git ls-files '*.[chi]pp') && clang-format --dry-run --Werror $${files:?git lists none}; }
-	@! command -v shellcheck >/dev/null 2>&1 || shellcheck .ci/run tools/*.sh tests/*/*.sh tests/programs/slurm/*.sh examples/*.sbatch $(wildcard beyond/examples/*.sbatch)
+	@! command -v shellcheck >/dev/null 2>&1 || shellcheck .ci/run tools/*.sh tests/*/*.sh examples/*.sbatch $(wildcard beyond/examples/*.sbatch)
 	@! reuse --version 2>/dev/null | grep -Eq ' ([4-9]|[1-9][0-9])\.' || reuse lint --lines
 
 ## tidy: run clang-tidy on the sources changed since a commit, SINCE=HEAD~1; without SINCE on all (an hour)

@@ -9,23 +9,25 @@ log=$build/build.log
 # shellcheck source=tools/shared.sh
 . "${0%/*}/shared.sh"
 hold "$build/.lock"
-# How long it takes can be said where nothing is compiled yet: minutes of processor time, for all, some or one program.
-minutes=
-if [ -z "$(find "$build" -name '*.o' 2>/dev/null | head -n 1)" ]; then
-  case $* in programs | all) work=10 ;; *' '*) work=7 ;; *) work=2 ;; esac
-  minutes=", about $(((work + jobs - 1) / jobs)) min"
-fi
+minutes=$(first_build "$build" "$jobs" "$@")
 case $# in 1) what=$1 ;; *) what="$# programs" ;; esac
 : > "$log"
 exec 4>&1
+start=$(date +%s)
+# `progress " 25%] Building ..."`
+progress() {
+  share=${1%%%*} left=
+  [ -z "$minutes" ] || [ "$share" -lt 10 ] || left=", about $((($(date +%s) - start) * (100 - share) / share / 60 + 1)) min more"
+  printf '\r\033[K  build    %d %%%s' "$share" "$left"
+}
 status=$({ { cmake --build "$build" --parallel "$jobs" --target "$@" 2>&1 || echo failed >&3; } |
   while IFS= read -r line; do
     printf '%s\n' "$line" >> "$log"
     case $line in
     '['*' Building '*)
-      [ -n "${said-}" ] || echo "  build    $what on $jobs core$([ "$jobs" = 1 ] || echo s)$minutes ($log)" >&4
+      [ -n "${said-}" ] || echo "  build    $what on $jobs core$([ "$jobs" = 1 ] || echo s)${minutes:+, about $minutes min} ($log)" >&4
       said=yes
-      [ ! -t 2 ] || printf '\r\033[K  build    %s %s' "${line%%]*}]" "${line##*/}" >&2
+      [ ! -t 2 ] || progress "${line#[}" >&2
       ;;
     esac
   done; } 3>&1)

@@ -9,12 +9,10 @@ build=$1 products=
 refuse() { echo "dist: $1" >&2; exit 1; }
 unset GIT_DIR GIT_WORK_TREE
 [ -n "$(sh "${0%/*}/revision.sh")" ] || refuse "not a checkout of the repository (allowed: a clone with its history)"
-version=$(sed -n 's/^ *"version": *"\([0-9.]*\)".*/\1/p' codemeta.json)
-[ -n "$version" ] || refuse "codemeta.json names no version"
 { [ -d "$build/data" ] && [ -d "$build/figures" ]; } || refuse "$build/data and $build/figures are missing: compute them first (make figures)"
 [ -z "$(git status --porcelain --untracked-files=no)" ] || echo "dist       : uncommitted changes are not included"
 
-name=breathers-$version out=$build/dist
+name=breathers-$(sed -n 's/^ *"version": *"\([0-9.]*\)".*/\1/p' codemeta.json) out=$build/dist
 epoch=$(git log -1 --format=%ct)
 part=$out/.part
 rm -rf "$part"

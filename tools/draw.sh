@@ -25,9 +25,6 @@ refuse() {
   exit 1
 }
 
-# shellcheck source=tools/shared.sh
-. "${0%/*}/shared.sh"
-
 if [ $# = 3 ]; then
   # shellcheck disable=SC2086
   [ -z "${FROM:-}" ] || PYTHONPATH="${0%/*}${PYTHONPATH:+:$PYTHONPATH}" "${PYTHON:-python3}" -m lineage tables $FROM || exit 1
@@ -56,6 +53,4 @@ case $out in
 *) end='IEND' ;;
 esac
 tail -c 64 "$part" | grep -aq -- "$end" || refuse "the drawing is cut short (is the disk full?)"
-# shellcheck disable=SC2086
-catch_up "$part" ${FROM:-}
 mv "$part" "$out"

@@ -12,13 +12,11 @@ hold() {
 # The seconds since the machine started run forwards, also where somebody sets its clock.
 now() { cut -d' ' -f1 /proc/uptime 2>/dev/null || date +%s.%N; }
 
-# `catch_up FILE WITH...`: FILE is as new as what it was made from, also after a clock was set back: or it would be
-# made again for ever.
-newer() { [ -n "$(find "$1" -newer "$2" 2>/dev/null)" ]; }
-catch_up() {
-  made=$1
-  shift
-  for from in "$@"; do
-    if newer "$from" "$made"; then touch -r "$from" "$made"; fi
-  done
+# `first_build BUILD JOBS TARGET...`: the minutes that it takes to compile all, one or some programs, where none is yet.
+first_build() {
+  [ -z "$(find "$1" -name '*.o' 2>/dev/null | head -n 1)" ] || return 0
+  jobs=$2
+  shift 2
+  case $* in programs | all) work=10 ;; *' '*) work=7 ;; *) work=2 ;; esac
+  echo $(((work + jobs - 1) / jobs))
 }

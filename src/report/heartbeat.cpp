@@ -1,76 +1,62 @@
 #include "report/heartbeat.hpp"
 
-#include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
 #include <cstdio>
 #include <mutex>
 #include <system_error>
-#include <thread>
-#include <utility>
 
 namespace report {
-namespace {
 
-/// Seconds to two digits: `7 s`, `140 s`, `23 min`, `4.5 h`.
-std::string rounded(double seconds) {
-  const double unit = seconds < 300 ? 1 : seconds < 3 * 3600 ? 60 : 3600;
-  const double value = std::max(seconds / unit, 1.0);
-  const double digit = std::pow(10, std::floor(std::log10(value)) - 1);
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f %s", unit == 3600 && value < 10 ? 1 : 0,
-                std::round(value / digit) * digit,
-                unit == 1    ? "s"
-                : unit == 60 ? "min"
-                             : "h");
-  return text;
+// What is left is said if the stage takes twenty seconds or more, after the first three
+std::string ProgressLine::at(double seconds, const Progress::Shown& stage) {
+  if (stage.label != last_.label || stage.share < last_.share) first_ = stage, since_ = seconds;
+  last_ = stage;
+  char text[64];
+  std::snprintf(text, sizeof text, " %.0f s", std::floor(seconds));
+  std::string line = who_ + text;
+  if (!stage.label.empty() || stage.share > 0) line += ", ";
+  line += stage.label;
+  if (!(stage.share > 0)) return line;
+  std::snprintf(text, sizeof text, " %.0f %%", std::floor(100 * stage.share));
+  line += stage.label.empty() ? text + 1 : text;
+  const double took = seconds - since_, done = stage.share - first_.share,
+               left = (1 - stage.share) * took / done;
+  if (took < 3 || !(done > 0) || took + left < 20) return line;
+  const bool minutes = left >= 300, hours = left >= 3 * 3600;
+  std::snprintf(text, sizeof text, " (about %.*f %s more)", hours ? 1 : 0,
+                left / (hours     ? 3600
+                        : minutes ? 60
+                                  : 1),
+                hours     ? "h"
+                : minutes ? "min"
+                          : "s");
+  return line + text;
 }
 
-std::string counted(const ShownStage& at) {
-  char text[48];
-  if (at.total == 1)
-    std::snprintf(text, sizeof text, "%.0f %%", std::floor(100 * at.done));
-  else
-    std::snprintf(text, sizeof text, "%.0f/%.0f", at.done, at.total);
-  const std::string joint = at.label.empty() ? "" : at.total == 1 ? ": " : " ";
-  return at.label + joint + text + (at.left ? " (about " + rounded(*at.left) + " more)" : "");
-}
-
-}  // namespace
-
-// A stage without a count introduces the next one
-std::string progress_line(const std::string& who, double seconds,
-                          const std::vector<ShownStage>& stages) {
-  char since[32];
-  std::snprintf(since, sizeof since, " %.0f s", std::floor(seconds));
-  std::string line = who + since, joint = ", ";
-  for (const ShownStage& at : stages) {
-    const bool counts_parts = at.total > 0;
-    line += joint + (counts_parts ? counted(at) : at.label);
-    joint = counts_parts ? ", " : ": ";
+// The line is cut where a terminal of eighty columns would break it, after which it could not be overwritten
+static void show(const std::string& label, const std::stop_token& over) {
+  const auto begin = std::chrono::steady_clock::now();
+  ProgressLine line(label);
+  std::mutex guard;
+  std::unique_lock lock(guard);
+  std::condition_variable_any ended;
+  while (true) {
+    ended.wait_for(lock, over, std::chrono::seconds(1), [] { return false; });
+    if (over.stop_requested()) return;
+    const std::chrono::duration<double> since = std::chrono::steady_clock::now() - begin;
+    const std::string text = line.at(since.count(), Progress::shown());
+    std::fprintf(stderr, "\r%.79s\033[K", text.c_str());
   }
-  return line;
 }
 
-static double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-/// Columns that a line may have without being broken, after which it could not be overwritten.
-static int width() {
-  winsize size{};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col - 1 : 159;
-}
-
-Heartbeat::Heartbeat(const std::string& label) {
-  if (isatty(STDERR_FILENO) == 0) return;
-  watch_.emplace(now);
+Heartbeat::Heartbeat(const std::string& label) : watched_(isatty(STDERR_FILENO) != 0) {
+  if (!watched_) return;
   try {
-    thread_ = std::jthread([this, label](const std::stop_token& over) { show(label, over); });
+    thread_ = std::jthread([label](const std::stop_token& over) { show(label, over); });
   } catch (const std::system_error&) {
     // No thread can start, and no line is shown
   }
@@ -78,20 +64,7 @@ Heartbeat::Heartbeat(const std::string& label) {
 
 Heartbeat::~Heartbeat() {
   thread_ = {};  // stops and joins it
-  if (watch_) std::fprintf(stderr, "\r\033[K");
-}
-
-void Heartbeat::show(const std::string& label, const std::stop_token& over) const {
-  const double since = now();
-  std::mutex guard;
-  std::unique_lock lock(guard);
-  std::condition_variable_any ended;
-  while (true) {
-    ended.wait_for(lock, over, std::chrono::seconds(1), [] { return false; });
-    if (over.stop_requested()) return;
-    const std::string line = progress_line(label, now() - since, watch_->stages());
-    std::fprintf(stderr, "\r%.*s\033[K", width(), line.c_str());
-  }
+  if (watched_) std::fprintf(stderr, "\r\033[K");
 }
 
 }  // namespace report

@@ -5,11 +5,10 @@
 On a terminal, and never in a log, standard error shows one line that is overwritten once a second: who computes since
 when, how far it is (progress.hpp), and how long it will take. */
 
-#include <optional>
 #include <stop_token>
 #include <string>
 #include <thread>
-#include <vector>
+#include <utility>
 
 #include "lattice/numerics/progress.hpp"
 
@@ -17,9 +16,18 @@ namespace report {
 
 using namespace lattice;  // whose numbers it writes
 
-/// The line that is shown: who computes since how many seconds, and the stages, the oldest first.
-std::string progress_line(const std::string& who, double seconds,
-                          const std::vector<ShownStage>& stages);
+/// The line that is shown. It measures the pace of a stage from when it first saw it.
+class ProgressLine {
+ public:
+  explicit ProgressLine(std::string who) : who_(std::move(who)) {}
+  /// The line of now, `seconds` after the beginning.
+  std::string at(double seconds, const Progress::Shown& stage);
+
+ private:
+  std::string who_;
+  Progress::Shown first_{}, last_{};
+  double since_ = 0;
+};
 
 /// Shows the line of `label` once a second, if somebody watches a terminal.
 class Heartbeat {
@@ -30,10 +38,8 @@ class Heartbeat {
   Heartbeat& operator=(const Heartbeat&) = delete;
 
  private:
-  void show(const std::string& label, const std::stop_token& over) const;
-
-  std::optional<Watch> watch_{};  ///< if somebody watches
-  std::jthread thread_{};         ///< writes the line
+  std::jthread thread_{};  ///< writes the line
+  bool watched_;
 };
 
 }  // namespace report

@@ -1,6 +1,7 @@
 // Numbers with errors, fits of lines, workers, and what is shown of a computation while it runs.
 
 #include <chrono>
+#include <optional>
 #include <set>
 #include <string>
 #include <thread>
@@ -14,15 +15,6 @@
 
 using namespace lattice;
 using namespace report;
-
-namespace {
-
-double hands = 0;
-double hand_set() {
-  return hands;
-}
-
-}  // namespace
 
 TEST_CASE("estimates are never without an error unless they are exact", "[unit][accuracy]") {
   CHECK(with_error(1.0, 1.0).error > 0);
@@ -99,61 +91,23 @@ TEST_CASE("the number of workers is a choice without influence", "[unit][accurac
 }
 
 TEST_CASE("the line of progress says how far it is and how long it takes", "[unit][progress]") {
-  CHECK(progress_line("p run", 71.9, {}) == "p run 71 s");
-  CHECK(progress_line("p run", 71, {{"step 0.05", 0.349, 1, 140.4}}) ==
-        "p run 71 s, step 0.05: 34 % (about 140 s more)");
-  CHECK(progress_line("p", 5, {{"kicks", 3, 12}}) == "p 5 s, kicks 3/12");
-  CHECK(progress_line("p", 5, {{"", 0.5, 1}}) == "p 5 s, 50 %");
-  CHECK(progress_line("p", 9, {{"Newton step 2"}, {"wells", 3, 12, 7260}}) ==
-        "p 9 s, Newton step 2: wells 3/12 (about 120 min more)");
-  CHECK(progress_line("p", 9, {{"eigenvalues"}}) == "p 9 s, eigenvalues");
-  CHECK(progress_line("p", 1, {{"n", 1, 2, 16000}}) == "p 1 s, n 1/2 (about 4.4 h more)");
+  ProgressLine line("p run");
+  CHECK(line.at(0.9, {}) == "p run 0 s");
+  CHECK(line.at(1, {"step 0.05", 0}) == "p run 1 s, step 0.05");
+  CHECK(line.at(3.9, {"step 0.05", 0.1}) == "p run 3 s, step 0.05 10 %");  // too soon to tell
+  CHECK(line.at(51, {"step 0.05", 0.259}) == "p run 51 s, step 0.05 25 % (about 143 s more)");
+  // The pace of the next stage is its own, and so is that of the next one of this name
+  CHECK(line.at(101, {"", 0.5}) == "p run 101 s, 50 %");
+  CHECK(line.at(111, {"", 0.6}) == "p run 111 s, 60 % (about 40 s more)");
+  CHECK(line.at(112, {"", 0.1}) == "p run 112 s, 10 %");
+  CHECK(line.at(116, {"", 0.5}) == "p run 116 s, 50 %");  // takes nine seconds
+  CHECK(line.at(512, {"", 0.6}) == "p run 512 s, 60 % (about 5 min more)");
+  CHECK(line.at(20512, {"", 0.65}) == "p run 20512 s, 65 % (about 3.6 h more)");
   CHECK(number_label("step", 0.2 / 128) == "step 0.0016");
 }
 
-TEST_CASE("stages are seen up to the first that counts, and only if somebody watches",
+TEST_CASE("stages are seen up to the first that counts, and no number depends on them",
           "[unit][progress]") {
-  Progress unseen("unseen", 2);
-  unseen.tick();
-  const Watch watch(hand_set);
-  CHECK(watch.stages().empty());
-  const auto line = [&] { return progress_line("p", 0, watch.stages()); };
-  const Progress named("named");
-  Progress outer("outer", 4);
-  outer.tick();
-  CHECK(line() == "p 0 s, named");
-  ++hands;
-  const Progress inner("inner", 1);
-  CHECK(line() == "p 0 s, named: outer 1/4");
-}
-
-TEST_CASE("the time left follows the pace, and is told of what takes long", "[unit][progress]") {
-  const Watch watch(hand_set);
-  const auto left = [&](double share, double seconds) {
-    hands = 100;
-    Progress run("run", 1);
-    run.reach(share);
-    hands += seconds;
-    return watch.stages()[0].left;
-  };
-  CHECK(*left(0.25, 50) == 150);
-  CHECK(left(0, 50) == std::nullopt);
-  CHECK(left(0.01, 2) == std::nullopt);
-  CHECK(left(0.5, 5) == std::nullopt);
-}
-
-TEST_CASE("of workers the stage around them is shown", "[unit][progress]") {
-  const Watch watch(hand_set);
-  std::vector<std::string> seen(2);
-  parallel_for("runs", 2, [&](std::size_t i) {
-    const Progress part("part", 1);
-    seen[i] = watch.stages()[0].label;
-  });
-  CHECK(seen == std::vector<std::string>{"runs", "runs"});
-  CHECK(watch.stages().empty());
-}
-
-TEST_CASE("a run says how far it is, and no number depends on it", "[unit][progress]") {
   const auto run = [](const Look& look) {
     State<double> state(20);
     state.v[0] = 1;
@@ -161,13 +115,29 @@ TEST_CASE("a run says how far it is, and no number depends on it", "[unit][progr
     return state;
   };
   const State<double> unseen = run({});
-  const Watch watch(hand_set);
-  std::vector<std::string> lines;
-  const State<double> seen =
-      run([&](const State<double>&) { lines.push_back(progress_line("p", 0, watch.stages())); });
-  REQUIRE(lines.size() == 11);
-  CHECK(lines[1] == "p 0 s, step 0.1: 0 %");
-  CHECK(lines[10] == "p 0 s, step 0.1: 90 %");
+  std::vector<double> shares;
+  const State<double> seen = run([&](const State<double>&) {
+    CHECK(Progress::shown().label == "step 0.1");
+    shares.push_back(std::floor(100 * Progress::shown().share));
+  });
+  CHECK(shares == std::vector<double>{0, 0, 10, 20, 30, 40, 50, 60, 70, 80, 90});
   CHECK(unseen.y == seen.y);
   CHECK(unseen.v == seen.v);
+  // Those inside of the one that counts are not shown, also if they are other threads'
+  const Progress named("named");
+  parallel_for("runs", 2, [&](std::size_t) {
+    Progress part("part", 1);
+    part.reach(0.7);
+    CHECK(Progress::shown().label == "named, runs");
+    CHECK(Progress::shown().share != 0.7);
+  });
+  CHECK(Progress::shown().label == "named");
+  std::optional<Progress> first;
+  first.emplace("first");
+  const Progress second("second");
+  first.reset();
+  CHECK(Progress::shown().label == "named, second");
+  Progress outer("outer", 4);
+  outer.tick();
+  CHECK(Progress::shown().share == 0.25);
 }

@@ -125,6 +125,20 @@ def interrupted_map(scratch):
     return f"{found} rows kept"
 
 
+def array_of_tasks(scratch):
+    """The parts of beyond/examples/turning_map.sbatch, each as Slurm's array calls it, make the plain map."""
+    (scratch / "build").mkdir()
+    (scratch / "build/bin").symlink_to(BIN)
+    for task in ("1", "3", "2"):
+        task_of = {**os.environ, "SIDE": "6", "PARTS": "3", "SLURM_ARRAY_TASK_ID": task}
+        check(run(["sh", ROOT / "beyond/examples/turning_map.sbatch"], cwd=scratch, env=task_of)[0] == 0, f"task {task} fails")
+    kept = sum(len(path.read_text().splitlines()) for path in (scratch / "build/turning-6").glob(".*.rows-*"))
+    check(kept == 36 + 3, f"the tasks keep {kept - 3} of 36 rows")
+    for name, more in ("plain", []), ("parts", ["--folder", "build/turning-6"]):
+        run(MAP[:2] + ["--columns", "6", "--rows", "6", "--output", f"{name}.ecsv", *more], cwd=scratch)
+    check(rows(scratch / "plain.ecsv") == rows(scratch / "parts.ecsv"), "a map in parts is not the plain map")
+
+
 def full_disk(scratch):
     """Writing fails, as on a full disk: here for a limit of size."""
     for command in [MAP + ["--folder", scratch / "rows"]] if MAPS else [QUICK + [scratch / "out"], BAND + ["--output", scratch / "band.ecsv"]]:
@@ -174,7 +188,7 @@ def little_memory(scratch):
     check(code == 0 and said and not errors, f"a long run takes more than 150 MB, or talks: {errors}")
 
 
-FAULTS = [interrupted_map, full_disk, read_only] if MAPS else [
+FAULTS = [interrupted_map, array_of_tasks, full_disk, read_only] if MAPS else [
     killed_at_random, full_disk, read_only, closed_channels, little_memory]
 
 
