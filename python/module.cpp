@@ -35,9 +35,9 @@ struct Functions {
   py::function energy, force, stiffness;
 };
 
-class Rows {
+class PythonRows {
  public:
-  explicit Rows(const Functions& functions)
+  explicit PythonRows(const Functions& functions)
       : functions_(new Functions(functions), [](const Functions* last) {
           const WithLock with_lock;
           delete last;
@@ -76,16 +76,16 @@ class Rows {
   std::shared_ptr<const Functions> functions_;
 };
 
-struct RowWell : Rows {
+struct RowWell : PythonRows {
   double edge;
-  RowWell(const Functions& functions, double rim) : Rows(functions), edge(rim) {}
+  RowWell(const Functions& functions, double rim) : PythonRows(functions), edge(rim) {}
   double rim() const { return edge; }
 };
 
-struct RowContact : Rows {
+struct RowContact : PythonRows {
   double open, exponent;
   RowContact(const Functions& functions, double opening, double power)
-      : Rows(functions), open(opening), exponent(power) {}
+      : PythonRows(functions), open(opening), exponent(power) {}
   double opening() const { return open; }
 };
 

@@ -34,7 +34,7 @@ Impact impact_of(const Request& r) {
 }
 
 /// Shows about `rows` of the samples of a run, whatever their number.
-struct Rows {
+struct MapRows {
   const Request& request;
   const Impact& impact;
   int halvings;
@@ -51,7 +51,7 @@ struct Rows {
 
 Refined<ImpactRun> strike_for(const Request& request, const Impact& impact) {
   return refined(request.tolerance, [&](const EventCorrected& method) {
-    return strike(method, impact, Rows{request, impact, method.halvings});
+    return strike(method, impact, MapRows{request, impact, method.halvings});
   });
 }
 

@@ -40,12 +40,12 @@ struct Row {
 };
 
 /// All three at rest, then at the samples of one place after the other: its middle and two neighbours for each step.
-struct Rows {
+struct Probe {
   std::string what;  ///< well or contact
   std::vector<double> x;
   Row energy{"energy", x}, force{"force", x}, stiffness{"stiffness", x};
 
-  Rows(const std::string& kind, const OwnPotential& p, std::vector<double> points)
+  Probe(const std::string& kind, const OwnPotential& p, std::vector<double> points)
       : what(kind), x(std::move(points)) {
     p.row(PotentialFunction::energy, x.data(), energy.at.data(), x.size());
     p.row(PotentialFunction::force, x.data(), force.at.data(), x.size());
@@ -63,17 +63,17 @@ std::invalid_argument complaint(const std::string& what, const Word&... word) {
 }
 
 /// Throws for the first value that is no finite number.
-void require_finite(const Rows& rows) {
-  for (const Row* row : {&rows.energy, &rows.force, &rows.stiffness})
-    for (std::size_t i = 0; i < rows.x.size(); ++i)
+void require_finite(const Probe& probe) {
+  for (const Row* row : {&probe.energy, &probe.force, &probe.stiffness})
+    for (std::size_t i = 0; i < probe.x.size(); ++i)
       if (!std::isfinite(row->at[i]))
-        throw complaint(rows.what, row->name, "(", rows.x[i], ") is ", row->at[i],
+        throw complaint(probe.what, row->name, "(", probe.x[i], ") is ", row->at[i],
                         ", not a finite number");
 }
 
 /// The values on both sides of `centre`, at places in units of `length`. A well may end in a wall or grow beyond all
 /// numbers: then the places come closer to the centre. Throws if there are none.
-Rows rows_about(const std::string& what, const OwnPotential& p, double centre, double length) {
+Probe probe_about(const std::string& what, const OwnPotential& p, double centre, double length) {
   for (double unit = length;; unit /= 10) {
     std::vector<double> x{0};
     for (const double side : {-1.0, 1.0})
@@ -83,10 +83,10 @@ Rows rows_about(const std::string& what, const OwnPotential& p, double centre, d
         for (const double step : steps)
           for (const double way : {-1.0, 1.0}) x.push_back(centre + distance * (1 + way * step));
       }
-    Rows rows(what, p, std::move(x));
+    Probe probe(what, p, std::move(x));
     try {
-      require_finite(rows);
-      return rows;
+      require_finite(probe);
+      return probe;
     } catch (const std::invalid_argument&) {
       if (unit < 1e-12 * length) throw;
     }
@@ -107,29 +107,29 @@ std::optional<double> other_slope(const double* x, const double* f, double state
   return slope;
 }
 
-/// Throws unless the functions belong together at every place of the rows.
-void require_slopes(const Rows& rows) {
+/// Throws unless the functions belong together at every place of the probe.
+void require_slopes(const Probe& probe) {
   const auto look = [&](const Row& slope, const Row& of, std::size_t at) {
-    if (const auto found = other_slope(&rows.x[at], &of.at[at], slope.at[at]))
-      throw complaint(rows.what, slope.name, "(", rows.x[at], ") is ", slope.at[at],
+    if (const auto found = other_slope(&probe.x[at], &of.at[at], slope.at[at]))
+      throw complaint(probe.what, slope.name, "(", probe.x[at], ") is ", slope.at[at],
                       ", but minus the slope of its ", of.name, " is ", *found, " there");
   };
   for (std::size_t k = 0; k < 2 * std::size(places); ++k) {
-    if (k % std::size(places) < energy_places) look(rows.force, rows.energy, middle(k));
-    look(rows.stiffness, rows.force, middle(k));
+    if (k % std::size(places) < energy_places) look(probe.force, probe.energy, middle(k));
+    look(probe.stiffness, probe.force, middle(k));
   }
 }
 
 /// Throws unless energy and force vanish at rest, up to the rounding of larger terms.
-void require_rest(const Rows& rows) {
+void require_rest(const Probe& probe) {
   const auto look = [&](const Row& row, const char* cure) {
     double most = 0;
     for (const double value : row.at) most = std::max(most, std::abs(value));
     if (std::abs(row.at[0]) > 1e-6 * most)
-      throw complaint(rows.what, row.name, "(0) is ", row.at[0], " and must be 0: ", cure);
+      throw complaint(probe.what, row.name, "(0) is ", row.at[0], " and must be 0: ", cure);
   };
-  look(rows.energy, "subtract it");
-  look(rows.force, "measure displacements from the rest position");
+  look(probe.energy, "subtract it");
+  look(probe.force, "measure displacements from the rest position");
 }
 
 }  // namespace
@@ -137,9 +137,9 @@ void require_rest(const Rows& rows) {
 void require_well(const OwnPotential& well, double rim) {
   if (!(rim > 0))
     throw complaint("well", "rim is ", rim, " and must be > 0 (infinite if there is no rim)");
-  const Rows rows = rows_about("well", well, 0, std::min(rim, 1.0));
-  require_rest(rows);
-  require_slopes(rows);
+  const Probe probe = probe_about("well", well, 0, std::min(rim, 1.0));
+  require_rest(probe);
+  require_slopes(probe);
 }
 
 // A contact has a corner at its opening, and beads that are pressed may rest elsewhere: then both are looked at
@@ -149,17 +149,17 @@ void require_contact(const OwnPotential& contact, double opening, double exponen
     throw complaint(what, "opening is ", opening, " and must be a finite number");
   if (!(exponent >= 1 && std::isfinite(exponent)))
     throw complaint(what, "exponent is ", exponent, " and must be a finite number >= 1");
-  const Rows rows = rows_about(what, contact, opening, 1);
-  require_rest(rows);
-  require_slopes(rows);
+  const Probe probe = probe_about(what, contact, opening, 1);
+  require_rest(probe);
+  require_slopes(probe);
   if (opening != 0)
-    require_slopes(rows_about(what, contact, 0, std::min(std::abs(opening) / 2, 1.0)));
+    require_slopes(probe_about(what, contact, 0, std::min(std::abs(opening) / 2, 1.0)));
   // Just before the opening and just beyond it, the last of the places on either side
   const std::size_t before = middle(std::size(places) - 1),
                     beyond = middle(2 * std::size(places) - 1);
-  const double pressed = rows.force.at[before], open = rows.force.at[beyond];
+  const double pressed = probe.force.at[before], open = probe.force.at[beyond];
   if (pressed < open - 1e-9 * std::abs(open))
-    throw complaint(what, "force(", rows.x[before], ") is ", pressed, " and must be at least ",
+    throw complaint(what, "force(", probe.x[before], ") is ", pressed, " and must be at least ",
                     open, ", that of an open contact: the contact pulls");
 }
 

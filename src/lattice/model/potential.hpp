@@ -121,14 +121,14 @@ class OwnPotential {
 
   // Virtual functions have no templates, so the two precisions are listed one by one
  private:
-  struct Rows {
-    virtual ~Rows() = default;
+  struct Functions {
+    virtual ~Functions() = default;
     virtual const void* type() const = 0;
     virtual void row(PotentialFunction, const double*, double*, std::size_t) const = 0;
     virtual void row(PotentialFunction, const long double*, long double*, std::size_t) const = 0;
   };
   template <class P>
-  struct Of final : Rows {
+  struct Of final : Functions {
     P potential;
     static constexpr char tag = 0;
     explicit Of(P p) : potential(std::move(p)) {}
@@ -142,7 +142,7 @@ class OwnPotential {
     }
   };
 
-  std::shared_ptr<const Rows> kept_{};
+  std::shared_ptr<const Functions> kept_{};
 };
 
 /**
