@@ -46,7 +46,8 @@ Orbit<double> find_breather(const Shooting<double>& problem, Phase phase,
                             const NewtonRule<double>& rule) {
   Shooting<double> nearby = problem;
   nearby.omega = std::min(problem.omega, direct_up_to);
-  const Vector<double> approximate = nearby.reduce(ansatz(nearby.chain, nearby.omega, phase));
+  const State<double> rest = ansatz(nearby.chain, nearby.omega, phase);
+  const Vector<double> approximate = nearby.reduce(rest);
   const Orbit<double> start = newton(nearby, guess_for(nearby, approximate, rule), rule);
   refuse_other_families(nearby, start, sup<double>(approximate));
   if (nearby.omega == problem.omega) return start;

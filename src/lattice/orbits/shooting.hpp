@@ -31,18 +31,6 @@ T pi() {
 template <class T>
 Tangent<T> tangent_of(const Basis& basis, std::size_t sites);
 
-/// Entry `i` of a state, from 0 to $2N-1$, first positions, then velocities.
-template <class T>
-const T& entry(const State<T>& state, std::size_t i) {
-  const std::size_t n = state.y.size();
-  return i < n ? state.y[i] : state.v[i - n];
-}
-template <class T>
-T& entry(State<T>& state, std::size_t i) {
-  const std::size_t n = state.y.size();
-  return i < n ? state.y[i] : state.v[i - n];
-}
-
 /// The problem of finding a periodic orbit of `chain` with `symmetry`. The contacts of a localized orbit should have
 /// `negligible = 0` (contact.hpp), because the tail is part of it.
 template <class T>

@@ -29,6 +29,18 @@ std::string Shooting<T>::name() const {
   return text;
 }
 
+/// Entry `i` of a state, from 0 to $2N-1$, first positions, then velocities.
+template <class T>
+const T& entry(const State<T>& state, std::size_t i) {
+  const std::size_t n = state.y.size();
+  return i < n ? state.y[i] : state.v[i - n];
+}
+template <class T>
+T& entry(State<T>& state, std::size_t i) {
+  const std::size_t n = state.y.size();
+  return i < n ? state.y[i] : state.v[i - n];
+}
+
 // From unknowns to a state and back
 template <class T>
 State<T> Shooting<T>::expand(const Vector<T>& x) const {
