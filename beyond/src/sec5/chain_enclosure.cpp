@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 
 #include "lattice/algebra/dense.hpp"
-#include "sec3/article_chains.hpp"
+#include "lattice/orbits/breather.hpp"
 #include "sec5/fineness.hpp"
 
 namespace lattice {
@@ -107,9 +107,10 @@ ChainGuess chain_guess(Centre centre, int numerator, int denominator, const Fine
   fineness.check();
   demand(denominator > 0 && numerator > denominator && numerator - denominator < denominator,
          "omega", std::to_string(numerator) + "/" + std::to_string(denominator), "1 < omega < 2");
-  const auto problem = problem_of(centre, double(numerator) / denominator);
+  const std::size_t sites = centre == Centre::site ? 31 : 32;  // more than the proof looks at
+  const auto problem = breather_problem(centre, double(numerator) / denominator, 0, sites);
   const Orbit<double> orbit = find_breather(problem);
-  const std::size_t half = guess_samples, sites = problem.chain.sites;
+  const std::size_t half = guess_samples;
   // The compressions on half a period
   State<double> state = orbit.start;
   Matrix<double> d(half + 1, fineness.contacts);
