@@ -1,0 +1,88 @@
+/**
+# Statements of section 3.4: Why packets turn round */
+
+#include <utility>
+
+#include "report/statement.hpp"
+
+using namespace lattice;
+
+STATEMENT("turning.momentum") {
+  for (const auto& run : table("momenta")) {
+    less(1 - bound(0.1), run["momentum"]);
+    less(run["envelope"], -0.9);
+    less(run["opposite"], 1);
+  }
+  for (const auto& packet : table("inertia")) {
+    less(0, packet["mass"]);
+    less(packet["envelope_mass"], 0);
+  }
+
+  // The measure can fail: the sum of the velocities does not follow the speed; and the balance closes
+  control([&] {
+    for (const auto& run : table("momenta")) less(abs(run["beads"]), 0.3);
+    for (const auto& row : table("balance").where("t", 298)) less(abs(row["residual"]), 0.01);
+  });
+}
+
+STATEMENT("turning.slowing") {
+  // Isolated packets: less energy than the breather of their action, by the kinetic energy of a negative inertia
+  for (const auto& packet : table("deficits")) {
+    near(packet["deficit"], packet["kinetic"], packet["kinetic"] * 0.2);
+    within(packet["emitted"], 0.9, 1.1);
+    less(packet["emitted"] + 0.3, packet["frequency"]);
+  }
+
+  // Packets that turn: both ways
+  for (const auto& packet : table("exchange")) {
+    less(packet["lost"], 0);
+    within(packet["out"], 0.9, 1.1);
+    less(0, packet["gained"]);
+    within(packet["back"], 0.9, 1.1);
+    less(packet["out"] + 0.3, packet["frequency"]);
+  }
+}
+
+STATEMENT("turning.return") {
+  // Wiped once, all return; without the end, fewer
+  const Data fates = table("fates");
+  for (const char* all : {"nothing", "wiped at 100", "wiped at 200"})
+    less(8, fates.at("taken", all)["least"]);
+  for (const char* few : {"absorbed at the end", "isolated at 100", "isolated at 200"})
+    less(fates.at("taken", few)["most"], 6);
+
+  // Isolated late, they stop where they would have turned
+  near(fates.at("taken", "isolated at 200")["furthest"], fates.at("taken", "nothing")["furthest"],
+       2);
+}
+
+STATEMENT("turning.pull") {
+  // The harder the well, the more is blocked and the stronger is the pull
+  const Data beside = table("beside");
+  for (const auto& [soft, harder] : {std::pair{0.3, 0.6}, {0.6, 1.0}}) {
+    less(beside.at("s", soft)["pull"], beside.at("s", harder)["pull"]);
+    less(beside.at("s", harder)["passed"], beside.at("s", soft)["passed"]);
+  }
+  less(0, beside.at("s", 0)["pull"]);
+  less(8 * beside.at("s", 0)["pull"], beside.at("s", 1)["pull"]);
+  less(beside.at("s", 1)["passed"], 0.5);
+
+  // Uphill
+  for (const auto& trial : table("hill")) {
+    if (trial("slope") > 0)
+      less(1, trial["moved"]);
+    else
+      less(trial["moved"], -1);
+  }
+}
+
+STATEMENT("turning.waves") {
+  // Without the waves behind it each of four packets goes at least twice as far as with them, and is not back
+  const Data range = table("range_of_waves");
+  for (const auto& [s, velocity] : {std::pair{1.0, 1.9}, {0.8, 2.2}, {1.0, 1.7}, {0.6, 2.5}}) {
+    const Data packet = range.where("s", s).where("velocity", velocity);
+    const auto without = packet.at("behind", 6);
+    less(2 * packet.at("behind", 0)["furthest"], without["furthest"]);
+    for (const char* fate : {"fate", "fate_coarse"}) less(without[fate], 0.5);
+  }
+}
