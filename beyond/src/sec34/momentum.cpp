@@ -20,13 +20,14 @@ double slope(const std::vector<double>& y, std::size_t n, std::size_t first, std
 
 }  // namespace
 
-Gauge::Gauge(const Chain& of, double time)
-    : sites_(of.sites), stretch_(time), square_(of.sites), turned_(of.sites) {}
+Gauge::Gauge(const Chain& of, double time, std::size_t half)
+    : sites_(of.sites), half_(half), stretch_(time), square_(of.sites), turned_(of.sites) {}
 
+// The packet is around the strongest site, wherever that is
 void Gauge::operator()(const State<double>& now, const std::vector<double>& density,
                        double centre) {
-  const std::size_t peak = strongest(density), first = std::max(peak, within + 1) - within,
-                    last = std::min(peak + within, sites_ - 2);
+  const std::size_t peak = strongest(density), first = std::max(peak, half_ + 1) - half_,
+                    last = std::min(peak + half_, sites_ - 2);
   sum_.t += now.t, sum_.centre += centre, ++looks_;
   sum_.momentum += momentum(now, first, last);
   for (std::size_t n = first; n <= last; ++n) {
@@ -54,6 +55,7 @@ void Gauge::add_angle(const State<double>& now, std::size_t n) {
                 std::complex(past.y[n], past.v[n] * cycle / turn);
 }
 
+// The action of each bead is that of the stretch in which it belonged to the packet
 void Gauge::close() {
   for (std::size_t n = 0; n < sites_; ++n) {
     if (square_[n] > 0) sum_.action += square_[n] * cycle / (turn + std::arg(turned_[n]));
@@ -74,9 +76,10 @@ std::size_t strongest(const std::vector<double>& density) {
   return std::size_t(std::max_element(density.begin(), density.end()) - density.begin());
 }
 
+// A speed is that between the neighbours of a stretch, so the last one has none
 std::vector<Means> means_along(const WavesAbsorbed& impact, double step, double until,
-                               std::size_t sites, double stretch) {
-  Gauge gauge({sites, Quartic{impact.s}}, stretch);
+                               std::size_t sites, double stretch, std::size_t half) {
+  Gauge gauge({sites, Quartic{impact.s}}, stretch, half);
   follow_without(impact, step, until, sites,
                  [&](const State<double>& now, const std::vector<double>& density, double centre) {
                    gauge(now, density, centre);
@@ -94,6 +97,7 @@ double momentum(const State<double>& now, std::size_t first, std::size_t last) {
   return p;
 }
 
+// What telescopes is the flux, the rest are the terms of wells and contacts
 Terms rates(const Chain& chain, const State<double>& now, std::size_t first, std::size_t last) {
   const auto& [y, v, t] = now;
   const auto push = [&](std::size_t contact) { return contact_push(chain, now.y.data(), contact); };

@@ -45,7 +45,7 @@ inline constexpr double cycle = 3.8;
 /// Adds up what it sees, which is a state every so often, and takes the means of each stretch.
 class Gauge {
  public:
-  Gauge(const Chain& of, double time);
+  Gauge(const Chain& of, double time, std::size_t half = within);
   void operator()(const State<double>& now, const std::vector<double>& density, double centre);
   std::vector<Means> all{};
 
@@ -54,7 +54,7 @@ class Gauge {
   void add_angle(const State<double>& now, std::size_t n);
   void close();
 
-  std::size_t sites_;
+  std::size_t sites_, half_;
   double stretch_, looks_ = 0;
   Means sum_{};
   std::deque<State<double>> before_{};  // of one cycle
@@ -64,7 +64,7 @@ class Gauge {
 
 /// The means along one run, over stretches of equal length; the last one is left out.
 std::vector<Means> means_along(const WavesAbsorbed& impact, double step, double until,
-                               std::size_t sites, double stretch);
+                               std::size_t sites, double stretch, std::size_t half = within);
 
 /**
 How does $P$ change? Inserting Eq. (9), the terms of the velocities, of the linear part of the wells and half of those
