@@ -92,5 +92,13 @@ STATEMENT("turning.waves") {
     const auto without = packet.at("behind", 6);
     less(2 * packet.at("behind", 0)["furthest"], without["furthest"]);
     for (const char* fate : {"fate", "fate_coarse"}) less(without[fate], 0.5);
+
+    // Beyond 20 sites they do not matter to the packets that turn early, and do to the others
+    const auto all = packet.at("behind", 0)["furthest"],
+               near_by = packet.at("behind", 20)["furthest"];
+    if (velocity == 1.9 || velocity == 2.2)
+      near(near_by, all, 0.1);
+    else
+      less(all + 3, near_by);
   }
 }
