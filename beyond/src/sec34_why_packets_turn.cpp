@@ -559,11 +559,11 @@ it back, it would not come back without the end. Of nine impacts that all return
 
 (Two numbers are those of three time steps that disagree.) Wiping does not stop the turning, not even at $t = 200$, which
 leaves nothing outside of the seventeen sites of the packet. So the waves of the impact are not needed. Isolating it
-leaves the same seventeen sites in the same state; the only difference is the end. And the end decides: without it a
-packet that is isolated at $t = 200$ stops where it would have turned, and about half of these packets stay there. Those
-isolated earlier go farther before they stop. What they shed runs away, where otherwise the end sends it back. This
-supports the article's possibility for the return: the waves that are confined between packet and end bring it back. But
-they need not be those of the impact, and a packet stops without them.
+leaves the same seventeen sites in the same state; the only difference is the end. And the end decides: without it
+packets that are isolated at $t = 200$ stop where they would have turned, but about half of them are not back by then.
+Those isolated earlier go farther before they stop. What they shed runs away, where otherwise the end sends it back. This
+supports the article's possibility for the return: it takes waves that are confined between packet and end. But these
+need not be those of the impact, and a packet stops without them.
 
 <!-- turning.return -->
 Of nine packets that return, at $s = 1$ after impacts from 1.86 to 1.94, all return if the waves more than eight sites
