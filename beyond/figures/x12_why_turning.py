@@ -1,36 +1,43 @@
-"""Figure x12: packets whose waves are absorbed: paths, and furthest sites against what is left."""
+"""Figure x12: the balance of the momentum of packets, in time and at one instant."""
 
 import draw
 import matplotlib.pyplot as plt
+import numpy as np
 
 data, out = draw.arguments()
-folder = f"{data}/sec34_boomeron_map"
-runs, reach = draw.read(f"{folder}/experiments.ecsv"), draw.read(f"{folder}/range_of_waves.ecsv")
+path = f"{data}/sec34_why_packets_turn/balance.ecsv"
+table, names = draw.read(path), np.array([row["run"] for row in draw.records(path)])
+terms = [("edges", "edges", "#0072B2", "-"), ("window", "window", "#E69F00", ":"),
+         ("wells", "wells", "#D55E00", "--"), ("contacts", "contacts", "#009E73", "-.")]
 
-figure, (a, b) = plt.subplots(1, 2, figsize=(draw.TWO_COLUMNS, 70 * draw.MM), layout="constrained")
-for k, colour, dash, name in [(0, "#000000", "-", "waves left"), (1, "#D55E00", "--", "absorbed behind"),
-                              (2, "#0072B2", "-.", "absorbed at the end")]:
-    run = draw.where(runs, "experiment", k)
-    a.plot(run["t"], run["centre"], dash, color=colour, lw=1.2, label=name)
-a.set(xlabel="time $t$", ylabel="centre $X$ (site)", xlim=(0, 4000), ylim=(0, 100))
-a.legend(loc="upper left", bbox_to_anchor=(0.08, 1))
+figure, ((a, b), (c, d)) = plt.subplots(2, 2, figsize=(draw.TWO_COLUMNS, 95 * draw.MM), sharex="col",
+                                        height_ratios=(3, 1), width_ratios=(1, 1.25), layout="constrained")
+turning = {name: column[names == "all waves"] for name, column in table.items()}
+a.plot(turning["t"], turning["change"], color="black", lw=1.6, label="change of $P$")
+for name, label, colour, dash in terms:
+    a.plot(turning["t"], turning[name], dash, color=colour, lw=1.2, label=label)
+a.axhline(0, color="#888888", lw=0.5)
+a.set(ylabel="since $t = 98$", ylim=(-0.55, 0.62))
+a.legend(loc="upper left", bbox_to_anchor=(0.13, 1), fontsize=6.5, ncols=2, handlelength=1.6, columnspacing=1)
+c.errorbar(turning["t"], 1000 * turning["residual"], 1000 * turning["residual_error"], fmt="o", ms=2,
+           color="black", lw=0.7)
+c.axhline(0, color="#888888", lw=0.5)
+c.set(xlabel="time $t$", ylabel="residual\n(thousandths)", xlim=(95, 302), ylim=(-3, 3))
 
-ALL = 36  # where packets with all their waves are drawn
-for s, velocity, mark, colour in [(1, 1.9, "o", "#000000"), (0.8, 2.2, "s", "#D55E00"),
-                                  (1, 1.7, "^", "#0072B2"), (0.6, 2.5, "D", "#009E73")]:
-    part = draw.where(draw.where(reach, "s", s), "velocity", velocity)
-    behind = [d if d > 0 else ALL for d in part["behind"]]
-    order = sorted(range(len(behind)), key=lambda i: behind[i])
-    b.plot([behind[i] for i in order], [part["furthest"][i] for i in order], color=colour, lw=0.8)
-    for d, site, fate in zip(behind, part["furthest"], part["fate"]):
-        b.plot([d], [site], mark, color=colour, ms=4, mfc=colour if fate == 1 else "white")
-    b.plot([], [], mark + "-", color=colour, ms=4, lw=0.8, label=f"$s = {s:g}$, $v_0 = {velocity:g}$")
-b.set(xlabel="waves left behind the packet (sites)", ylabel="furthest centre (site)", yscale="log",
-      xlim=(4, 38), ylim=(15, 400))
-b.set_xticks([6, 15, 20, 30, ALL], ["6", "15", "20", "30", "all"])
-b.set_yticks([20, 50, 100, 200], ["20", "50", "100", "200"])
-b.minorticks_off()
-b.legend(loc="upper right", fontsize=7)
+last = table["t"] == 298
+runs = list(dict.fromkeys(names))
+places = np.arange(len(runs))
+for k, (name, label, colour, dash) in enumerate(terms):
+    b.bar(places - 0.3 + 0.15 * k, table[name][last], 0.15, color=colour)
+b.bar(places + 0.3, table["change"][last], 0.15, color="black")
+b.axhline(0, color="#888888", lw=0.5)
+b.set(ylabel="from $t = 98$ to 298", ylim=(-0.55, 0.62))
+d.errorbar(places, 1000 * table["residual"][last], 1000 * table["residual_error"][last], fmt="o", ms=3,
+           color="black", lw=0.7)
+d.axhline(0, color="#888888", lw=0.5)
+d.set(ylabel="residual\n(thousandths)", ylim=(-3, 3))
+short = ["all\nwaves", "wiped", "$d=20$", "$d=10$", "isol-\nated", "$s=0.6$", "$s=0$"]
+d.set_xticks(places, short, fontsize=7)
 draw.letter(a, "a")
 draw.letter(b, "b")
 draw.save(figure, out)

@@ -1,25 +1,21 @@
 /**
-# 3.4 Which packets turn round, and what lies behind them
+# 3.4 Which packets turn round
 
 In hard wells, $s > 0$, the packet launched by an impact slows down, turns round and comes back. Section 3.4 of James,
 Kevrekidis and Cuevas (Physica D 251, 2013) says that it does so for $s\ge0.005$ and not for $s = 0$, but not for which
-impacts and how far out. It leaves open why, and names one possibility: waves confined between the packet and the end
-that was hit. We map where packets turn, and absorb the waves behind them.
+impacts and how far out. We map where packets turn; why they do is the subject of `sec34_why_packets_turn`.
 
 - In the limit of weak impacts the site at which a packet turns should depend on one number, $\chi = s\,v_0^{3/2}$. The values of $s$ at
-  which it turns at site 40 follow a fit with two coefficients. This contour is not a boundary: in softer wells packets
-  turn farther out. Whether contours of ever farther sites approach one is open.
-- Each of four packets that turn goes nearly three times as far or farther if the waves more than six sites behind it are absorbed. If
-  they are absorbed at the end that was hit, the one we tried turns nevertheless, two thirds farther out.
-- So without what is close behind it, waves or its own rear, a packet goes farther. *Why* is open, and so is what slows
-  down a packet that has lost it.
+  which it turns at site 40 follow a fit with two coefficients.
+- This contour is not a boundary: in softer wells packets turn farther out. Whether contours of ever farther sites
+  approach one is open.
 
 ## Model
 
 The chain is that of `sec34_boomeron`, Eqs. (9), (10) and (26), at rest before the impact, with free ends,
-$$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2} - \nu_n\dot y_n,
+$$\ddot y_n + y_n + s\,y_n^3 = (y_{n-1}-y_n)_+^{3/2} - (y_n-y_{n+1})_+^{3/2},
   \qquad \dot y_n(0) = v_0\,\delta_{n,1}.$$
-The damping $\nu_n$ is zero except where we absorb waves. As in that chapter the packet is where the energy density
+As in that chapter the packet is where the energy density
 $e_n$ of Eq. (23) is largest, and its place $X$ is the energy centre, Eq. (24). */
 
 #include <algorithm>
@@ -37,7 +33,6 @@ $e_n$ of Eq. (23) is largest, and its place $X$ is the energy centre, Eq. (24). 
 #include "lattice/numerics/line_fit.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
-#include "sec34/wake.hpp"
 
 using namespace lattice;
 using namespace report;
@@ -335,136 +330,10 @@ void report_any_s(Report& report) {
 }
 
 /**
-## Absorbing the waves (figure x12a)
-
-     nothing   |~~~~~~~~~~~~~~~ (packet)
-     behind    |xxxxxxxx<- d -> (packet)       damped more than d sites behind it
-     end       |x~~~~~~~~~~~~~~ (packet)       only the first bead is damped
-
-Do waves turn the packet? At $s = 1$, $v_0 = 1.9$ we damp all sites more than six behind the packet, or the first bead
-alone, which leaves all waves and weakens their reflection (`follow_without`, wake.hpp). The packet has returned when
-$X$, averaged over four internal periods, has come back by five sites. The chain has 800 sites; if a wave reached the
-far end, the program would stop. Only a long run can show that it does *not*, and long runs are chaotic: each is made
-with two steps. Behind the packet the rate of damping is 0.1; the first bead is damped at the rate 0.2, from $t = 60$
-on.
-
-| absorbed | until $t$ | of the two runs have returned | furthest site |
-|---|---|---|---|
-| nothing | 1000 | [2](cell:absorbers/absorbed=nothing/returned) | [20.05](cell:furthest) |
-| at the end that was hit | 4000 | [2](cell:absorbers/absorbed=at_the_end/returned) | [33.3](cell:furthest) |
-| more than six sites behind the packet | $10^4$ | [0](cell:absorbers/absorbed=behind/returned) | [157.0 ± 0.9](cell:furthest) |
-
-The article names waves confined between the packet and the end as one possibility. With a weaker reflection there the
-packet still turns, though farther out; how much the damped bead reflects we did not measure.
-
-![Paths with waves absorbed, and the furthest site against the distance at which they are.](fig:x12) */
-constexpr std::size_t length = 800;  // of the chain
-
-void report_absorbers(Report& report) {
-  struct Run {
-    const char* absorbed;
-    WavesAbsorbed impact;
-    double until;
-    std::array<LateFate, 2> fate{};
-  };
-  std::vector<Run> list{{"nothing", {}, 1000},
-                        {"behind", {.behind = 6}, 1e4},
-                        {"at_the_end", {.first_bead = true}, 4000}};
-  parallel_for("absorbers", 2 * list.size(), [&](std::size_t i) {
-    Run& run = list[i / 2];
-    if (report.quick) run.until = 600;
-    run.fate[i % 2] = late_fate(run.impact, i % 2 ? 0.05 : 0.1, run.until, length);
-  });
-
-  // What became of each packet, and its way, smoothed
-  Table& absorbers = report.table("absorbers");
-  Table& tracks =
-      report.table("experiments",
-                   {count("experiment",
-                          "0: nothing absorbed, 1: absorbed behind the packet, 2: absorbed at the "
-                          "struck end"),
-                    number("t", "time"), number("centre", "centre of the packet, smoothed", "site"),
-                    number("energy", "energy of the packet, smoothed")});
-  for (std::size_t k = 0; k < list.size(); ++k) {
-    const auto& [coarse, fine] = list[k].fate;
-    const Path p = smooth(fine.path, path_smoothing);
-    for (std::size_t i = 0; i < p.size() && p[i].t < 4000; i += 100)
-      tracks.add({k, p[i].t, p[i].centre, p[i].energy});
-    absorbers.add(
-        {{"absorbed", "where waves are absorbed", list[k].absorbed},
-         {"until", "end of the run", list[k].until},
-         {"returned", "how many of the two runs have the packet back",
-          int(coarse.late == Late::returns) + int(fine.late == Late::returns)},
-         {"furthest", "farthest mean centre", with_error(coarse.furthest, fine.furthest), "site"}});
-  }
-}
-
-/**
-## How far behind the waves may be (figure x12b)
-
-Do the waves act from afar? Four packets that turn between sites 20 and 80 are followed to $t = 4000$, with all
-waves and with those up to a distance $d$ behind them. The table has the furthest site by then.
-
-| $s$, $v_0$ | all waves | $d = 30$ | $20$ | $15$ | $6$ |
-|---|---|---|---|---|---|
-| 1, 1.9 | [20.05](cell:range_of_waves/s=1/velocity=1.9/behind=0/furthest) | [20.05](cell:behind=30/furthest) | [20.05](cell:behind=20/furthest) | [20.12 ± 0.04](cell:behind=15/furthest) | [87 ± 2](cell:behind=6/furthest) |
-| 0.8, 2.2 | [26.11](cell:range_of_waves/s=0.8/velocity=2.2/behind=0/furthest) | [26.11](cell:behind=30/furthest) | [26.13](cell:behind=20/furthest) | [27.18](cell:behind=15/furthest) | [117 ± 1](cell:behind=6/furthest) |
-| 1, 1.7 | [54.2 ± 0.2](cell:range_of_waves/s=1/velocity=1.7/behind=0/furthest) | [55.3](cell:behind=30/furthest) | [63.12](cell:behind=20/furthest) | [64.32](cell:behind=15/furthest) | [191.1](cell:behind=6/furthest) |
-| 0.6, 2.5 | [77.3 ± 0.9](cell:range_of_waves/s=0.6/velocity=2.5/behind=0/furthest) | [75.1](cell:behind=30/furthest) | [84.24](cell:behind=20/furthest) | [128.3](cell:behind=15/furthest) | [227.6](cell:behind=6/furthest) |
-
-With fifteen sites the first packet is trapped where it would have turned, and the last is still on its way out. With
-six sites none returns in that time. With thirty the last one turns a little nearer than with all waves. (At $v_0 = 1.7$
-with all waves the packet has come back by $t = 4000$ only with the finer of two steps.)
-
-<!-- turning.waves -->
-Without what is close behind it a packet that turns goes farther; the cause is not known. Of four packets that turn
-between sites 20 and 80, in hard wells with $s$ from 0.6 to 1 and after impacts from 1.7 to 2.5, each goes at least
-twice as far, and none is back by $t = 4000$, if the waves more than six sites behind it are absorbed. At $s = 1$, $v_0
-= 1.9$ an absorber at the end that was hit only moves the turning point, from site 20.05 to 33.3. (observed)
-<!-- /turning.waves -->
-
-The control is a packet that has not turned by $t = 4000$, at $s = 0.6$, $v_0 = 1.9$: with all waves and with six sites
-of them it is almost at the same place, at
-[415.622 ± 0.005](cell:range_of_waves/s=0.6/velocity=1.9/behind=0/furthest) and
-[415.606 ± 0.004](cell:range_of_waves/s=0.6/velocity=1.9/behind=6/furthest). */
-void report_distances(Report& report) {
-  struct Run {
-    WavesAbsorbed impact;
-    std::array<LateFate, 2> fate{};
-  };
-  std::vector<Run> list;
-  for (const auto& [s, velocity] : {std::pair{1.0, 1.9}, {0.8, 2.2}, {1.0, 1.7}, {0.6, 2.5}})
-    for (std::size_t d : {0, 6, 15, 20, 30}) list.push_back({{s, velocity, d}});
-  for (std::size_t d : {0, 6}) list.push_back({{0.6, 1.9, d}});
-  const double until = report.quick ? 300 : 4000, step = report.quick ? 0.2 : 0.1;
-  const auto row = [&](Run& run) {
-    for (int k : {0, 1}) run.fate[k] = late_fate(run.impact, k ? step : 2 * step, until, length);
-    const auto& [coarse, fine] = run.fate;
-    return Cells{run.impact.s, run.impact.velocity, run.impact.behind,
-                 fine.late,    coarse.late,         with_error(coarse.furthest, fine.furthest),
-                 fine.when};
-  };
-  report
-      .table("range_of_waves",
-             {number("s", "anharmonicity"), number("velocity", "impact velocity"),
-              count("behind", "waves are kept up to this many sites behind the packet; 0: all",
-                    "site"),
-              count("fate", "0 goes on, 1 returns, 2 trapped"),
-              count("fate_coarse", "fate with twice the time step"),
-              estimate("furthest", "farthest mean centre by the end of the run", "site",
-                       "from two time steps, known to 3 per cent"),
-              number("when", "time at which it is reached")})
-      .fill(list, row, "distances");
-}
-
-/**
 ## Differences and limits
 
-*Not shown*: why packets turn. Beads only push, so what comes from behind pushes a packet forward, and it slows down
-nevertheless. We cannot show that a packet never turns, only that it does not before a given site or time; in other runs
-a few neighbours of the first packet did return without the waves behind them, late (`beyond/paper/findings.ecsv`). For
-$\chi$ far above the contour the motion near the end that was hit is erratic, and the fate of single points depends on
-the last digit. Damping so close to a packet may affect the packet itself. */
+We cannot show that a packet never turns, only that it does not before a given site or time. For $\chi$ far above the
+contour the motion near the end that was hit is erratic, and the fate of single points depends on the last digit. */
 void reproduce(Report& report) {
   MapGrid grid;
   if (report.quick) grid.columns = grid.rows = 8;
@@ -474,16 +343,13 @@ void reproduce(Report& report) {
   report_law(report);
   report_horizons(report);
   report_any_s(report);
-  report_absorbers(report);
-  report_distances(report);
   sweep.forget();
 }
 
 /**
 ## Try it
 
-**To change it.** Another impact or well is a row of the lists in `report_absorbers` and `report_distances`; another
-absorber is a branch of `absorber` (wake.cpp).
+**To change it.** The impacts and wells of the map are those of `MapGrid`, the site of the contour is `horizon`.
 
 1. *Easy.* Halve the impact $v_0 = 1.9$ at $s = 1$ and keep $\chi$:
    `build/bin/sec34_boomeron run --velocity 0.95 --s 2.828427 --time 1500` gives `apex_site` = 10.00 and `return_time` =
