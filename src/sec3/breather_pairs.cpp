@@ -75,27 +75,6 @@ static void measure_once(BreatherPair& pair, Resolution resolution) {
   set_errors<T>(pair, only, only);
 }
 
-/// Double precision on the way to a pair: the last evaluations need no derivative of their own.
-static NewtonRule<double> on_the_way() {
-  NewtonRule<double> how;
-  how.reuse_below = 1e-9;
-  return how;
-}
-
-// Along one branch until it folds back in frequency
-std::vector<Orbit<double>> breathers_at(Shooting<double> problem,
-                                        const std::vector<double>& omegas) {
-  problem.omega = omegas.front();
-  std::vector<Orbit<double>> orbits{find_breather(problem)};
-  Branch branch(problem, along_omega<double>(problem.chain.contact.exponent()), orbits.front(), 1,
-                on_the_way());
-  try {
-    for (std::size_t k = 1; k < omegas.size(); ++k) orbits.push_back(branch.orbit_at(omegas[k]));
-  } catch (const NoBranch&) {
-  }
-  return orbits;
-}
-
 std::vector<double> pair_frequencies(double s, int count) {
   std::vector<double> out{1.005};
   for (int k = 1; k <= count; ++k) out.push_back(1 + double(k) / count);

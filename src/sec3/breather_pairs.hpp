@@ -50,10 +50,6 @@ struct BreatherPair {
 template <class T>
 void measure_in(BreatherPair& pair);
 
-/// The family of the breather of `problem` at increasing frequencies, as far as it reaches.
-std::vector<Orbit<double>> breathers_at(Shooting<double> problem,
-                                        const std::vector<double>& omegas);
-
 /// Pairs at increasing frequencies.
 using BreatherPairs = std::vector<BreatherPair>;
 

@@ -7,7 +7,7 @@
 #include "lattice/diagnostics/observe.hpp"
 #include "lattice/gsl/random.hpp"
 #include "lattice/integrators/event_corrected.hpp"
-#include "lattice/orbits/breather_pairs.hpp"
+#include "lattice/orbits/breather.hpp"
 #include "sec34/momentum.hpp"
 
 namespace lattice {

@@ -55,6 +55,26 @@ Orbit<double> find_breather(const Shooting<double>& problem, Phase phase,
       .orbit_at(problem.omega);
 }
 
+NewtonRule<double> on_the_way() {
+  NewtonRule<double> how;
+  how.reuse_below = 1e-9;
+  return how;
+}
+
+// Along one branch until it folds back in frequency
+std::vector<Orbit<double>> breathers_at(Shooting<double> problem,
+                                        const std::vector<double>& omegas) {
+  problem.omega = omegas.front();
+  std::vector<Orbit<double>> orbits{find_breather(problem)};
+  Branch branch(problem, along_omega<double>(problem.chain.contact.exponent()), orbits.front(), 1,
+                on_the_way());
+  try {
+    for (std::size_t k = 1; k < omegas.size(); ++k) orbits.push_back(branch.orbit_at(omegas[k]));
+  } catch (const NoBranch&) {
+  }
+  return orbits;
+}
+
 State<double> resized(const State<double>& state, std::size_t sites) {
   State<double> out(sites);
   const long old = long(state.y.size()), shift = (long(sites) - old) / 2;

@@ -37,6 +37,13 @@ constexpr double direct_up_to = 1.1;
 Orbit<double> find_breather(const Shooting<double>& problem, Phase phase = Phase::compressed,
                             const NewtonRule<double>& rule = {});
 
+/// Newton's rule for orbits that are only passed: the last evaluations need no derivative of their own.
+NewtonRule<double> on_the_way();
+
+/// The family of the breather of `problem` at increasing frequencies, as far as it reaches.
+std::vector<Orbit<double>> breathers_at(Shooting<double> problem,
+                                        const std::vector<double>& omegas);
+
 /// The same problem in another precision.
 template <class T>
 Shooting<T> in_precision(const Shooting<double>& problem) {
