@@ -4,6 +4,8 @@
 #include <sstream>
 #include <utility>
 
+#include "report/table.hpp"
+
 namespace report {
 
 static const char* list = nullptr;  // of this program

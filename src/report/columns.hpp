@@ -10,9 +10,9 @@ their own for that column. The list is compiled into the program. A column that 
 
 #include <string>
 
-#include "report/table.hpp"
-
 namespace report {
+
+struct Table;
 
 /// Makes a list known to the program, whose text lives as long as it. One object of it stands beside each chapter.
 struct ColumnList {

@@ -358,7 +358,7 @@ struct Register {
   const report::Register register_##name(id, __FILE__, __LINE__, &report::Register::run<name>); \
   }                                                                                             \
   void name::judge()
-#define LATTICE_EXPANDED(id, line) LATTICE_STATEMENT(id, Statement_##line)
+#define LATTICE_EXPANDED(id, number) LATTICE_STATEMENT(id, Statement_##number)
 /// A statement of the list with this id; its body follows.
-#define STATEMENT(id) LATTICE_AT(id, __LINE__)
-#define LATTICE_AT(id, line) LATTICE_EXPANDED(id, line)
+#define STATEMENT(id) LATTICE_AT(id, __COUNTER__)
+#define LATTICE_AT(id, number) LATTICE_EXPANDED(id, number)

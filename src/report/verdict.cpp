@@ -7,7 +7,6 @@
 #include <cctype>
 #include <cmath>
 #include <optional>
-#include <regex>
 #include <set>
 #include <string_view>
 
@@ -15,7 +14,6 @@
 
 namespace report {
 
-static const std::string number_pattern = R"((-?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?))";
 static const double nan = std::nan("");
 /// A number that is printed as about so much, or that is cut instead of rounded, agrees within one unit of its last digit.
 static constexpr std::string_view hedges[] = {"",        "about", "cut", "order of magnitude",
@@ -31,18 +29,33 @@ struct Print {
   int digits;
 };
 
+/// A number as it is printed, without the sign plus.
+static std::optional<double> plain_number(const std::string& text) {
+  return text.starts_with('+') ? std::nullopt : parse_number(text);
+}
+
 static std::optional<Print> print_of(const std::string& text) {
-  static const std::regex form(number_pattern + "(?: pi/" + number_pattern + ")?(?: to " +
-                               number_pattern + ")?( orders)?");
-  std::smatch m;
-  if (!std::regex_match(text, m, form)) return {};
-  const std::string first = m[1];
+  // Take off, from the end, what follows a word
+  std::string first = text;
+  const auto after = [&](const std::string& word) -> std::optional<std::string> {
+    const auto at = first.find(word);
+    if (at == std::string::npos) return {};
+    const std::string rest = first.substr(at + word.size());
+    first.resize(at);
+    return rest;
+  };
+  const bool orders = first.ends_with(" orders");
+  if (orders) first.resize(first.size() - 7);
+  const std::optional<std::string> to = after(" to "), over = after(" pi/");
+  const auto one = plain_number(first), other = plain_number(to.value_or("0")),
+             divisor = plain_number(over.value_or("1"));
+  if (!one || !other || !divisor) return {};
+  // The unit of the last digit, and the ends of the range
   const auto e = std::min(first.find_first_of("eE"), first.size()), dot = first.find('.');
   const double decimals = dot == std::string::npos ? 0 : double(e - dot - 1);
   const double power = e == first.size() ? 0 : std::stod(first.substr(e + 1));
-  double a = std::stod(first) * (m[2].matched ? std::acos(-1.0) / std::stod(m[2]) : 1);
-  double b = m[3].matched ? std::stod(m[3]) : a;
-  if (m[4].matched) a = std::pow(10, a), b = std::pow(10, b);
+  double a = *one * (over ? std::acos(-1.0) / *divisor : 1), b = to ? *other : a;
+  if (orders) a = std::pow(10, a), b = std::pow(10, b);
   const std::string plain = first.substr(0, e);
   const auto begin = plain.find_first_of("123456789");
   const auto digits = begin == std::string::npos
@@ -220,10 +233,15 @@ bool is_met(const std::string& verdict) {
   return met.count(verdict) > 0;
 }
 
+static bool begins_like_a_number(std::string_view text) {
+  for (const char sign : {'-', '.'})
+    if (text.starts_with(sign)) text.remove_prefix(1);
+  return !text.empty() && std::isdigit(static_cast<unsigned char>(text[0])) != 0;
+}
+
 static std::string complaint(const Claim& c) try {
   allowed(c);
-  static const std::regex numeral("-?[.]?[0-9].*");
-  if (std::regex_match(c.printed, numeral) != print_of(c.printed).has_value())
+  if (begins_like_a_number(c.printed) != print_of(c.printed).has_value())
     return "'" + c.printed + "' begins like a number and is none";
   if (!c.tolerance.empty() && !print_of(c.printed)) return "words have no tolerance";
   if (!met.count(c.status) && !missed.count(c.status))

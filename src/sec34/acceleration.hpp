@@ -5,10 +5,10 @@
 The path of a particle on which a constant force acts is a parabola. We fit one to a part of a smoothed path: its second
 derivative is the mean acceleration, and its distance from the path shows how constant the force is. */
 
-#include <Eigen/QR>
 #include <cmath>
 #include <vector>
 
+#include "lattice/algebra/dense.hpp"
 #include "lattice/diagnostics/path.hpp"
 
 namespace lattice {
@@ -29,11 +29,11 @@ inline PathFit fit_parabola(const Path& path, double from, double to) {
     centre.push_back(at.centre);
   }
   const auto n = Eigen::Index(u.size());
-  const Eigen::VectorXd x = Eigen::Map<Eigen::VectorXd>(centre.data(), n);
-  Eigen::MatrixX3d powers(n, 3);
+  const Vector<double> x = Eigen::Map<Vector<double>>(centre.data(), n);
+  Matrix<double> powers(n, 3);
   for (Eigen::Index i = 0; i < n; ++i)
     powers.row(i) << 1, u[std::size_t(i)], std::pow(u[std::size_t(i)], 2);
-  const Eigen::Vector3d fit = powers.householderQr().solve(x);
+  const Vector<double> fit = fit_columns(powers, x);
   const double off = (powers * fit - x).norm() / std::sqrt(double(n));
   return {2 * fit[2] / (half * half), off / (x.maxCoeff() - x.minCoeff())};
 }

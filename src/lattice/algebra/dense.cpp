@@ -12,6 +12,10 @@ Vector<double> least_squares(const Matrix<double>& matrix, const Vector<double>&
   return matrix.colPivHouseholderQr().solve(right);
 }
 
+Vector<double> fit_columns(const Matrix<double>& matrix, const Vector<double>& right) {
+  return matrix.householderQr().solve(right);
+}
+
 // The triangle of the elimination by reflections has the same singular values, and is square
 Softness condition_of(const Matrix<double>& matrix) {
   const Eigen::Index n = matrix.cols();

@@ -349,4 +349,6 @@ double EventCorrected::advance(const Chain& chain, State<double>& state, Window&
   return work;
 }
 
+template Method::Method(const EventCorrected&);
+
 }  // namespace lattice

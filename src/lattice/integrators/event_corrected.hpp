@@ -80,5 +80,6 @@ struct EventCorrected {
   double advance(const Chain& chain, State<double>& state, Window& window, double h,
                  std::size_t count, NystromMemory& at) const;
 };
+extern template Method::Method(const EventCorrected&);
 
 }  // namespace lattice

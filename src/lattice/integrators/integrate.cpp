@@ -140,5 +140,6 @@ Run evolve(const Method& method, const Chain& chain, State<double>& state, doubl
 }
 
 LATTICE_IN_EACH_PRECISION(LATTICE_STEPPING)
+template Method::Method(const Splitting&);
 
 }  // namespace lattice

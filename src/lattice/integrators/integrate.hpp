@@ -134,21 +134,24 @@ struct Method {
   std::function<Advance(const Chain&)> on;  ///< ready to advance this chain, and only this one
 
   template <AdvancesChain M>
-  Method(const M& method) : step(method.step) {
-    if constexpr (requires { method.halvings; }) halvings = method.halvings;
-    on = [method](const Chain& of) -> Advance {
-      if constexpr (requires { method.memory(of); })
-        return
-            [method, memory = method.memory(of)](const Chain& chain, State<double>& state,
-                                                 Window& window, double h, std::size_t n) mutable {
-              return method.advance(chain, state, window, h, n, memory);
-            };
-      else
-        return [method](const Chain& chain, State<double>& state, Window& window, double h,
-                        std::size_t n) { return method.advance(chain, state, window, h, n); };
-    };
-  }
+  Method(const M& method);
 };
+
+template <AdvancesChain M>
+Method::Method(const M& method) : step(method.step) {
+  if constexpr (requires { method.halvings; }) halvings = method.halvings;
+  on = [method](const Chain& of) -> Advance {
+    if constexpr (requires { method.memory(of); })
+      return [method, memory = method.memory(of)](const Chain& chain, State<double>& state,
+                                                  Window& window, double h, std::size_t n) mutable {
+        return method.advance(chain, state, window, h, n, memory);
+      };
+    else
+      return [method](const Chain& chain, State<double>& state, Window& window, double h,
+                      std::size_t n) { return method.advance(chain, state, window, h, n); };
+  };
+}
+extern template Method::Method(const Splitting&);
 
 /// The grid of a run: the coarsest that suits the method's step, then its halvings.
 TimeGrid time_grid(const Method& method, double duration, Every every);
