@@ -12,7 +12,7 @@ Vector<double> least_squares(const Matrix<double>& matrix, const Vector<double>&
   return matrix.colPivHouseholderQr().solve(right);
 }
 
-Vector<double> fit_columns(const Matrix<double>& matrix, const Vector<double>& right) {
+Eigen::Vector3d fit_columns(const Eigen::MatrixX3d& matrix, const Vector<double>& right) {
   return matrix.householderQr().solve(right);
 }
 

@@ -24,8 +24,8 @@ Vector<T> solve_square(const Matrix<T>& matrix, const Vector<T>& right);
 /// The x for which the norm of matrix * x - right is least; the columns of `matrix` are independent.
 Vector<double> least_squares(const Matrix<double>& matrix, const Vector<double>& right);
 
-/// The same for few columns that are far from dependent, which need not be exchanged.
-Vector<double> fit_columns(const Matrix<double>& matrix, const Vector<double>& right);
+/// The same for three columns that are far from dependent, which need not be exchanged.
+Eigen::Vector3d fit_columns(const Eigen::MatrixX3d& matrix, const Vector<double>& right);
 
 /// The shortest x for which the norm of matrix * x - right is least. A direction counts as free if its singular value,
 /// relative to the largest or to `scale` if that is more, is below `rank`; zero stands for the rounding errors.
