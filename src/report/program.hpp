@@ -36,8 +36,8 @@ struct Failure : std::runtime_error {
 Columns quantity_columns();
 
 /// A quantity that is not defined, such as the speed of a packet that never left.
-inline constexpr Estimate undefined{std::numeric_limits<double>::quiet_NaN(),
-                                    std::numeric_limits<double>::quiet_NaN()};
+inline const Estimate undefined{std::numeric_limits<double>::quiet_NaN(),
+                                std::numeric_limits<double>::quiet_NaN()};
 
 /**
 Each row of an answer says what it means and, where its value is `nan`, why. A value smaller than its error is no answer,

@@ -1,6 +1,7 @@
 // What columns mean: a row of the table itself, one of all tables, and the words of errors.
 
 #include "report/columns.hpp"
+#include "report/table.hpp"
 
 #include "support/check.hpp"
 
