@@ -1,8 +1,8 @@
 // What columns mean: a row of the table itself, one of all tables, and the words of errors.
 
 #include "report/columns.hpp"
-#include "report/table.hpp"
 
+#include "report/table.hpp"
 #include "support/check.hpp"
 
 using namespace lattice;
