@@ -12,7 +12,7 @@ their own for that column. The list is compiled into the program. A column that 
 
 namespace report {
 
-struct Table;
+struct Table;  // of table.hpp, which a list of columns need not read
 
 /// Makes a list known to the program, whose text lives as long as it. One object of it stands beside each chapter.
 struct ColumnList {
