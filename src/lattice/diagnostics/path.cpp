@@ -37,7 +37,8 @@ double Path::travelled(double site, double duration) const {
   // Both ends lie between two samples
   const auto [i, part] = passage(*this, site);
   const double end = samples[i - 1].t + part * (samples[i].t - samples[i - 1].t) + duration;
-  const auto last = std::ranges::lower_bound(samples, end, {}, &PathSample::t);
+  const auto last = std::lower_bound(samples.begin(), samples.end(), end,
+                                     [](const PathSample& at, double t) { return at.t < t; });
   if (last == samples.end()) throw std::runtime_error("the packet is not followed long enough");
   const PathSample &after = *last, &before = *(last - 1);
   const double rest = (end - before.t) / (after.t - before.t);

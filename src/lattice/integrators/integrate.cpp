@@ -67,7 +67,8 @@ class Audit {
   Audit(const Chain& chain, double start, double duration) : chain_(chain), start_(start) {
     // Beyond the wells and beyond the flight of the lightest bead with all of the energy
     double mass = 1;
-    if (chain.variation) mass = std::ranges::min(chain.variation->mass);
+    if (chain.variation)
+      mass = *std::min_element(chain.variation->mass.begin(), chain.variation->mass.end());
     const double flight = std::sqrt(2 * std::max(start, 0.0) / mass) * duration;
     if (std::isfinite(flight)) far_ += flight;
   }
