@@ -408,9 +408,10 @@ from 1.865 to 1.875, which round to the printed one, none stops before
 Why does a packet turn? The article guesses that it is the waves which are confined between the packet and the end. They
 are there: behind the packet beads move with up to [0.27](cell:turning_profiles/t=238/n=15/v), a third of the packet's
 largest velocity; a few sites ahead of it all are at rest. If they caused the turn, a packet without them would go on.
-Volume two (`sec34_why_packets_turn`) takes them away. Wiped out once, early, they are not missed: nine of nine impacts
-about 1.9 return. But if the end absorbs waves, none of the nine is back by $t = 1200$, and few are if the packet is moved
-to a chain at rest. So the guess is right about the end; what slows a packet down is that it sheds slow waves. */
+Volume two (`sec34_why_packets_turn`) takes them away. Those more than eight sites behind are not missed if they are
+wiped out once: nine of nine impacts about 1.9 return. If the first bead is damped none of the nine is back by $t =
+1200$, and two to five are if the packet is moved to a chain at rest. So the end helps it back, as the guess says; its
+slowing down is accounted for by the slow waves that it sheds, wherever these go.*/
 void report_profiles(Report& report) {
   const Packet whole = packet_of({v0_fig23}, finer_step({v0_fig23}, report));
   Table &profiles = report.table("turning_profiles"), &near = report.table("close_to_turning");
