@@ -80,7 +80,8 @@ T symplectic_error(const Matrix<T>& f) {
 template <class T>
 Matrix<T> pair_matrix(const Matrix<T>& half) {
   const Eigen::Index n = half.rows() / 2;
-  return half.topRightCorner(n, n).transpose() * half.bottomLeftCorner(n, n);
+  const Matrix<T> above = half.topRightCorner(n, n), below = half.bottomLeftCorner(n, n);
+  return above.transpose() * below;
 }
 
 std::complex<double> multiplier(std::complex<double> kappa, int sign) {
@@ -106,7 +107,7 @@ Matrix<T> perpendicular_to(const Vector<T>& f) {
 template <class T>
 MultiplierPairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f) {
   const Matrix<T> basis = perpendicular_to(f);
-  const Matrix<T> restricted = basis.transpose() * k * basis;
+  const Matrix<T> rows = basis.transpose() * k, restricted = rows * basis;
   MultiplierPairs<T> pairs;
   pairs.kappa = eigenvalues_of(restricted);
   // The pinning pair is the one nearest to +1, with the smallest kappa; its mode is what shifts the breather

@@ -5,6 +5,5 @@
 namespace lattice {
 
 template Vector<Quadruple> solve_square(const Matrix<Quadruple>&, const Vector<Quadruple>&);
-template Vector<FiftyDigits> solve_square(const Matrix<FiftyDigits>&, const Vector<FiftyDigits>&);
 
 }  // namespace lattice

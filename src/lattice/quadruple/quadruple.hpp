@@ -4,13 +4,13 @@
 
 Rounding errors of `double` would hide some numbers of the article, such as the smallest energy barriers.
 A few of them are therefore confirmed with a mantissa of 113 bits, 34 digits. Compilers that know
-`__float128` compute with it three times as fast as with Boost's own type of the same width. What is rounding
-and nothing else in quadruple precision is compared with fifty digits. */
+`__float128` compute with it three times as fast as with Boost's own type of the same width. */
 
 #ifdef LATTICE_FLOAT128
 #include <boost/multiprecision/float128.hpp>
-#endif
+#else
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#endif
 #include <boost/multiprecision/eigen.hpp>
 
 #include "lattice/algebra/dense.hpp"
@@ -23,9 +23,5 @@ using Quadruple = boost::multiprecision::float128;
 #else
 using Quadruple = boost::multiprecision::cpp_bin_float_quad;
 #endif
-
-/// Fifty decimal digits, against which quadruple precision is checked.
-using FiftyDigits = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
-                                                  boost::multiprecision::et_off>;
 
 }  // namespace lattice

@@ -188,7 +188,6 @@ LATTICE_SPECTRUM(long double)
 LATTICE_COUNTED(double)
 LATTICE_COUNTED(long double)
 LATTICE_COUNTED(Quadruple)
-LATTICE_COUNTED(FiftyDigits)
 template Margin margin_of<long double>(Centre, double, std::size_t, double);
 template Margin margin_of<Quadruple>(Centre, double, std::size_t, double);
 

@@ -165,6 +165,5 @@ Stationary<T> stationary(Centre centre, const T& mu, std::size_t sites, double a
 LATTICE_STATIONARY(double)
 LATTICE_STATIONARY(long double)
 LATTICE_STATIONARY(Quadruple)
-LATTICE_STATIONARY(FiftyDigits)
 
 }  // namespace lattice
