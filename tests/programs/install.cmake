@@ -72,7 +72,8 @@ foreach(way "find_package(lattice REQUIRED)" "add_subdirectory(\"${EXAMPLES}/..\
        "  message(FATAL_ERROR \"more than the core is added\")\nendif()\n")
   file(REMOVE_RECURSE ${place}/outer/build)
   run(${CMAKE_COMMAND} -S ${place}/outer -B ${place}/outer/build -D CMAKE_PREFIX_PATH=${place}/prefix -D CMAKE_BUILD_TYPE=Release
-      -D CMAKE_CXX_FLAGS_RELEASE=-O0 -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_EXPORT_COMPILE_COMMANDS=ON)
+      -D CMAKE_CXX_FLAGS_RELEASE=-O0 -D LATTICE_TOGETHER=OFF
+      -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_EXPORT_COMPILE_COMMANDS=ON)
   if(way MATCHES "^find")
     run(${CMAKE_COMMAND} --build ${place}/outer/build --target outer)
   endif()
