@@ -275,7 +275,7 @@ Newton's method needs a guess. From the discrete $p$-Schrödinger equation of sm
 derives a profile, Eqs. (18) to (20): $y_n(0) = 2\epsilon\,(-1)^n\,[g(n+\frac12)+g(n-\frac12)]$ with $g(x) =
 (\frac3{10})^3\cos^6(x/3)$ up to $|x| = 3\pi/2$, $\epsilon = (2\tau_0(\omega_b-1))^2$ and $\tau_0 = 1.545$. */
 VectorXd guess(const Breather& b) {
-  const double tau_0 = 1.545, eps = std::pow(2 * tau_0 * (b.omega_b - 1), 2);
+  const double tau_0 = 1.545, root = 2 * tau_0 * (b.omega_b - 1), eps = root * root;
   const auto g = [](double x) {  // 0.027 is (3/10)^3
     return std::abs(x) < 1.5 * std::numbers::pi ? 0.027 * std::pow(std::cos(x / 3), 6) : 0;
   };

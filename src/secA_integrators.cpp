@@ -148,7 +148,8 @@ double passage_error(const EventCorrected& method, const std::vector<Passage>& p
   for (const auto& [start, end] : passages) {
     State<double> state = start;
     evolve(method, two_beads(), state, 1);
-    squares += std::pow(largest_error(state.y, end), 2);
+    const double error = largest_error(state.y, end);
+    squares += error * error;
   }
   return std::sqrt(squares / double(passages.size()));
 }
@@ -199,7 +200,8 @@ double error_of(const Tested& method, double step, const References& references)
     State<double> state(references.chain.sites);
     state.v[0] = velocities[k];
     evolve(method.with(step), references.chain, state, duration);
-    squares += std::pow(largest_error(state.y, references.end[k].y), 2);
+    const double error = largest_error(state.y, references.end[k].y);
+    squares += error * error;
   }
   return std::sqrt(squares / double(std::size(velocities)));
 }
@@ -381,7 +383,8 @@ void report_tangents(Report& report) {
     double squares = 0, evaluations = 0;
     for (std::size_t k = 0; k < starts.size(); ++k) {
       const Transported one = transported(starts[k]);
-      squares += std::pow(largest_error(one.tangent, exact[k].tangent), 2) / phases;
+      const double error = largest_error(one.tangent, exact[k].tangent);
+      squares += error * error / phases;
       evaluations += one.evaluations / phases;
     }
     table.add({{"method", method}, {"evaluations", evaluations}, {"tangent", std::sqrt(squares)}});

@@ -114,7 +114,10 @@ static BreatherPair pair_between(const BreatherPair& left, const BreatherPair& r
                                  double omega) {
   BreatherPair pair{.s = left.s, .omega = omega};
   pair.others = at_frequency({left.problem(0), left.problem(1)}, omega);
-  const auto scaled = [&](double from) { return std::pow((omega - 1) / (from - 1), 2); };
+  const auto scaled = [&](double from) {
+    const double ratio = (omega - 1) / (from - 1);
+    return ratio * ratio;
+  };
   const double part =
       std::log((omega - 1) / (left.omega - 1)) / std::log((right.omega - 1) / (left.omega - 1));
   for (int k : {0, 1})

@@ -42,7 +42,7 @@ Spectrum spectrum(const Shooting<T>& in_t, const Orbit<double>& orbit, double ra
 
 // A bead at rest turns with frequency one, which is its multiplier
 int at_edge(const std::vector<MultiplierPair>& pairs, double omega_b) {
-  const double edge = -std::pow(std::sin(pi<double>() / omega_b), 2);
+  const double sine = std::sin(pi<double>() / omega_b), edge = -sine * sine;
   return 2 * int(std::count_if(pairs.begin() + 1, pairs.end(), [&](const MultiplierPair& pair) {
            return std::abs(pair.kappa - edge) < 1e-4;
          }));

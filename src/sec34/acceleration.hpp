@@ -32,7 +32,7 @@ inline PathFit fit_parabola(const Path& path, double from, double to) {
   const Vector<double> x = Eigen::Map<Vector<double>>(centre.data(), n);
   Eigen::MatrixX3d powers(n, 3);
   for (Eigen::Index i = 0; i < n; ++i)
-    powers.row(i) << 1, u[std::size_t(i)], std::pow(u[std::size_t(i)], 2);
+    powers.row(i) << 1, u[std::size_t(i)], u[std::size_t(i)] * u[std::size_t(i)];
   const Eigen::Vector3d fit = fit_columns(powers, x);
   const double off = (powers * fit - x).norm() / std::sqrt(double(n));
   return {2 * fit[2] / (half * half), off / (x.maxCoeff() - x.minCoeff())};

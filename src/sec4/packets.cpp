@@ -88,8 +88,10 @@ Envelope envelope(const Chain& chain, const State<double>& state, Window range) 
 
 static double misfit(const Sech& f, const std::vector<double>& a, Window range) {
   double sum = 0;
-  for (std::size_t n = range.first; n < range.last; ++n)
-    sum += std::pow(a[n] - f.at(double(n + 1)), 2);
+  for (std::size_t n = range.first; n < range.last; ++n) {
+    const double off = a[n] - f.at(double(n + 1));
+    sum += off * off;
+  }
   return sum / double(range.last - range.first);
 }
 

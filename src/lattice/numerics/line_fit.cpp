@@ -22,8 +22,10 @@ Line fit_line(const std::vector<double>& t, const std::vector<double>& x) {
   Line line{tx / tt, 0, 0};
   line.intercept = xm - line.slope * tm;
   // The standard error from what the line leaves
-  for (std::size_t i = 0; i < t.size(); ++i)
-    rest += std::pow(x[i] - line.intercept - line.slope * t[i], 2);
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    const double off = x[i] - line.intercept - line.slope * t[i];
+    rest += off * off;
+  }
   line.slope_error = std::sqrt(rest / (n - 2) / tt);
   return line;
 }
