@@ -85,8 +85,8 @@ or_read := || { code=$$?; [ $$code = 141 ] || exit $$code; }
 
 # Folders have the names of some of them.
 .PHONY: all figures chapter test beyond test-beyond ready all-figures all-data programs configure summary verdicts book weave install-book install-browse \
-  test-book test-lineage tests examples python run-tests run-tests-beyond test-faults test-fuzz test-python bench paper typeset install-paper \
-  accept refresh show verify second mutants test-platforms fresh container dist style tidy \
+  test-book test-lineage tests examples python run-tests run-tests-beyond test-python paper typeset install-paper \
+  accept refresh show verify second mutants fresh dist style tidy \
   install-deps burn help
 took = . tools/shared.sh; echo "$$(now) $$(cat $(D)/report/start)" | awk '{ printf "$(1)", ($$1 > $$2 ? $$1 - $$2 : 0) }'
 
@@ -247,32 +247,15 @@ run-tests-beyond: configure
 	@$(sphinx) tests/lineage beyond
 	@ctest -j $(JOBS) $(CTEST_ARGS) --label-regex beyond
 
-## test-faults: test runs that are killed, run out of time or disk, or whose output is not read (minutes)
-test-faults: programs
-	@"$(PYTHON)" tests/programs/faults.py . $(B)/bin 60
-
-sanitized := -DCMAKE_BUILD_TYPE=Debug '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
-## test-fuzz: run the programs, built with sanitizers, on 5,000 random command lines (SEED=..., COUNT=...; long)
-COUNT := 5000
-SEED = $(shell date +%s)
-test-fuzz: install-deps
-	@sh tools/configure.sh $(B)/asan . $(sanitized)
-	@sh tools/build.sh $(B)/asan $(JOBS) programs
-	@LATTICE_SLACK=12 "$(PYTHON)" tests/programs/fuzz.py $(B)/asan/bin $(COUNT) $(SEED)
-
 ## test-python: test the Python module, built with sanitizers (long)
 test-python: export ASAN_OPTIONS := detect_leaks=0:verify_asan_link_order=0
 test-python: programs
-	@sh tools/configure.sh $(B)/asan . $(sanitized)
+	@sh tools/configure.sh $(B)/asan . -DCMAKE_BUILD_TYPE=Debug \
+	  '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
 	@sh tools/build.sh $(B)/asan $(JOBS) python_module
-	@LATTICE_SLACK=12 PYTHONPATH=$(B)/asan/python:python \
+	@PYTHONPATH=$(B)/asan/python:python \
 	  LD_PRELOAD="$$(c++ -print-file-name=libasan.so) $$(c++ -print-file-name=libstdc++.so)" \
 	  "$(call with,numpy)" python/tests.py $(B)/bin
-
-## bench: time the integrators against GSL and Boost.odeint (minutes) into build/ratios.ecsv; tools/bench/ratios.ecsv is what we found
-bench: ready
-	@sh tools/build.sh $(B) $(JOBS) bench
-	@$(B)/bin/bench_ratios $(B)/ratios.ecsv
 
 ## paper: typeset build/paper.pdf, and theorem.pdf of volume two, from the reference values and the figures
 paper: install-paper
@@ -326,17 +309,9 @@ second: install-deps
 mutants:
 	@"$(PYTHON)" tools/mutants.py $(MUTANTS)
 
-## test-platforms: check that other compilers, Debian 13 and ARM64 give the same bytes (an hour; PLATFORMS='clang trixie')
-test-platforms: install-deps
-	@sh tools/platforms.sh $(PLATFORMS)
-
 ## fresh: run the README's commands, make beyond, test-beyond, book and paper in a bare Debian root (SUITE=trixie; needs root)
 fresh:
 	@sh tools/fresh.sh $(SUITE)
-
-## container: run the steps of tools/Dockerfile in a bare root, where containers cannot run (SUITE=trixie; needs root)
-container:
-	@sh tools/fresh.sh --container $(SUITE)
 
 ## dist: pack sources, tables, figures, and those of book, paper and theorem that exist, into one archive, build/dist
 dist:

@@ -22,19 +22,19 @@ def show(given):
 
 def accept(given):
     """Values and bytes of both runs; prose follows by `refresh`."""
-    from . import hashes as bytes_of, lock as values
+    from . import hashes, lock
     if not given.check:
         need(given.data)
-        bytes_of.renew(given.root, (given.data, given.quick))
-        return values.renew(given.root, given.data)
+        hashes.renew(given.root, (given.data, given.quick))
+        return lock.renew(given.root, given.data)
     for folder in (given.data, given.quick):
         need(folder)
-    moved = values.check(given.root, given.data)
-    tables = bytes_of.told(given.root, given.data, "full") + bytes_of.told(given.root, given.quick, "quick")
+    moved = lock.check(given.root, given.data)
+    tables = hashes.told(given.root, given.data, "full") + hashes.told(given.root, given.quick, "quick")
     if not moved and not tables:
         return 0
-    if not bytes_of.is_here(given.root, given.data) and not moved:
-        return bytes_of.OTHER_PROCESSOR
+    if not hashes.is_here(given.root, given.data) and not moved:
+        return hashes.OTHER_PROCESSOR
     call = "make accept" if Path(given.root).name != "beyond" else "make volume=beyond accept"
     said = [f"{n} {word}{'s' * (n != 1)}" for n, word in ((tables, "table"), (moved, "value"))]
     print(f"{', '.join(said)} changed; if you meant it: {call}")
@@ -49,12 +49,6 @@ def tables(given):
     for fault in faults:
         print(fault, file=sys.stderr)
     return bool(faults)
-
-
-def hashes(given):
-    need(given.data)
-    from .hashes import compare
-    return compare(given.root, given.data, given.run_of, given.against)
 
 
 def refresh(given):
@@ -96,11 +90,6 @@ def reader():
                                                            "another kind of processor")
     verb(tables, "check that tables are those of SHA256SUMS; a program whose table is missing will run again",
          "data").add_argument("files", nargs="*", help="only the tables among these files")
-    same = verb(hashes, "compare the bytes of all tables with paper/full.sha256; exit code 1 if any differ, 77 if the processor is "
-                        "not that of the record", "data")
-    same.add_argument("--run", dest="run_of", choices=("full", "quick"), default="full",
-                      help="which run the folder of --data holds; quick: paper/quick.sha256 (default: %(default)s)")
-    same.add_argument("--against", help="folder of the tables from another platform, to report the rows that differ")
     stale = verb(refresh, "write the reference values into the prose, and renew the tables of the pages", "costs")
     stale.add_argument("--check", action="store_true", help="only report what is stale; exit code 1 if anything is")
     verb(macros, "write the reference values as macros for the paper", out="build/paper")

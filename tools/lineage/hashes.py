@@ -1,5 +1,5 @@
-"""The bytes of all tables: paper/full.sha256 of the full run, which the tests compare, and paper/quick.sha256 of the quick one,
-which takes two minutes and serves to compare platforms (tools/platforms.sh). Both are lists for coreutils,
+"""The bytes of all tables: paper/full.sha256 of the full run and paper/quick.sha256 of the quick one, which the test `record`
+compares. Both are lists for coreutils,
 
     (cd build/data && sha256sum -c ../../paper/full.sha256)
 
@@ -30,23 +30,8 @@ def found_in(root, data, run):
     return out
 
 
-def first_difference(path, other):
-    """Where two tables part, and how far."""
-    one, two = ecsv.read(path), ecsv.read(other)
-    if (one.columns, one.meta) != (two.columns, two.meta):
-        return "another header"
-    if len(one.rows) != len(two.rows):
-        return f"{len(one.rows)} rows instead of {len(two.rows)}"
-    apart = [(row, twin) for row, twin in zip(one.rows, two.rows) if str(row) != str(twin)]
-    for row, twin in apart:
-        name = next(name for name in row if str(row[name]) != str(twin[name]))
-        return f"row {row.number}, {name}: {row[name]!r} instead of {twin[name]!r} ({len(apart)} of {len(one.rows)} rows differ)"
-    return "other spelling"
-
-
-def told(root, data, run, against=None):
-    """Prints the tables of a run that differ from the record, and returns how many do. A folder of tables from another
-    platform, `against`, tells in which row."""
+def told(root, data, run):
+    """Prints the tables of a run that differ from the record, and returns how many do."""
     record, found = ecsv.sums_of(record_of(root, run)), found_in(root, data, run)
     if not found:
         raise ecsv.Fault(f"{data}: no program has finished here")
@@ -55,10 +40,7 @@ def told(root, data, run, against=None):
     for name in differ:
         word = ("not recorded" if name not in record else "recorded and not there" if name not in found
                 else "not the bytes that are recorded")
-        path, twin = Path(data) / name, Path(against or "") / name
-        if against and path.exists() and twin.exists():
-            word += "; " + first_difference(path, twin)
-        print(f"  differs  {path}: {word}")
+        print(f"  differs  {Path(data) / name}: {word}")
     print(f"bytes      : {sum(name not in differ for name in found)} of {len(found)} tables of the {run} run are as recorded")
     return len(differ)
 
@@ -67,22 +49,16 @@ def made_here(data, name):
     return f"{platform.machine()}, {ecsv.maker_of((Path(data) / name).parent)}"
 
 
-def is_here(root, data, run="full"):
+def is_here(root, data):
     """Whether the record was made on this kind of processor; else it says so."""
-    made = ecsv.text_of(record_of(root, run)).partition("\n")[0].removeprefix("# ")
+    made = ecsv.text_of(record_of(root, "full")).partition("\n")[0].removeprefix("# ")
     if made.partition(",")[0] == platform.machine():
         return True
-    print(f"             here     {made_here(data, min(found_in(root, data, run)))}")
+    here = made_here(data, min(found_in(root, data, "full")))
+    print(f"             here     {here}")
     print(f"             recorded {made}")
     print("             a different kind of processor may give different bytes (MAINTAINING.md)")
     return False
-
-
-def compare(root, data, run, against=None):
-    """The verb: 0, 1 if a table differs, 77 if it does on another kind of processor."""
-    if not told(root, data, run, against):
-        return 0
-    return 1 if is_here(root, data, run) else OTHER_PROCESSOR
 
 
 def renew(root, folders):
