@@ -18,13 +18,12 @@ quick := $(filter-out 0 no off false,$(QUICK))
 D := $(B)$(if $(quick),/quick)
 LAUNCH ?=
 CTEST_ARGS := --test-dir $(B) --no-tests=error --output-on-failure --timeout 900
-# The first python that has such modules, and python3 where none has. PYTHON=... on the command line is taken at its word;
-# one that the shell exports is only tried first.
-with = $(or $(shell for p in "$(PYTHON)" python3 /usr/bin/python3; do \
+# The first python that has such modules, and python3 where none has; PYTHON=... is taken at its word.
+with = $(or $(shell for p in $(if $(named),"$(PYTHON)") python3 /usr/bin/python3; do \
          "$$p" -c 'import $(1)' 2>/dev/null && { echo "$$p"; break; }; done),python3)
-ifneq ($(origin PYTHON),command line)
-exported := $(PYTHON)
-PYTHON = $(eval PYTHON := $(exported))$(eval PYTHON := $(call with,matplotlib))$(PYTHON)
+named := $(PYTHON)
+ifndef named
+PYTHON = $(eval PYTHON := $(call with,matplotlib))$(PYTHON)
 endif
 lineage = "$(PYTHON)" -m lineage
 sphinx = "$(call with,sphinx; import myst_parser; import furo)"
