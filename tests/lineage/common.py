@@ -29,7 +29,7 @@ def of_volume(test):
 
 
 CLAIMS = ["id", "section", "where", "quantity", "printed", "unit", "tolerance", "assumption", "covered_by", "reason", "cause", "status"]
-LOCK = ["program", "what", "id", "value", "error", "unit", "kind"]
+LOCK = ["program", "what", "id", "value", "error", "unit"]
 STATEMENTS = '''/**
 # Statements: a demonstration */
 STATEMENT("a.one") {
@@ -64,8 +64,8 @@ def of_run(quick, text):
     return text.replace("# schema", f"# - {{parameters: 'quick = {quick}'}}\n# schema", 1)
 
 
-def finding(value, error=0.0, unit="", kind="value", id="x"):
-    return Finding("p", id, value, error, unit, kind)
+def finding(value, error=0.0, unit="", id="x"):
+    return Finding("p", id, value, error, unit)
 
 
 class Scratch(unittest.TestCase):
@@ -82,8 +82,8 @@ class Scratch(unittest.TestCase):
             ["a.two", "1", "text", "two", "yes", "", "", "of {a.one}, Section wells", "", "", "", "holds"]]))
         self.write("src/statements/sec1_demo.cpp", STATEMENTS)
         self.write("paper/converged.ecsv", table(LOCK, [
-            ["sec1_demo", "answer", "a.one", 1.0000000000000002, 1e-3, "m", "value"],
-            ["sec1_demo", "margin", "a.two", 0.5, 0.05, "", "value"], ["sec1_demo", "cell", "results/name=two/value", 2.0, 0.1, "", "value"]]))
+            ["sec1_demo", "answer", "a.one", 1.0000000000000002, 1e-3, "m"],
+            ["sec1_demo", "margin", "a.two", 0.5, 0.05, ""], ["sec1_demo", "cell", "results/name=two/value", 2.0, 0.1, ""]]))
         self.write("figures/figures.ecsv", table(FIGURES, [
             ["01", "demo", "1", "sec1_demo", "fig01.gp", "ER", "results", "A line.", "(a–c) At $t = \\frac12$."]]))
         self.write("paper/costs.ecsv", table(["program", "seconds"], [["sec1_demo", 3.0]]))

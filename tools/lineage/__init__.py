@@ -9,7 +9,7 @@
     refresh   values and tables in prose: src/, README.md, MAINTAINING.md, paper/costs.ecsv
     tex       the same values for the paper
     show      one number, statement or finding
-    inventory every command, module and package used
+    inventory every command and module
     sources   chapters as prose and code, and the line that names a number
     markdown  values and words for the book, which book/literate.py makes of all this
 

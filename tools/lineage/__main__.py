@@ -1,8 +1,6 @@
 """The verbs. What cannot be used is one line: exit code 1 for a file, 2 for the command line."""
 
 import argparse
-import errno
-import os
 import signal
 import sys
 from pathlib import Path
@@ -99,18 +97,10 @@ def reader():
 def main(arguments=None):
     given = reader().parse_args(arguments)
     try:
-        if sys.stdout is None:
-            raise OSError(errno.EBADF, os.strerror(errno.EBADF))
-        code = int(given.run(given) or 0)
-        sys.stdout.flush()
-        return code
+        return int(given.run(given) or 0)
     except ecsv.Fault as fault:
         print(f"lineage {given.verb}: {fault}", file=sys.stderr)
         return fault.code
-    except OSError as error:  # of files a Fault is made; what is left is the place where this writes
-        sys.stdout = None
-        print(f"lineage {given.verb}: cannot write to standard output ({error.strerror})", file=sys.stderr)
-        return 1
     except ModuleNotFoundError as error:
         print(f"lineage {given.verb}: {lacking(error)}", file=sys.stderr)
         return 1
