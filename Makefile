@@ -87,7 +87,7 @@ or_read := || { code=$$?; [ $$code = 141 ] || exit $$code; }
   test-book test-lineage tests examples python run-tests run-tests-beyond test-python paper typeset install-paper \
   accept refresh show verify second mutants fresh dist style tidy \
   install-deps burn help
-took = . tools/shared.sh; echo "$$(now) $$(cat $(D)/report/start)" | awk '{ printf "$(1)", ($$1 > $$2 ? $$1 - $$2 : 0) }'
+took = printf "together   : %d s with compiling and drawing\n" $$(($$(date +%s) - $$(cat $(D)/report/start)))
 
 ## figures: compute and draw the article, then compare with it
 figures:
@@ -95,7 +95,7 @@ figures:
 	@$(MAKE) ready
 	@$(MAKE) all-figures
 	@$(MAKE) summary
-	@$(call took,together   : %.0f s with compiling and drawing\n)
+	@$(took)
 
 ## test: compute the data and figures of the article, then test; T=floquet: one file or folder of tests/, T=code: all that compares with no record
 T :=
@@ -109,7 +109,7 @@ test: $(if $(T),configure,ready)
 beyond: ready
 	@$(MAKE) volume=beyond all-figures
 	@$(MAKE) volume=beyond summary
-	@$(call took,together   : %.0f s with compiling and drawing\n)
+	@$(took)
 
 ## test-beyond: the tests of volume two
 test-beyond: ready
@@ -126,7 +126,7 @@ all:
 # What must be there, and be right, before hours are spent on computing.
 ready: install-deps
 	@missing=; sh tools/configure.sh $(B) || missing=yes; PYTHON="$(PYTHON)" sh tools/draw.sh && [ -z "$$missing" ]
-	@mkdir -p $(D)/report && (. tools/shared.sh; now) > $(D)/report/start
+	@mkdir -p $(D)/report && date +%s > $(D)/report/start
 	@$(lineage) tables --data $(D)/data
 
 all-figures: programs
