@@ -278,9 +278,8 @@ install-paper: install-deps
 accept: ready
 	@$(MAKE) QUICK= programs
 	@$(MAKE) QUICK= built=yes $(two_by_two) all-data
-	@$(MAKE) QUICK=1 built=yes $(two_by_two) all-data
 	@$(MAKE) QUICK= verdicts
-	@$(lineage) --root ./$(home) accept --data $(B)/data --quick $(B)/quick/data
+	@$(lineage) --root ./$(home) accept --data $(B)/data
 	@$(MAKE) QUICK= refresh
 
 ## refresh: write the recorded values into the prose of src/, and renew the tables of README.md

@@ -59,11 +59,6 @@ def table(names, rows):
     return ecsv.to_text(ecsv.Table(columns, [dict(zip(names, row)) for row in rows]))
 
 
-def of_run(quick, text):
-    """The text of a table as of a run with --quick ("yes"), or of a full one."""
-    return text.replace("# schema", f"# - {{parameters: 'quick = {quick}'}}\n# schema", 1)
-
-
 def finding(value, error=0.0, unit="", id="x"):
     return Finding("p", id, value, error, unit)
 
@@ -119,9 +114,9 @@ class Scratch(unittest.TestCase):
     def results(self, *rows):
         self.computed("sec1_demo/results.ecsv", table(RESULTS, rows))
 
-    def computed(self, name, text, data="build/data"):
+    def computed(self, name, text):
         """Writes a table as a program does, with a new list of all that are there."""
-        path = self.root / data / name
+        path = self.root / "build/data" / name
         ecsv.write_whole(path, text)
         sums = [f"{ecsv.sha256(ecsv.text_of(one))}  {one.name}\n" for one in sorted(path.parent.glob("*.ecsv")) if one.stem != "run"]
         made = [{"what": "build", "value": "GNU 12"}, {"what": "libraries", "value": "GSL 2.7.1"}]

@@ -6,13 +6,12 @@ from lineage import claims, lock
 from lineage.claims import by_name
 from lineage.volumes import joined, volumes
 
-from common import RESULTS_OF_DEMO, ROOT, VOLUME, WHOLE, Scratch, finding, of_run, of_volume
+from common import RESULTS_OF_DEMO, ROOT, VOLUME, WHOLE, Scratch, finding, of_volume
 
 
 class Locking(Scratch):
     def setUp(self):
         super().setUp()
-        self.computed("sec1_demo/results.ecsv", of_run("yes", self.read("build/data/sec1_demo/results.ecsv")), "build/quick/data")
         self.judged()
         self.lineage("accept")
 
@@ -56,7 +55,7 @@ class Locking(Scratch):
     def test_what_is_farther_than_the_errors_fails(self):
         self.judged(one=1.0005)
         self.assertEqual(self.lineage("accept", "--check")[:2], (0, "values     : 3 of 3 within the sum of the errors\n"
-                         "bytes      : 1 of 1 tables of the full run are as recorded\nbytes      : 1 of 1 tables of the quick run are as recorded\n"))
+                         "bytes      : 1 of 1 tables are as recorded\n"))
         self.assertIn("moved    a.one (answer): 1 -> 1.0004999999999999, 0.25 of the sum of the errors\n", self.lineage("accept")[1])
         self.judged(one=2.0)
         one, other, _ = RESULTS_OF_DEMO

@@ -19,16 +19,13 @@ def show(given):
 
 
 def accept(given):
-    """Values and bytes of both runs; prose follows by `refresh`."""
+    """Values and bytes; prose follows by `refresh`."""
     from . import hashes, lock
+    need(given.data)
     if not given.check:
-        need(given.data)
-        hashes.renew(given.root, (given.data, given.quick))
+        hashes.renew(given.root, given.data)
         return lock.renew(given.root, given.data)
-    for folder in (given.data, given.quick):
-        need(folder)
-    moved = lock.check(given.root, given.data)
-    tables = hashes.told(given.root, given.data, "full") + hashes.told(given.root, given.quick, "quick")
+    moved, tables = lock.check(given.root, given.data), hashes.told(given.root, given.data)
     if not moved and not tables:
         return 0
     if not hashes.is_here(given.root, given.data) and not moved:
@@ -70,7 +67,6 @@ def reader():
     parser.add_argument("--root", default=".", help="folder of the repository (default: here)")
     verbs = parser.add_subparsers(dest="verb", required=True, metavar="verb")
     options = {"data": ("build/data", "folder that holds one folder of tables per program"),
-               "quick": ("build/quick/data", "the same for the run with --quick"),
                "costs": ("build/report/cost", "folder with the run time of each program in seconds")}
 
     def verb(run, help, *wanted, out=None):
@@ -83,7 +79,7 @@ def reader():
         return sub
 
     verb(show, "show one number: printed, converged, error, verdict, figure, command", "data").add_argument("id")
-    kept = verb(accept, "record values and bytes in paper/converged.ecsv, full.sha256 and quick.sha256, and print what moved", "data", "quick")
+    kept = verb(accept, "record values and bytes in paper/converged.ecsv and full.sha256, and print what moved", "data")
     kept.add_argument("--check", action="store_true", help="only report what changed; exit code 1 if anything did, 77 if it is bytes on "
                                                            "another kind of processor")
     verb(tables, "check that tables are those of SHA256SUMS; a program whose table is missing will run again",

@@ -158,17 +158,12 @@ def maker_of(folder):
     return ", ".join(made[what]["value"] for what in ("build", "libraries"))
 
 
-def check_run(path, text, quick):
-    """Fault if the table is of a quick run, as its header says, and should be of a full one, or the other way round."""
-    if bool(re.search(r"^# - \{parameters: '(?:[^'\n]*, )?quick = yes[,']", text, re.M)) != quick:
-        raise Fault(f"{path}: from a {'full' if quick else 'quick'} run; remove {path.parent} to recompute it")
-
-
 def check_written(path, text):
     """Fault if the text is not what the program wrote into the file, or if it is of a quick run and not in `quick/data`,
     where a full one does no harm."""
-    if path.resolve().parents[2].name != "quick":
-        check_run(path, text, quick=False)
+    quick = re.search(r"^# - \{parameters: '(?:[^'\n]*, )?quick = yes[,']", text, re.M)
+    if quick and path.resolve().parents[2].name != "quick":
+        raise Fault(f"{path}: from a quick run; remove {path.parent} to recompute it")
     if sums_in(path.parent).get(path.name) != sha256(text):
         raise Fault(f"{path}: not as SHA256SUMS has it; remove it to recompute it")
 
