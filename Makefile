@@ -17,6 +17,7 @@ B := build
 quick := $(filter-out 0 no off false,$(QUICK))
 D := $(B)$(if $(quick),/quick)
 LAUNCH ?=
+install = DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt
 CTEST_ARGS := --test-dir $(B) --no-tests=error --output-on-failure --timeout 900
 # The first python that has such modules, and python3 where none has; PYTHON=... is taken at its word.
 with = $(or $(shell for p in $(if $(named),"$(PYTHON)") python3 /usr/bin/python3; do \
@@ -83,10 +84,9 @@ runs += $(foreach p,$(borrowed),$(D)/data/$(p)/SHA256SUMS)
 or_read := || { code=$$?; [ $$code = 141 ] || exit $$code; }
 
 # Folders have the names of some of them.
-.PHONY: all figures chapter test beyond test-beyond ready all-figures all-data programs configure summary verdicts book weave install-book install-browse \
-  test-book test-lineage tests examples python run-tests run-tests-beyond test-python paper typeset install-paper \
-  accept refresh show verify second mutants fresh dist style tidy \
-  install-deps burn help
+.PHONY: all figures chapter test beyond test-beyond ready all-figures all-data programs configure summary verdicts book weave \
+  test-book install-browse test-lineage tests examples python run-tests run-tests-beyond test-python paper typeset \
+  accept refresh show verify second mutants fresh dist style tidy install-deps burn help
 took = printf "together   : %d s with compiling and drawing\n" $$(($$(date +%s) - $$(cat $(D)/report/start)))
 
 ## figures: compute and draw the article, then compare with it
@@ -188,7 +188,9 @@ verdicts:
 	@[ ! -x $(firstword $(judge)) ] || [ ! -d $(D)/data ] || $(judge) > /dev/null
 
 ## book: build the book from sources, data and figures into build/book
-book: install-book
+book: install-deps
+	@$(install) book
+	@! apt-cache show libc++-dev-wasm32 >/dev/null 2>&1 || $(install) live || true
 	@$(MAKE) all-figures
 	@$(MAKE) weave
 
@@ -201,16 +203,11 @@ weave: verdicts
 	@rm -rf $(D)/book $(D)/book.read && mv $(D)/book.part $(D)/book
 	@set -- $(D)/book/*.html && echo "book       : $$# pages, $(D)/book/index.html"
 
-install-book: install-deps
-	@DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt book
-	@! apt-cache show libc++-dev-wasm32 >/dev/null 2>&1 || \
-	  DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt live || true
-
 ## test-book: the tests of lineage and book, and every page of the book in a headless Chromium
 test-book: test-lineage install-browse
 	@test ! -f $(D)/book/index.html || "$(call with,selenium)" book/browse.py $(D)/book
 install-browse:
-	@DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt browse
+	@$(install) browse
 test-lineage:
 	@$(sphinx) tests/lineage
 
@@ -257,7 +254,8 @@ test-python: programs
 	  "$(call with,numpy)" python/tests.py $(B)/bin
 
 ## paper: typeset build/paper.pdf, and theorem.pdf of volume two, from the reference values and the figures
-paper: install-paper
+paper: install-deps
+	@$(install) paper
 	@$(MAKE) all-figures
 	@$(MAKE) typeset
 
@@ -270,9 +268,6 @@ typeset: verdicts
 	    latexmk -norc -g -pdf -interaction=nonstopmode -halt-on-error -outdir=$(D)/paper $$it.tex \
 	    > $(D)/paper/$$name.out.log 2>&1 || { tail -n 40 $(D)/paper/$$name.out.log; exit 1; }; \
 	  mv $(D)/paper/$$name.pdf $(D)/$$name.pdf.part && mv $(D)/$$name.pdf.part $(D)/$$name.pdf || exit; done
-
-install-paper: install-deps
-	@DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt paper
 
 ## accept: record what is computed now, values, bytes and the numbers in prose, and print what moved (volume=beyond: of volume two)
 accept: ready
@@ -327,7 +322,7 @@ tidy:
 
 ## install-deps: install the Debian packages of tools/apt-packages.txt that are missing
 install-deps:
-	@DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt
+	@$(install)
 
 ## burn: remove everything that was built or computed
 burn:

@@ -15,7 +15,7 @@ from common import ROOT, Scratch, table
 
 LACKING = [name for name in ("sphinx", "myst_parser", "furo") if not importlib.util.find_spec(name)]
 LACKING += [] if shutil.which("node") or shutil.which("nodejs") else ["node"]
-needs_sphinx = unittest.skipIf(LACKING, f"{', '.join(LACKING)} not installed (make install-book)")
+needs_sphinx = unittest.skipIf(LACKING, f"{', '.join(LACKING)} not installed (make book)")
 
 
 class Words(unittest.TestCase):

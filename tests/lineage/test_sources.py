@@ -78,15 +78,6 @@ class Here(unittest.TestCase):
         self.none(f"{path} -> {name}" for path, text in self.texts.items() if re.match(r"src/(sec\w+|commands)/", path)
                   for name in foreign(path, text))
 
-    def test_the_tests_have_the_folders_of_src(self):
-        """And each begins with a sentence on what it holds."""
-        for path in sorted((VOLUME / "tests").rglob("*.cpp")):
-            name = path.relative_to(VOLUME / "tests").with_suffix("")
-            tested = VOLUME / "src" / name
-            self.assertTrue(tested.is_dir() or [*tested.parent.glob(f"{tested.name}[._]*")] or name.parts[0] in ("programs", "support")
-                            or str(name) in ("article", "statements"), f"{path} tests nothing in src")
-            self.assertTrue(ecsv.text_of(path).startswith("// ") or name.name == "main", path)
-
     def test_every_name_that_a_header_offers_is_explained_and_no_type_has_two_homes(self):
         """All are in one namespace, so that whoever includes two headers could not compile."""
         homes = {}
