@@ -51,7 +51,7 @@ def is_here(root, data):
         return True
     print(f"             here     {made_here(root, data)}")
     print(f"             recorded {made}")
-    print("             a different kind of processor may give different bytes (MAINTAINING.md)")
+    print("             a different kind of processor may give different bytes (book/machines.md)")
     return False
 
 
