@@ -17,14 +17,14 @@ B := build
 quick := $(filter-out 0 no off false,$(QUICK))
 D := $(B)$(if $(quick),/quick)
 LAUNCH ?=
+install = DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt
 CTEST_ARGS := --test-dir $(B) --no-tests=error --output-on-failure --timeout 900
-# The first python that has such modules, and python3 where none has. PYTHON=... on the command line is taken at its word;
-# one that the shell exports is only tried first.
-with = $(or $(shell for p in "$(PYTHON)" python3 /usr/bin/python3; do \
+# The first python that has such modules, and python3 where none has; PYTHON=... is taken at its word.
+with = $(or $(shell for p in $(if $(named),"$(PYTHON)") python3 /usr/bin/python3; do \
          "$$p" -c 'import $(1)' 2>/dev/null && { echo "$$p"; break; }; done),python3)
-ifneq ($(origin PYTHON),command line)
-exported := $(PYTHON)
-PYTHON = $(eval PYTHON := $(exported))$(eval PYTHON := $(call with,matplotlib))$(PYTHON)
+named := $(PYTHON)
+ifndef named
+PYTHON = $(eval PYTHON := $(call with,matplotlib))$(PYTHON)
 endif
 lineage = "$(PYTHON)" -m lineage
 sphinx = "$(call with,sphinx; import myst_parser; import furo)"
@@ -84,11 +84,10 @@ runs += $(foreach p,$(borrowed),$(D)/data/$(p)/SHA256SUMS)
 or_read := || { code=$$?; [ $$code = 141 ] || exit $$code; }
 
 # Folders have the names of some of them.
-.PHONY: all figures chapter test beyond test-beyond ready all-figures all-data programs configure summary verdicts book weave install-book install-browse \
-  test-book test-lineage tests examples python run-tests run-tests-beyond test-faults test-fuzz test-python bench paper typeset install-paper \
-  accept refresh show verify second mutants test-platforms fresh container dist style tidy \
-  install-deps burn help
-took = . tools/shared.sh; echo "$$(now) $$(cat $(D)/report/start)" | awk '{ printf "$(1)", ($$1 > $$2 ? $$1 - $$2 : 0) }'
+.PHONY: all figures chapter test beyond test-beyond ready all-figures all-data programs configure summary verdicts book weave \
+  test-book install-browse test-lineage tests examples python run-tests run-tests-beyond test-python paper typeset \
+  accept refresh show verify second mutants fresh dist style tidy install-deps burn help
+took = printf "together   : %d s with compiling and drawing\n" $$(($$(date +%s) - $$(cat $(D)/report/start)))
 
 ## figures: compute and draw the article, then compare with it
 figures:
@@ -96,7 +95,7 @@ figures:
 	@$(MAKE) ready
 	@$(MAKE) all-figures
 	@$(MAKE) summary
-	@$(call took,together   : %.0f s with compiling and drawing\n)
+	@$(took)
 
 ## test: compute the data and figures of the article, then test; T=floquet: one file or folder of tests/, T=code: all that compares with no record
 T :=
@@ -110,7 +109,7 @@ test: $(if $(T),configure,ready)
 beyond: ready
 	@$(MAKE) volume=beyond all-figures
 	@$(MAKE) volume=beyond summary
-	@$(call took,together   : %.0f s with compiling and drawing\n)
+	@$(took)
 
 ## test-beyond: the tests of volume two
 test-beyond: ready
@@ -127,7 +126,7 @@ all:
 # What must be there, and be right, before hours are spent on computing.
 ready: install-deps
 	@missing=; sh tools/configure.sh $(B) || missing=yes; PYTHON="$(PYTHON)" sh tools/draw.sh && [ -z "$$missing" ]
-	@mkdir -p $(D)/report && (. tools/shared.sh; now) > $(D)/report/start
+	@mkdir -p $(D)/report && date +%s > $(D)/report/start
 	@$(lineage) tables --data $(D)/data
 
 all-figures: programs
@@ -189,7 +188,9 @@ verdicts:
 	@[ ! -x $(firstword $(judge)) ] || [ ! -d $(D)/data ] || $(judge) > /dev/null
 
 ## book: build the book from sources, data and figures into build/book
-book: install-book
+book: install-deps
+	@$(install) book
+	@! apt-cache show libc++-dev-wasm32 >/dev/null 2>&1 || $(install) live || true
 	@$(MAKE) all-figures
 	@$(MAKE) weave
 
@@ -202,16 +203,11 @@ weave: verdicts
 	@rm -rf $(D)/book $(D)/book.read && mv $(D)/book.part $(D)/book
 	@set -- $(D)/book/*.html && echo "book       : $$# pages, $(D)/book/index.html"
 
-install-book: install-deps
-	@DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt book
-	@! apt-cache show libc++-dev-wasm32 >/dev/null 2>&1 || \
-	  DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt live || true
-
 ## test-book: the tests of lineage and book, and every page of the book in a headless Chromium
 test-book: test-lineage install-browse
 	@test ! -f $(D)/book/index.html || "$(call with,selenium)" book/browse.py $(D)/book
 install-browse:
-	@DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt browse
+	@$(install) browse
 test-lineage:
 	@$(sphinx) tests/lineage
 
@@ -247,35 +243,19 @@ run-tests-beyond: configure
 	@$(sphinx) tests/lineage beyond
 	@ctest -j $(JOBS) $(CTEST_ARGS) --label-regex beyond
 
-## test-faults: test runs that are killed, run out of time or disk, or whose output is not read (minutes)
-test-faults: programs
-	@"$(PYTHON)" tests/programs/faults.py . $(B)/bin 60
-
-sanitized := -DCMAKE_BUILD_TYPE=Debug '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
-## test-fuzz: run the programs, built with sanitizers, on 5,000 random command lines (SEED=..., COUNT=...; long)
-COUNT := 5000
-SEED = $(shell date +%s)
-test-fuzz: install-deps
-	@sh tools/configure.sh $(B)/asan . $(sanitized)
-	@sh tools/build.sh $(B)/asan $(JOBS) programs
-	@LATTICE_SLACK=12 "$(PYTHON)" tests/programs/fuzz.py $(B)/asan/bin $(COUNT) $(SEED)
-
 ## test-python: test the Python module, built with sanitizers (long)
 test-python: export ASAN_OPTIONS := detect_leaks=0:verify_asan_link_order=0
 test-python: programs
-	@sh tools/configure.sh $(B)/asan . $(sanitized)
+	@sh tools/configure.sh $(B)/asan . -DCMAKE_BUILD_TYPE=Debug \
+	  '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
 	@sh tools/build.sh $(B)/asan $(JOBS) python_module
-	@LATTICE_SLACK=12 PYTHONPATH=$(B)/asan/python:python \
+	@PYTHONPATH=$(B)/asan/python:python \
 	  LD_PRELOAD="$$(c++ -print-file-name=libasan.so) $$(c++ -print-file-name=libstdc++.so)" \
 	  "$(call with,numpy)" python/tests.py $(B)/bin
 
-## bench: time the integrators against GSL and Boost.odeint (minutes) into build/ratios.ecsv; tools/bench/ratios.ecsv is what we found
-bench: ready
-	@sh tools/build.sh $(B) $(JOBS) bench
-	@$(B)/bin/bench_ratios $(B)/ratios.ecsv
-
 ## paper: typeset build/paper.pdf, and theorem.pdf of volume two, from the reference values and the figures
-paper: install-paper
+paper: install-deps
+	@$(install) paper
 	@$(MAKE) all-figures
 	@$(MAKE) typeset
 
@@ -289,16 +269,12 @@ typeset: verdicts
 	    > $(D)/paper/$$name.out.log 2>&1 || { tail -n 40 $(D)/paper/$$name.out.log; exit 1; }; \
 	  mv $(D)/paper/$$name.pdf $(D)/$$name.pdf.part && mv $(D)/$$name.pdf.part $(D)/$$name.pdf || exit; done
 
-install-paper: install-deps
-	@DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt paper
-
 ## accept: record what is computed now, values, bytes and the numbers in prose, and print what moved (volume=beyond: of volume two)
 accept: ready
 	@$(MAKE) QUICK= programs
 	@$(MAKE) QUICK= built=yes $(two_by_two) all-data
-	@$(MAKE) QUICK=1 built=yes $(two_by_two) all-data
 	@$(MAKE) QUICK= verdicts
-	@$(lineage) --root ./$(home) accept --data $(B)/data --quick $(B)/quick/data
+	@$(lineage) --root ./$(home) accept --data $(B)/data
 	@$(MAKE) QUICK= refresh
 
 ## refresh: write the recorded values into the prose of src/, and renew the tables of README.md
@@ -326,17 +302,9 @@ second: install-deps
 mutants:
 	@"$(PYTHON)" tools/mutants.py $(MUTANTS)
 
-## test-platforms: check that other compilers, Debian 13 and ARM64 give the same bytes (an hour; PLATFORMS='clang trixie')
-test-platforms: install-deps
-	@sh tools/platforms.sh $(PLATFORMS)
-
 ## fresh: run the README's commands, make beyond, test-beyond, book and paper in a bare Debian root (SUITE=trixie; needs root)
 fresh:
 	@sh tools/fresh.sh $(SUITE)
-
-## container: run the steps of tools/Dockerfile in a bare root, where containers cannot run (SUITE=trixie; needs root)
-container:
-	@sh tools/fresh.sh --container $(SUITE)
 
 ## dist: pack sources, tables, figures, and those of book, paper and theorem that exist, into one archive, build/dist
 dist:
@@ -354,7 +322,7 @@ tidy:
 
 ## install-deps: install the Debian packages of tools/apt-packages.txt that are missing
 install-deps:
-	@DEPS=$(DEPS) sh tools/install-deps.sh tools/apt-packages.txt
+	@$(install)
 
 ## burn: remove everything that was built or computed
 burn:

@@ -43,7 +43,7 @@ from live import live
 
 HERE = Path(__file__).resolve().parent
 KATEX = [Path("/usr/share/javascript/katex"), Path("/usr/share/nodejs/katex/dist")]
-LISTS = ("published", "findings", "figures", "equations", "commands", "packages", "library")
+LISTS = ("published", "findings", "figures", "equations", "commands", "library")
 HEAD_OF_CHAPTER = re.compile(r"<!-- head -->\n.*?<!-- /head -->\n", re.S)
 STATEMENTS = re.compile(r"<!-- statements -->\n.*?<!-- /statements -->", re.S)
 ORPHAN = "---\norphan: true\n---\n"
@@ -404,11 +404,6 @@ class Book:
     def machines_page(self):
         """The words of machines.md, whose files a reader of the book finds in the repository."""
         return re.sub(r"\[(`[^`]*`)\]\(\.\./[^)]*\)", r"\1", ecsv.text_of(HERE / "machines.md"))
-
-    def packages_page(self):
-        rows = [[md.name(p["package"]), p["version"] or "not installed", p["section"]] for p in inventory.packages(self.root)]
-        made = sorted({ecsv.maker_of(self.data / s.stem) for s in self.chapters if (self.data / s.stem / "run.ecsv").exists()})
-        return "\n".join([*(f"- {md.plain(one)}" for one in made), "", md.table(["package", "version", "needed for"], rows)])
 
     def library_page(self):
         """The modules in the order of their list, with their files."""

@@ -2,7 +2,8 @@
 
 #include "sec3/static_breathers.hpp"
 
-#include "support/estimates.hpp"
+#include "support/check.hpp"
+#include "support/conditions.hpp"
 
 using namespace lattice;
 

@@ -4,8 +4,7 @@
 #   draw.sh OUT.pdf|OUT.png IN.svg   the same picture in another form
 #   draw.sh                          only asks whether there is what draws, before hours are spent on computing
 # FROM lists the files from which make wants it made; tables among them must be what their programs wrote.
-# gnuplot ends with success also where it could not write, so its picture comes through a pipe, whose
-# end notices, and every form has an end that a cut file lacks.
+# Tools end with success also where they could not write, but every form has an end that a cut file lacks.
 set -eu
 if [ $# = 0 ]; then
   missing=
@@ -29,15 +28,7 @@ if [ $# = 3 ]; then
   # shellcheck disable=SC2086
   [ -z "${FROM:-}" ] || PYTHONPATH="${0%/*}${PYTHONPATH:+:$PYTHONPATH}" "${PYTHON:-python3}" -m lineage tables $FROM || exit 1
   case $3 in
-  *.gp)
-    # The status of gnuplot goes past the pipe, that of the pipe is the last command's.
-    status=$({ { gnuplot --default-settings -e "data='$2'; out='/dev/stdout'" "$3" || echo "gnuplot" >&3; } |
-      cat > "$part" || echo "disk" >&3; } 3>&1) || status=failed
-    case $status in
-    '') ;;
-    *disk*) refuse "the drawing cannot be written (is the disk full?)" ;;
-    *) refuse "gnuplot failed" ;;
-    esac ;;
+  *.gp) gnuplot --default-settings -e "data='$2'; out='/dev/stdout'" "$3" > "$part" || refuse "gnuplot failed" ;;
   *) PYTHONPATH="${0%/*}/../figures${PYTHONPATH:+:$PYTHONPATH}" "$PYTHON" "$3" "$2" "$part" || refuse "the drawing failed" ;;
   esac
 else

@@ -4,20 +4,17 @@
 # and a space in its name, inside another repository, with CDPATH and PYTHONSAFEPATH exported and nothing else.
 #   fresh.sh [SUITE]            both commands, then make book and make paper; SUITE is the machine's own release
 #   fresh.sh --two [SUITE]      both commands, and those of the second volume
-#   fresh.sh --container [SUITE]  the steps of tools/Dockerfile instead, in a root without even those four
 # FRESH_ENV='CXXFLAGS=-Werror' adds to the environment; KEEP=1 leaves the root where it is. Ends with 77
 # where such a root cannot be made.
 set -eu
 unset CDPATH
 cd "$(dirname "$0")/.."
-what=
-case ${1:-} in --*) what=$1 && shift ;; esac
+two=
+[ "${1:-}" != --two ] || { two=yes && shift; }
 # shellcheck disable=SC1091
 suite=${1:-$(. /etc/os-release && echo "${VERSION_CODENAME:-}")}
 place=$PWD/build/fresh
-kind=$suite include=--include=g++,cmake,make,git,ca-certificates
-[ "$what" != --container ] || { kind=$suite-container include=; }
-base=$place/$kind.tar root=$place/$kind logs=$place/log-$kind
+base=$place/$suite.tar root=$place/$suite logs=$place/log-$suite
 cannot() { echo "  fresh    cannot make a bare root: $1" >&2; exit 77; }
 case $suite in ''|*[!a-z]*) cannot "'$suite' is no name of a release" ;; esac
 
@@ -35,8 +32,7 @@ forget() { rm -rf "$root"; }
 if [ ! -f "$base" ]; then
   echo "  fresh    $suite: debootstrap"
   forget
-  # shellcheck disable=SC2086
-  debootstrap --variant=minbase $include "$suite" "$root" \
+  debootstrap --variant=minbase --include=g++,cmake,make,git,ca-certificates "$suite" "$root" \
     > "$logs/debootstrap" 2>&1 || { tail -n 3 "$logs/debootstrap" >&2; cannot "debootstrap $suite failed"; }
   tar -C "$root" -cf "$base.part" . && mv "$base.part" "$base"
 else
@@ -48,66 +44,41 @@ cp /etc/resolv.conf /etc/hosts "$root/etc/" 2>/dev/null || true
 apt-config dump 2>/dev/null | grep '^Acquire::.*Proxy ' > "$root/etc/apt/apt.conf.d/proxy" || true
 [ -z "$(git status --porcelain --untracked-files=no)" ] || echo "  fresh    uncommitted changes are not included"
 
-# A step in the root: step FOLDER USER COMMAND. Nothing is in the environment but `home` and what FRESH_ENV adds.
-home='' bad=0
+# A command in a folder of the root. Nothing is in the environment but what others have stumbled over, and FRESH_ENV.
 inside() {
   # shellcheck disable=SC2016
   unshare --mount --pid --fork --kill-child sh -c '
-    root=$1 folder=$2 user=$3 command=$4
+    root=$1 folder=$2 command=$3
     mount -t proc proc "$root/proc" && mkdir -p "$root/dev/shm" && mount -t tmpfs tmpfs "$root/dev/shm" &&
     { mkdir -p "$root/dev/pts" && mount -t devpts -o newinstance,ptmxmode=0666 devpts "$root/dev/pts" &&
       rm -f "$root/dev/ptmx" && ln -s pts/ptmx "$root/dev/ptmx" || true; } &&
-    exec chroot --userspec="$user" "$root" env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
-      '"$home ${FRESH_ENV:-}"' sh -c "cd \"$folder\" && $command"' sh "$root" "$@" < /dev/null
+    exec chroot "$root" env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
+      CDPATH=/home PYTHONSAFEPATH=1 '"${FRESH_ENV:-}"' sh -c "cd \"$folder\" && $command"' sh "$root" "$@" < /dev/null
 }
 step() {
-  log="$logs/$(echo "$3" | tr -cs 'A-Za-z0-9\n' - | cut -c 1-40)"
+  log="$logs/$(echo "$2" | tr -cs 'A-Za-z0-9\n' - | cut -c 1-40)"
   start=$(date +%s)
-  [ ! -t 1 ] || printf '  fresh    %s: %.60s ...\r' "$kind" "$3"
-  if inside "$@" > "$log" 2>&1; then said=passes lines=6; else said=FAILS lines=80 bad=1; fi
-  echo "  fresh    $kind: $3 $said after $(($(date +%s) - start)) s"
+  [ ! -t 1 ] || printf '  fresh    %s: %.60s ...\r' "$suite" "$2"
+  if inside "$@" > "$log" 2>&1; then said=passes lines=6; else said=FAILS lines=80; fi
+  echo "  fresh    $suite: $2 $said after $(($(date +%s) - start)) s"
   tail -n $lines "$log" | sed 's/^/           | /'
-  [ $bad = 0 ]
+  [ $said = passes ]
 }
-
-# tools/Dockerfile, read as an engine reads it: one instruction a line, COPY from a clone, RUN by the last USER
-container() {
-  folder=/ user=root home=HOME=/root
-  git clone -q --no-hardlinks . "$root/context" || return 1
-  sed -e '/^ *#/d; /^ *$/d' -e ':more' -e '/\\$/ { N; s/\\\n *//; b more' -e '}' tools/Dockerfile > "$logs/steps"
-  while read -r instruction rest; do
-    case $instruction in
-    ARG | FROM | CMD) ;;
-    WORKDIR) folder=$rest && mkdir -p "$root$folder" ;;
-    USER) user=$rest home=HOME=/home/$rest ;;
-    COPY)
-      owner=root
-      case $rest in --chown=*) owner=${rest%% *} owner=${owner#--chown=} rest=${rest#* } ;; esac
-      target=${rest##* } from=
-      for source in ${rest% *}; do from="$from '/context/$source'"; done
-      step "$folder" root "cp -r$from '$target' && chown -R $owner: '$target'" || return ;;
-    RUN) step "$folder" "$user" "$rest" || return ;;
-    *) echo "tools/Dockerfile: '$instruction' is not known to tools/fresh.sh" >&2; return 1 ;;
-    esac
-  done < "$logs/steps"
-}
-[ "$what" != --container ] || { container; exit; }
 
 # What the reader is told to type, as the README tells it.
 around="$root/home" folder='[Re] a checkout'
 git init -q "$around" && git -C "$around" -c user.name=x -c user.email=x@y commit -q --allow-empty -m "another repository"
 git clone -q --no-hardlinks . "$around/$folder" || exit 1
-home="CDPATH=/home PYTHONSAFEPATH=1"
 # shellcheck disable=SC2016
 commands=$(sed -n '/^```sh$/,/^```$/{ s/^\(make [a-z]*\).*/\1/p; /^```$/q; }' README.md)
 [ "$(echo "$commands" | wc -l)" = 2 ] || { echo "README.md does not begin with two commands" >&2; exit 1; }
 [ ! -d beyond ] || commands="$commands
 make beyond
 make test-beyond"
-[ "$what" = --two ] || commands="$commands
+[ -n "$two" ] || commands="$commands
 make book
 make paper"
 echo "$commands" > "$logs/commands"
 while read -r command; do
-  step "/home/$folder" root "$command" || exit
+  step "/home/$folder" "$command" || exit
 done < "$logs/commands"

@@ -1,5 +1,5 @@
 # shellcheck shell=sh
-# Sourced by the other scripts and by the Makefile.
+# Sourced by the other scripts.
 
 # `hold FILE` makes a second make in the same checkout wait here until the first has done what it does, to the end
 # of the script that calls it. Where there is no flock nobody waits.
@@ -8,9 +8,6 @@ hold() {
   exec 9> "$1"
   flock -n 9 || { echo "  wait     for another make in this checkout" && flock 9; }
 }
-
-# The seconds since the machine started run forwards, also where somebody sets its clock.
-now() { cut -d' ' -f1 /proc/uptime 2>/dev/null || date +%s.%N; }
 
 # `first_build BUILD JOBS TARGET...`: the minutes that it takes to compile all, one or some programs, where none is yet.
 first_build() {

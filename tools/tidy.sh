@@ -2,17 +2,12 @@
 # clang-tidy, by the rules of .clang-tidy, on the sources that differ from the commit $1 (without it: on all, which takes
 # an hour), and on the source beside a header that differs. It configures a folder of its own, in which nothing is built,
 # and finds GCC's header of quadruple precision. Version 16 is the first that knows our C++, and the one that continuous
-# integration has.
+# integration has; TIDY=... names another one.
 set -eu
 unset CDPATH
 cd "$(dirname "$0")/.."
-since=${1:-}
-tidy=
-for name in clang-tidy-16 clang-tidy clang-tidy-17 clang-tidy-18 clang-tidy-19; do
-  version=$("$name" --version 2>/dev/null | sed -n 's/.*version \([0-9]*\).*/\1/p')
-  if [ "${version:-0}" -ge 16 ]; then tidy=$name && break; fi
-done
-[ -n "$tidy" ] || { echo "tidy: clang-tidy 16 or newer is missing (Debian 12: clang-tidy-16)" >&2; exit 1; }
+since=${1:-} tidy=${TIDY:-clang-tidy-16}
+command -v "$tidy" > /dev/null || { echo "tidy: $tidy is missing" >&2; exit 1; }
 if [ -n "$since" ]; then
   git rev-parse -q --verify "$since^{commit}" >/dev/null || { echo "tidy: '$since' is not a commit" >&2; exit 1; }
   changed=$(git diff --name-only --diff-filter=d "$since" -- src beyond/src)

@@ -29,7 +29,7 @@ def of_volume(test):
 
 
 CLAIMS = ["id", "section", "where", "quantity", "printed", "unit", "tolerance", "assumption", "covered_by", "reason", "cause", "status"]
-LOCK = ["program", "what", "id", "value", "error", "unit", "kind"]
+LOCK = ["program", "what", "id", "value", "error", "unit"]
 STATEMENTS = '''/**
 # Statements: a demonstration */
 STATEMENT("a.one") {
@@ -59,13 +59,8 @@ def table(names, rows):
     return ecsv.to_text(ecsv.Table(columns, [dict(zip(names, row)) for row in rows]))
 
 
-def of_run(quick, text):
-    """The text of a table as of a run with --quick ("yes"), or of a full one."""
-    return text.replace("# schema", f"# - {{parameters: 'quick = {quick}'}}\n# schema", 1)
-
-
-def finding(value, error=0.0, unit="", kind="value", id="x"):
-    return Finding("p", id, value, error, unit, kind)
+def finding(value, error=0.0, unit="", id="x"):
+    return Finding("p", id, value, error, unit)
 
 
 class Scratch(unittest.TestCase):
@@ -82,8 +77,8 @@ class Scratch(unittest.TestCase):
             ["a.two", "1", "text", "two", "yes", "", "", "of {a.one}, Section wells", "", "", "", "holds"]]))
         self.write("src/statements/sec1_demo.cpp", STATEMENTS)
         self.write("paper/converged.ecsv", table(LOCK, [
-            ["sec1_demo", "answer", "a.one", 1.0000000000000002, 1e-3, "m", "value"],
-            ["sec1_demo", "margin", "a.two", 0.5, 0.05, "", "value"], ["sec1_demo", "cell", "results/name=two/value", 2.0, 0.1, "", "value"]]))
+            ["sec1_demo", "answer", "a.one", 1.0000000000000002, 1e-3, "m"],
+            ["sec1_demo", "margin", "a.two", 0.5, 0.05, ""], ["sec1_demo", "cell", "results/name=two/value", 2.0, 0.1, ""]]))
         self.write("figures/figures.ecsv", table(FIGURES, [
             ["01", "demo", "1", "sec1_demo", "fig01.gp", "ER", "results", "A line.", "(a–c) At $t = \\frac12$."]]))
         self.write("paper/costs.ecsv", table(["program", "seconds"], [["sec1_demo", 3.0]]))
@@ -119,9 +114,9 @@ class Scratch(unittest.TestCase):
     def results(self, *rows):
         self.computed("sec1_demo/results.ecsv", table(RESULTS, rows))
 
-    def computed(self, name, text, data="build/data"):
+    def computed(self, name, text):
         """Writes a table as a program does, with a new list of all that are there."""
-        path = self.root / data / name
+        path = self.root / "build/data" / name
         ecsv.write_whole(path, text)
         sums = [f"{ecsv.sha256(ecsv.text_of(one))}  {one.name}\n" for one in sorted(path.parent.glob("*.ecsv")) if one.stem != "run"]
         made = [{"what": "build", "value": "GNU 12"}, {"what": "libraries", "value": "GSL 2.7.1"}]

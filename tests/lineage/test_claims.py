@@ -3,7 +3,7 @@ with the quick runs that must answer them."""
 
 import unittest
 
-from lineage import chapters, claims, ecsv
+from lineage import claims, ecsv
 from lineage.lock import read_lock
 
 from common import ROOT, STATEMENTS, VOLUME, Scratch, finding, of_volume, table
@@ -94,14 +94,6 @@ PROGRAMS = claims.programs_of(VOLUME)
 @of_volume
 @unittest.skipUnless(all((QUICK / program / "SHA256SUMS").exists() for program in PROGRAMS), "no quick run (make test makes it)")
 class Quick(unittest.TestCase):
-    def test_it_is_soon_there(self):
-        # Ten seconds on two cores, or more where the full runs have just taken longer than paper/costs.ecsv says
-        then, now = chapters.read_costs(VOLUME), chapters.measured_costs(ROOT / "build/report/cost")
-        known = [program for program in then if program in now and then[program] > 0]
-        slowness = max(1, sum(now[program] for program in known) / max(1, sum(then[program] for program in known)))
-        costs = chapters.measured_costs(ROOT / "build/quick/report/cost", 1)
-        self.assertEqual([program for program in PROGRAMS if costs[program] > 2 * 10 * slowness], [])
-
     def test_it_leaves_tables_and_nothing_else_and_coarser_ones(self):
         self.assertEqual([str(fault) for fault in ecsv.altered(QUICK)], [])
         for program in PROGRAMS:

@@ -1,10 +1,5 @@
 """What is said of one number, and of a command line that means nothing."""
 
-import contextlib
-import io
-
-from lineage.__main__ import main
-
 from common import NAN, RESULTS_OF_DEMO, Scratch
 
 COMPARISONS = ["id", "role", "cells", "small", "small_error", "large", "large_error", "outcome"]
@@ -48,11 +43,6 @@ class Show(Scratch):
         text = self.read("paper/claims.ecsv")
         self.write("paper/claims.ecsv", text + text.splitlines()[-1].replace("a.two", "a.new") + "\n")
         self.assertIn("verdict    holds", self.lineage("show", "a.new")[1])  # not judged yet
-
-    def test_a_closed_output_is_one_line(self):
-        with contextlib.redirect_stdout(None), contextlib.redirect_stderr(io.StringIO()) as err:
-            self.assertEqual(main(["show", "a.one"]), 1)
-        self.assertEqual(err.getvalue(), "lineage show: cannot write to standard output (Bad file descriptor)\n")
 
     def test_the_command_line(self):
         for arguments in (["hashes", "--dat"], ["show"], ["show", "a.one", "a.two"]):

@@ -17,7 +17,7 @@ class Values(unittest.TestCase):
                 (finding(7e-15, 4e-14), "7e-15"), (finding(500, 200), "5e2"), (finding(14), "14"), (finding(-3), "-3"),
                 (finding(0), "0"), (finding(1.5), "1.5"), (finding(1.0009999999999999), "1.001"),
                 (finding(1753921.9), "1.75392e6"), (finding(1.75e19), "1.75e19"), (finding(math.nan, 1), "nan"),
-                (finding(4.3822562009170496e-16, 0, "", "residue"), "4e-16"), (finding(1, math.nan), "1")]:
+                (finding(1, math.nan), "1")]:
             self.assertEqual(f.shown, shown)
         self.assertEqual([finding(1, e).shown_error for e in (3.7e-9, 0)], ["4e-9", "exact"])
 
@@ -42,12 +42,10 @@ class Values(unittest.TestCase):
             self.assertEqual(f.shown_as_interval, shown)
 
     def test_two_agree_within_the_sum_of_the_errors(self):
-        residue = finding(3e-16, 0, "", "residue")
         for locked, fresh, agrees in [
                 (finding(1, 1e-3), finding(1.0019, 1e-3), True), (finding(1, 1e-3), finding(1.0021, 1e-3), False),
                 (finding(1.62e-11, 1e-20), finding(1.77e-11, 1e-20), False), (finding(1), finding(1 + 5e-16), True),
                 (finding(1), finding(1 + 1e-11), False), (finding(1, 0, "m"), finding(1), False),
                 (finding(1, 1), finding(math.nan, 1), False), (finding(1, 1), finding(1.5, math.nan), False),
-                (finding(math.nan, 1), finding(math.nan, 1), True), (residue, finding(2e-15), True),
-                (residue, finding(-4e-15), False), (finding(0, 0, "", "residue"), finding(3e-16), True)]:
+                (finding(math.nan, 1), finding(math.nan, 1), True)]:
             self.assertEqual(distance(locked, fresh) <= 1, agrees, (locked, fresh))

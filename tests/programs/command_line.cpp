@@ -49,7 +49,6 @@ TEST_CASE("a line that cannot be meant is answered in one line, and nothing is c
       {run + "--velocity inf", "--velocity: "},
       {run + "--s 1/0", "--s: '1/0' is not a number"},
       {run + "--s 41/4", "'41/4' is not in the allowed range [-10, 10]"},
-      {run + "--well pendulum --s 1", "--s: 'pendulum' has no parameter s"},
       {run + "--output ''", "--output"},
       {"sec34_impact --threads many", "--threads: 'many' is not a number (allowed: [1, 1024])"},
       // What a range does not say
@@ -88,17 +87,6 @@ TEST_CASE("a line that cannot be meant is answered in one line, and nothing is c
       // Earlier names
       {run + "--onsite cubic", "--onsite: 'cubic' is not one of the allowed names none, harmonic"}};
   for (const auto& [line, complaint] : lines) check_refused(line, complaint);
-}
-
-TEST_CASE("numbers are decimal, or fractions of decimal numbers", "[cli]") {
-  const std::string sites = "sec32_dps_profiles profile --centre site --sites ",
-                    run = "sec4_precompression_mi coefficients --d 1/2 --s ";
-  CHECK(rows(sites + "62/2") == rows(sites + "31"));
-  CHECK(rows(run + "-1/6 --q 3/4") == rows(run + "-0.16666666666666666 --q 0.75"));
-  CHECK(rows(run + "-.5") == rows("sec4_precompression_mi coefficients --d=.5 --s=-5e-1"));
-  const Table table = table_of(run + "-1/6");
-  CHECK(header(table, "parameters").find("s = -0.16666666666666666") != std::string::npos);
-  CHECK(header(table, "command").find("--s -1/6") != std::string::npos);
 }
 
 TEST_CASE("places that cannot be written to", "[cli]") {

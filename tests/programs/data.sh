@@ -1,8 +1,9 @@
 #!/bin/sh
 # The examples of README.md and book/data.md, as they stand there: Python's by doctest, readers of tables against one of
-# our own, a command against the table of its figure. Then the scan of examples/. A tool that is not installed is passed
-# over with a line. Arguments: the repository, the build folder.
+# our own, a command against the table of its figure. Then the scan of examples/. A module that is not installed is passed
+# over with a line. Arguments: the repository, the build folder, the python for which the module is built, if it is.
 set -eu
+python=${3:-}
 root=$(cd "$1" && pwd -P)
 build=$(cd "$2" && pwd -P)
 table=data/sec34_impact/velocity_sweep.ecsv
@@ -16,29 +17,22 @@ export PYTHONPATH="$build/python" PYTHONDONTWRITEBYTECODE=1
 # The k-th block of code in the language $2 of the page $1, k = $3.
 block() { awk -v open="\`\`\`$2" -v k="$3" '/^```/ { if (on) exit; if ($0 == open && ++n == k) { on = 1; next } } on' "$root/$1"; }
 fail() { echo "$1"; exit 1; }
-# The first python that has this module.
-python_with() {
-  for python in python3 /usr/bin/python3; do "$python" -c "import $1" 2> /dev/null && return; done
-  echo "skipped: $1 is not installed"
-  return 1
-}
+has() { "$python" -c "import $1" 2> /dev/null || { echo "skipped: $1 is not installed"; return 1; }; }
 
 # The largest speed in the linear well, read here in a way of its own: the columns by their places.
 ought=$(awk -F, '!/^#/ && $1 + 0 == 0 && $1 != "s" && $4 > most { most = $4 } END { printf "%.17g", most }' "build/$table")
 agree() {
   echo "$2" | awk -v ought="$ought" '{ d = $1 - ought; if (d < 0) d = -d; exit !(d <= 1e-14 * ought) }' || fail "$1: $2 instead of $ought"
 }
-if gnuplot --version > /dev/null 2>&1; then
-  { block README.md gnuplot 1; echo 'set print "-"; print sprintf("%.15g", GPVAL_DATA_Y_MAX)'; } > a.gp
-  agree gnuplot "$(gnuplot --default-settings -e 'set terminal dumb; set output "plot"' a.gp)"
-fi
+{ block README.md gnuplot 1; echo 'set print "-"; print sprintf("%.15g", GPVAL_DATA_Y_MAX)'; } > a.gp
+agree gnuplot "$(gnuplot --default-settings -e 'set terminal dumb; set output "plot"' a.gp)"
 k=0
 for module in pandas astropy; do
   k=$((k + 1))
   block book/data.md python $k > a.py
-  if python_with $module; then agree $module "$("$python" -W ignore a.py)"; fi
+  if has $module; then agree $module "$("$python" -W ignore a.py)"; fi
 done
-if python_with "lattice, numpy"; then
+if has lattice; then
   # What README prints, and its run of one's own with a picture
   sed 's/^```.*//' "$root/README.md" > readme
   "$python" -m doctest readme || fail "an example of README.md"
@@ -55,7 +49,7 @@ awk -F, -v v="$velocity" '!/^#/ && $1 == 0 && $2 > v - 1e-9 && $2 < v + 1e-9 { p
   fail "at the velocity $velocity the command of book/data.md prints $(cat printed)"
 
 # A scan of one's own: three points, of which one fails; called again, it goes on where it was cut off.
-if python_with lattice; then
+if has lattice; then
   printf 'import scan\nscan.scan("scan.csv", [(1.0, 0.0), (0.5, 1.0), (2.5, -0.25)])\n' > a.py
   scan() { PYTHONPATH="$build/python:$root/examples" SLURM_CPUS_PER_TASK=2 "$python" a.py; }
   scan

@@ -40,7 +40,6 @@ TEST_CASE("the options of a breather reach its chain", "[cli][chains]") {
 
 TEST_CASE("what has no breather is refused in one line by the program", "[cli][chains]") {
   for (const std::string& command : {breather, multipliers}) {
-    check_refused(command + "--alpha 1.8", "--alpha: 'hertz' has no parameter alpha");
     check_refused(command + "--precompression 0.01 --omega 1.2", "[1, 1.26491]");
     check_refused(command + "--mass-ratio 0.8", "--omega: 1.1 is not above the linear waves");
     check_refused(command + "--mass-ratio 0.8 --centre bond",

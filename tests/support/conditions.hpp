@@ -36,11 +36,3 @@ inline bool holds(const Bounds& all) {
   return !all.empty() &&
          std::all_of(all.begin(), all.end(), [](const Bound& b) { return b.holds(); });
 }
-
-/// The names of those that fail.
-inline std::string failing(const Bounds& all) {
-  std::string names;
-  for (const Bound& b : all)
-    if (!b.holds()) names += (names.empty() ? "" : " ") + b.name;
-  return names;
-}

@@ -5,11 +5,11 @@
     claims    what is claimed and found, the verdicts, and all numbers by their names
     chapters  which chapters answer and explain a claim, their commands and costs
     lock      paper/converged.ecsv: which values are kept, and how far a fresh one may be
-    hashes    paper/full.sha256 and quick.sha256: the bytes of every table
+    hashes    paper/full.sha256: the bytes of every table
     refresh   values and tables in prose: src/, README.md, MAINTAINING.md, paper/costs.ecsv
     tex       the same values for the paper
     show      one number, statement or finding
-    inventory every command, module and package used
+    inventory every command and module
     sources   chapters as prose and code, and the line that names a number
     markdown  values and words for the book, which book/literate.py makes of all this
 

@@ -1,8 +1,6 @@
 """The verbs. What cannot be used is one line: exit code 1 for a file, 2 for the command line."""
 
 import argparse
-import errno
-import os
 import signal
 import sys
 from pathlib import Path
@@ -21,20 +19,17 @@ def show(given):
 
 
 def accept(given):
-    """Values and bytes of both runs; prose follows by `refresh`."""
-    from . import hashes as bytes_of, lock as values
+    """Values and bytes; prose follows by `refresh`."""
+    from . import hashes, lock
+    need(given.data)
     if not given.check:
-        need(given.data)
-        bytes_of.renew(given.root, (given.data, given.quick))
-        return values.renew(given.root, given.data)
-    for folder in (given.data, given.quick):
-        need(folder)
-    moved = values.check(given.root, given.data)
-    tables = bytes_of.told(given.root, given.data, "full") + bytes_of.told(given.root, given.quick, "quick")
+        hashes.renew(given.root, given.data)
+        return lock.renew(given.root, given.data)
+    moved, tables = lock.check(given.root, given.data), hashes.told(given.root, given.data)
     if not moved and not tables:
         return 0
-    if not bytes_of.is_here(given.root, given.data) and not moved:
-        return bytes_of.OTHER_PROCESSOR
+    if not hashes.is_here(given.root, given.data) and not moved:
+        return hashes.OTHER_PROCESSOR
     call = "make accept" if Path(given.root).name != "beyond" else "make volume=beyond accept"
     said = [f"{n} {word}{'s' * (n != 1)}" for n, word in ((tables, "table"), (moved, "value"))]
     print(f"{', '.join(said)} changed; if you meant it: {call}")
@@ -49,12 +44,6 @@ def tables(given):
     for fault in faults:
         print(fault, file=sys.stderr)
     return bool(faults)
-
-
-def hashes(given):
-    need(given.data)
-    from .hashes import compare
-    return compare(given.root, given.data, given.run_of, given.against)
 
 
 def refresh(given):
@@ -78,7 +67,6 @@ def reader():
     parser.add_argument("--root", default=".", help="folder of the repository (default: here)")
     verbs = parser.add_subparsers(dest="verb", required=True, metavar="verb")
     options = {"data": ("build/data", "folder that holds one folder of tables per program"),
-               "quick": ("build/quick/data", "the same for the run with --quick"),
                "costs": ("build/report/cost", "folder with the run time of each program in seconds")}
 
     def verb(run, help, *wanted, out=None):
@@ -91,16 +79,11 @@ def reader():
         return sub
 
     verb(show, "show one number: printed, converged, error, verdict, figure, command", "data").add_argument("id")
-    kept = verb(accept, "record values and bytes in paper/converged.ecsv, full.sha256 and quick.sha256, and print what moved", "data", "quick")
+    kept = verb(accept, "record values and bytes in paper/converged.ecsv and full.sha256, and print what moved", "data")
     kept.add_argument("--check", action="store_true", help="only report what changed; exit code 1 if anything did, 77 if it is bytes on "
                                                            "another kind of processor")
     verb(tables, "check that tables are those of SHA256SUMS; a program whose table is missing will run again",
          "data").add_argument("files", nargs="*", help="only the tables among these files")
-    same = verb(hashes, "compare the bytes of all tables with paper/full.sha256; exit code 1 if any differ, 77 if the processor is "
-                        "not that of the record", "data")
-    same.add_argument("--run", dest="run_of", choices=("full", "quick"), default="full",
-                      help="which run the folder of --data holds; quick: paper/quick.sha256 (default: %(default)s)")
-    same.add_argument("--against", help="folder of the tables from another platform, to report the rows that differ")
     stale = verb(refresh, "write the reference values into the prose, and renew the tables of the pages", "costs")
     stale.add_argument("--check", action="store_true", help="only report what is stale; exit code 1 if anything is")
     verb(macros, "write the reference values as macros for the paper", out="build/paper")
@@ -110,18 +93,10 @@ def reader():
 def main(arguments=None):
     given = reader().parse_args(arguments)
     try:
-        if sys.stdout is None:
-            raise OSError(errno.EBADF, os.strerror(errno.EBADF))
-        code = int(given.run(given) or 0)
-        sys.stdout.flush()
-        return code
+        return int(given.run(given) or 0)
     except ecsv.Fault as fault:
         print(f"lineage {given.verb}: {fault}", file=sys.stderr)
         return fault.code
-    except OSError as error:  # of files a Fault is made; what is left is the place where this writes
-        sys.stdout = None
-        print(f"lineage {given.verb}: cannot write to standard output ({error.strerror})", file=sys.stderr)
-        return 1
     except ModuleNotFoundError as error:
         print(f"lineage {given.verb}: {lacking(error)}", file=sys.stderr)
         return 1

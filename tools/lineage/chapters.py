@@ -89,12 +89,12 @@ def read_costs(root):
     return {program: row["seconds"] for program, row in table.by("program", "costs").items()}
 
 
-def measured_costs(folder, which=0):
-    """The seconds that each program took, from the files that tools/compute.sh leaves; of the processor for `which` = 1."""
+def measured_costs(folder):
+    """The seconds that each program took, from the files that tools/compute.sh leaves."""
     out = {}
     for path in sorted(p for p in Path(folder).glob("*") if not p.name.startswith(".")):  # locks of running programs
         try:
-            out[path.name] = float(ecsv.text_of(path).split()[which])
+            out[path.name] = float(ecsv.text_of(path).split()[0])
         except (ValueError, IndexError):
             raise ecsv.Fault(f"{path}: not a time in seconds") from None
     return out

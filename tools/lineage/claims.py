@@ -78,11 +78,6 @@ def read_every(root):
     return (read_claims(root) if Path(root) == article(root) else {}) | read_findings(root) | read_literature(root)
 
 
-def is_number(printed):
-    """Whether what is printed begins as a number does; else it is words."""
-    return bool(re.match(r"-?[.\d]", printed))
-
-
 def report_of(root, report=None):
     return Path(report or article(root) / "build/report") / ("claims.ecsv" if Path(root) == article(root) else "claims_beyond.ecsv")
 

@@ -4,11 +4,9 @@ It has the answer to every statement that is a number, the least margin of every
 or book quote. A fresh value has to agree with the locked one within the sum of the two errors.
 
 The programs give the same bits on every machine, but another compiler or mathematical library may round a
-logarithm differently, so that a relative difference of 1e-12 is always allowed. A `residue` is itself made of
-rounding: of it only the size counts, and it may grow tenfold."""
+logarithm differently, so that a relative difference of 1e-12 is always allowed."""
 
 import re
-from dataclasses import replace
 from pathlib import Path
 
 from . import ecsv
@@ -18,7 +16,6 @@ from .claims import programs_of, quoted_in, read_answers, read_every, read_secon
 from .values import Finding, distance
 from .volumes import joined, volumes
 
-KINDS = ("value", "residue")
 COLUMNS = [
     ecsv.Column("program", "string", "program that computes it"),
     ecsv.Column("what", "string", "cell of a table; answer to a statement; margin: least one of its comparisons, relative to the larger side; failures: how many of them fail"),
@@ -26,7 +23,6 @@ COLUMNS = [
     ecsv.Column("value", "float64", "converged value"),
     ecsv.Column("error", "float64", "absolute error; 0 for an exact value"),
     ecsv.Column("unit", "string", "unit of value and error"),
-    ecsv.Column("kind", "string", "value; residue: made of rounding, so that only its size counts"),
 ]
 
 
@@ -36,15 +32,8 @@ def lock_of(root):
 
 def read_lock(root):
     """The locked values by (program, what, id)."""
-    out = {}
-    for key, row in ecsv.read(lock_of(root), [c.name for c in COLUMNS]).by(("program", "what", "id")).items():
-        found = Finding(**{c.name: row[c.name] for c in COLUMNS})
-        if found.kind not in KINDS:
-            raise row.fault(f"{found.id}: the kind '{found.kind}' is unknown (allowed: {', '.join(KINDS)})")
-        if found.error < 0:
-            raise row.fault(f"{found.id}: the error {found.error:g} is negative")
-        out[key] = found
-    return out
+    rows = ecsv.read(lock_of(root), [c.name for c in COLUMNS]).by(("program", "what", "id"))
+    return {key: Finding(**row) for key, row in rows.items()}
 
 
 def lock_text(findings):
@@ -86,12 +75,11 @@ def is_kept(finding, names):
 
 
 def renewed(locked, fresh, programs, kept):
-    """The new lock: the fresh values that `kept` accepts, with the kinds that stand. A program that has not been
-    run keeps its rows, a program that no longer exists loses them."""
+    """The new lock: the fresh values that `kept` accepts. A program that has not been run keeps its rows, a program that no
+    longer exists loses them."""
     run = {program for program, *_ in fresh}
-    out = {key: replace(f, kind=locked[key].kind if key in locked else "value") for key, f in fresh.items()}
-    out.update({key: f for key, f in locked.items() if key[0] in programs and key[0] not in run})
-    return {key: f for key, f in out.items() if kept(f)}
+    stands = {key: f for key, f in locked.items() if key[0] in programs and key[0] not in run}
+    return {key: f for key, f in (fresh | stands).items() if kept(f)}
 
 
 def changes(locked, now, kept):

@@ -41,8 +41,6 @@ def with_error(found):
     """A value with its error and unit, as text."""
     if not math.isfinite(found.value):
         return found.shown
-    if found.kind == "residue":
-        return found.shown + unit(found.unit) + " (made of rounding: only its size counts)"
     return found.shown + (f"{unit(found.unit)}, exact" if found.error == 0 else f" ± {found.shown_error}{unit(found.unit)}")
 
 

@@ -2,8 +2,8 @@
 the locked value, with as many digits as were typed and are certain; `[to](...)` asks for both ends of what is enclosed. This file
 writes those texts, the sentences of findings and the tables between marks, and the costs in paper/costs.ecsv.
 
-The quoted values are the locked ones and not the fresh ones, because another compiler may change a digit of a
-rounding residue; that fresh and locked values agree is asserted on its own."""
+The quoted values are the locked ones and not the fresh ones, because another compiler may change a digit of what is
+made of rounding; that fresh and locked values agree is asserted on its own."""
 
 import re
 import textwrap

@@ -50,10 +50,10 @@ def value(shown, uncertain=""):
 def both(finding):
     """A value with its error in parentheses, in units of the last digit shown: `1.62(3)e-11`. The digits are those of
     values.py; where six of them do not reach the error it is one unit, so that what was rounded off is covered. What
-    is exact, made of rounding or no number has no parentheses."""
+    is exact or no number has no parentheses."""
     shown, error = finding.shown, finding.shown_error
     digits = re.fullmatch(r"-?\d+(?:\.(\d+))?(?:e(-?\d+))?", shown)
-    if not digits or finding.value == 0 or error in ("", "exact", "nan", "inf") or finding.kind == "residue":
+    if not digits or finding.value == 0 or error in ("", "exact", "nan", "inf"):
         return value(shown)
     last = int(digits[2] or 0) - len(digits[1] or "")
     return value(shown, f"({max(1, round(float(error) / 10.0**last))})")

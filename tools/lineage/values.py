@@ -28,14 +28,13 @@ def without_zeros(text):
 
 @dataclass(frozen=True)
 class Finding:
-    """One value of one program: a cell of a table, the answer to a statement, the least margin of its comparisons, or how many fail. A `residue` is
-    made of rounding, so that only its size counts."""
+    """One value of one program: a cell of a table, the answer to a statement, the least margin of its comparisons, or how
+    many of them fail."""
     program: str
     id: str
     value: float
     error: float = 0.0
     unit: str = ""
-    kind: str = "value"
     what: str = "cell"  # or answer, margin, failures
 
     @property
@@ -55,8 +54,6 @@ class Finding:
             return str(self.value)
         if self.value == 0:
             return "0"
-        if self.kind == "residue":
-            return with_digits(self.value, 1)
         if self.error == 0:
             whole = self.value == math.floor(self.value) and abs(self.value) < 1e9
             return str(int(self.value)) if whole else without_zeros(with_digits(self.value, 6))
@@ -76,7 +73,7 @@ class Finding:
         digits = len(re.sub(r"[eE±(].*|\D", "", typed).lstrip("0")) or 3
         if " to " in typed or typed == "to":
             return self.shown_as_interval
-        if self.error <= sys.float_info.min or self.kind == "residue" or not (math.isfinite(self.value) and math.isfinite(self.error)):
+        if self.error <= sys.float_info.min or not (math.isfinite(self.value) and math.isfinite(self.error)):
             is_whole = self.error > sys.float_info.min or self.value == math.floor(self.value)
             return self.shown if is_whole else without_zeros(like(self.value, digits, typed))
         if digits <= self.certain or self.certain > 1 and "±" not in typed:
@@ -120,8 +117,6 @@ def distance(locked, fresh):
         return math.inf
     if math.isnan(locked.value) or math.isnan(fresh.value):
         return 0 if math.isnan(locked.value) and math.isnan(fresh.value) else math.inf
-    if locked.kind == "residue":
-        return abs(fresh.value) / (10 * (abs(locked.value) or sys.float_info.epsilon))
     if locked.value == fresh.value:
         return 0
     allowed = locked.error + fresh.error + 1e-12 * max(abs(locked.value), abs(fresh.value))

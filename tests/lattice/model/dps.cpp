@@ -4,8 +4,8 @@
 
 #include "lattice/numerics/line_fit.hpp"
 #include "support/check.hpp"
+#include "support/conditions.hpp"
 #include "support/dps_deviation.hpp"
-#include "support/estimates.hpp"
 
 using namespace lattice;
 
