@@ -10,7 +10,6 @@ import multiprocessing
 import os
 import pickle
 import random
-import re
 import signal
 import subprocess
 import sys
@@ -28,7 +27,6 @@ import numpy as np
 import backend
 import lattice
 import notebooks
-import stubs
 
 BIN = Path(sys.argv.pop(1)) if __name__ == "__main__" else None  # a process of a test reads this file too
 HERE = Path(__file__).parent
@@ -631,14 +629,6 @@ class Documentation(unittest.TestCase):
         self.assertEqual(python("import lattice; print(lattice.strike.__doc__)", {"PYTHONOPTIMIZE": "2"}).stdout, "None\n")
         self.assertEqual(inspect.signature(lattice.breather).parameters["omega"].default, 1.1)
 
-    def test_the_types_are_those_of_this_module(self):
-        folder = Path(lattice.__file__).parent
-        told = (folder / "__init__.pyi").read_text()
-        self.assertEqual(told, stubs.stub(lattice))
-        self.assertTrue((folder / "py.typed").exists())
-        self.assertEqual(set(re.findall(r"^(?:class|def) (\w+)", told, re.M)), set(lattice.__all__))
-        self.assertIn('ends: Literal["free", "fixed", "periodic"] = ', told)
-
     def test_a_wheel_has_all_that_an_import_needs_and_says_so(self):
         with tempfile.TemporaryDirectory() as folder:
             name = backend.pack(Path(lattice.__file__).parent, folder)
@@ -647,7 +637,7 @@ class Documentation(unittest.TestCase):
                 wheel.extractall(folder)
                 listed = [row[0] for row in csv.reader(wheel.read(f"{'-'.join(name.split('-')[:2])}.dist-info/RECORD").decode().splitlines())]
                 self.assertEqual(sorted(wheel.namelist()), sorted(listed))
-                self.assertIn("lattice/__init__.pyi", listed)
+                self.assertIn("lattice/__init__.py", listed)
             run = python("import lattice; print(lattice.__file__, lattice.Chain(3).sites)", {"PYTHONPATH": folder}, cwd=folder)
             self.assertEqual(run.stdout, f"{Path(folder) / 'lattice/__init__.py'} 3\n", run.stderr)
 
