@@ -38,47 +38,6 @@ namespace {
 using Words = std::vector<std::string>;
 
 /**
-## The lock of the interpreter
-
-An interpreter that exits ends every other thread that wants its lock, or runs its code, by unwinding its stack. Our
-frames are not made for that: destructors would let go of objects without the lock, and the process would abort. Such a
-thread waits instead until the process is gone, as it does from Python 3.14 on. */
-/// What a function of the interpreter, or of numpy, which lets go of the lock to copy, returns, if it returns.
-template <class Ask>
-auto ask_interpreter(Ask ask) {
-  try {
-    return ask();
-  } catch (...) {
-    if (std::current_exception()) throw;  // an exception of C++, as that unwinding is not
-    for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
-  }
-}
-
-class WithLock {
- public:
-  WithLock() = default;
-  ~WithLock() { PyGILState_Release(state_); }
-  WithLock(const WithLock&) = delete;
-  WithLock& operator=(const WithLock&) = delete;
-
- private:
-  PyGILState_STATE state_ = ask_interpreter(PyGILState_Ensure);
-};
-
-class WithoutLock {
- public:
-  WithoutLock() = default;
-  ~WithoutLock() {
-    ask_interpreter([this] { PyEval_RestoreThread(state_); });
-  }
-  WithoutLock(const WithoutLock&) = delete;
-  WithoutLock& operator=(const WithoutLock&) = delete;
-
- private:
-  PyThreadState* state_ = PyEval_SaveThread();
-};
-
-/**
 ## Long work
 
 Signals reach the main thread only. There a computation runs in a thread of its own, without the lock, while the main
@@ -93,7 +52,7 @@ auto at_work(Compute compute) {
   });
   auto found = task.get_future();
   {
-    const WithoutLock for_others;
+    const py::gil_scoped_release for_others;
     std::thread worker;
     try {
       if (gettid() == getpid()) worker = std::thread(std::ref(task));
@@ -101,7 +60,7 @@ auto at_work(Compute compute) {
     }
     if (!worker.joinable()) task();
     while (found.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
-      if (const WithLock with_lock; !stop && PyErr_CheckSignals() != 0) stop = true;
+      if (const py::gil_scoped_acquire with_lock; !stop && PyErr_CheckSignals() != 0) stop = true;
     if (worker.joinable()) worker.join();
   }
   if (PyErr_Occurred()) throw py::error_already_set();
@@ -152,8 +111,8 @@ py::list options() {
 ## Tables
 
 A column becomes an array of its own type. */
-py::object array_of(const std::vector<double>& x) {
-  return ask_interpreter([&] { return py::array_t<double>(py::ssize_t(x.size()), x.data()); });
+py::array_t<double> array_of(const std::vector<double>& x) {
+  return py::array_t<double>(py::ssize_t(x.size()), x.data());
 }
 
 py::object column_of(const Table& table, std::size_t k) {
@@ -161,8 +120,7 @@ py::object column_of(const Table& table, std::size_t k) {
   py::list out;
   for (const auto& row : table.rows)
     std::visit([&](const auto& cell) { out.append(cell); }, row[k]);
-  if (table.columns[k].kind == Kind::integer)
-    return ask_interpreter([&] { return py::array::ensure(out); });
+  if (table.columns[k].kind == Kind::integer) return py::array(out);
   return out;
 }
 
