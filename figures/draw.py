@@ -54,6 +54,12 @@ def grid(table, x, y, value):
     return image, (xs[0] - dx, xs[-1] + dx, ys[0] - dy, ys[-1] + dy)
 
 
+def image(axes, table, x, y, value, norm, scale=1, **more):
+    """Shows a long table as an image; returns it, for a colour bar."""
+    values, extent = grid(table, x, y, value)
+    return axes.imshow(scale * values, extent=extent, origin="lower", aspect="auto", norm=norm, interpolation="none", **more)
+
+
 def where(table, column, value):
     """The rows in which `column` has `value`."""
     keep = np.isclose(table[column], value)
