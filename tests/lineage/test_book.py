@@ -72,7 +72,6 @@ class Repository(Scratch):
         self.write("book/start.md", "# Start\n\nTake [](statement:a.one).\n")
         self.write("book/commands.txt", "a.one build/bin/sec1_demo one --exactly # one\n")
         self.write("src/modules.ecsv", table(["folder", "idea"], [["src/lattice/numbers", "what numbers are"]]))
-        self.write("tools/apt-packages.txt", "dpkg\n[book]\nno-such-package\n")
         cells = [{"cell_type": "markdown", "source": ["# In Python\n", "\n", "By Eq. (9), $x^2$; [](statement:a.one)."]},
                  {"cell_type": "code", "source": ["x = 1  # one"], "outputs": [{"output_type": "stream", "text": ["a < b\n"]}]}]
         self.write("python/a_b.ipynb", json.dumps({"cells": cells}))
@@ -99,7 +98,7 @@ class Repository(Scratch):
                 "numbers-sec1_demo": ['id="sec1_demo/results/name=two/value"', "sec1_demo.html#L-20", "data/sec1_demo/results.ecsv", "what name is",
                                       'id="sec1_demo/speeds/n=1/value"', 'sec1_demo.html#L-19">Results, line 19 of'],
                 "fig-01": ["(a–c) At", "a line", "what name is"], "numbers-demo-cpp": ["A header: how", "declared in"],
-                "commands": ['id="sec1_demo-one"', "how fast it is, in sites (default: 0.5)", "[1e-06, 1] m/s"], "packages": ["not installed"],
+                "commands": ['id="sec1_demo-one"', "how fast it is, in sites (default: 0.5)", "[1e-06, 1] m/s"],
                 "notebook-a-b": ["equations.html#eq-9", "a &lt; b"], "library": ["what numbers are"], "data": ["numbers-sec1_demo.html"]}.items():
             for piece in pieces:
                 self.assertIn(piece, self.read(f"build/book/{name}.html"))

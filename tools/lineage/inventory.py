@@ -1,19 +1,12 @@
-"""What there is: every command with its options, the modules of the library, and the packages that all was made with.
+"""What there is: every command with its options, and the modules of the library. A program describes itself by `--describe`,
+src/modules.ecsv says what a module is about; the book makes pages of them."""
 
-A program describes itself by `--describe`, src/modules.ecsv says what a module is about, and dpkg knows the versions. The
-book makes pages of them."""
-
-import shutil
 import subprocess
 from pathlib import Path
 
 from . import ecsv
 from .claims import programs_of
 from .volumes import volumes
-
-# Packages that the README takes for granted, in the words of apt-packages.txt
-GRANTED = "build"
-GRANTED_PACKAGES = ("g++", "cmake", "make", "git")
 
 
 def description(program):
@@ -55,21 +48,3 @@ def wells(program):
 def modules(root):
     """What each module is about, by its folder."""
     return {folder: row["idea"] for folder, row in ecsv.read(Path(root) / "src/modules.ecsv", ("folder", "idea")).by("folder").items()}
-
-
-def packages(root):
-    """The packages of apt-packages.txt and those that it takes for granted, with the versions installed here."""
-    wanted, section = [(name, GRANTED) for name in GRANTED_PACKAGES], "figures and tests"
-    for line in ecsv.text_of(Path(root) / "tools/apt-packages.txt").split():
-        if line.startswith("["):
-            section = line.strip("[]")
-        else:
-            wanted.append((line, section))
-    versions = {}
-    if shutil.which("dpkg-query"):
-        run = subprocess.run(["dpkg-query", "-W", "-f", "${Package}\t${db:Status-Status}\t${Version}\n", *(n for n, _ in wanted)],
-                             capture_output=True, text=True, check=False)
-        found = (line.split("\t") for line in run.stdout.splitlines())
-        versions = {name: version for name, status, version in found if status == "installed"}
-    return [{"package": name, "version": versions.get(name, ""), "section": section} for name, section in wanted]
-
