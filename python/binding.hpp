@@ -19,7 +19,6 @@ How a command is read, runs beside the interpreter, and answers. Each module inc
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <thread>
 #include <utility>
 #include <variant>
@@ -42,7 +41,7 @@ using Words = std::vector<std::string>;
 
 Signals reach the main thread only. There a computation runs in a thread of its own, without the lock, while the main
 thread waits and asks from time to time whether the user has pressed Ctrl-C. If so, the computation is told to stop.
-Any other thread computes itself, and so does the main one where no thread can start. */
+Any other thread computes itself. */
 template <class Compute>
 auto at_work(Compute compute) {
   std::atomic<bool> stop{false};
@@ -54,11 +53,10 @@ auto at_work(Compute compute) {
   {
     const py::gil_scoped_release for_others;
     std::thread worker;
-    try {
-      if (gettid() == getpid()) worker = std::thread(std::ref(task));
-    } catch (const std::system_error&) {
-    }
-    if (!worker.joinable()) task();
+    if (gettid() == getpid())
+      worker = std::thread(std::ref(task));
+    else
+      task();
     while (found.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
       if (const py::gil_scoped_acquire with_lock; !stop && PyErr_CheckSignals() != 0) stop = true;
     if (worker.joinable()) worker.join();
