@@ -313,6 +313,15 @@ class OwnChains(unittest.TestCase):
 class AnotherRoute(unittest.TestCase):
     """True values, of programs of their own or of a formula."""
 
+    def test_a_run_has_the_error_that_it_states(self):
+        """Contacts so stiff that halving the step does not yet gain what it does for short ones; half the stated error is too small."""
+        chain = lattice.Chain(2, [16.78900451414646, 1.3750096782857841], [1e8, 1, 1e8], well="pendulum", ends="fixed")
+        end = [[8.292768061611281044e-9, -2.593936580982951765e-8], [6.375521967993526529e-9, 5.51989913186533082e-8]]
+        run = chain.evolve([-6.152283002576166e-10, -6.972319848180651e-08], [0, 0], 1.394748019862705,
+                           sample=1.394748019862705 / 4, tolerance=2.699448762175587e-11)
+        self.assertLessEqual(np.abs([run.y[-1] - end[0], run.v[-1] - end[1]]).max(), run.error * np.abs(end).max())
+        self.assertLess(run.error, 2.7e-11)
+
     def test_a_profile_of_the_dps_equation_has_errors(self):
         """By the Runge-Kutta method with 60000 steps and 64 bits."""
         found = lattice.dps(tau=5, sites=12, end="fixed")
