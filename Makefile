@@ -59,8 +59,8 @@ export LATTICE_REVISION := $(shell sh tools/revision.sh)
 # which script make each figure; ours have an x before their number. `volume=beyond` is for calls from below.
 volume := .
 home := $(if $(filter beyond,$(volume)),beyond/)
-rows_of = $(shell [ ! -f $(1)figures/figures.ecsv ] || awk -F, '!/^\#/ && $$1 != "id" { gsub(" ", ":", $$7); \
-            print $$1 "|" $$4 "|$(1)figures/" $$5 "|" $$7 }' $(1)figures/figures.ecsv)
+rows_of = $(shell [ ! -f $(1)figures/figures.ecsv ] || awk -F, '!/^\#/ && $$1 != "id" { gsub(" ", ":", $$6); \
+            print $$1 "|" $$4 "|$(1)figures/" $$5 "|" $$6 }' $(1)figures/figures.ecsv)
 all_rows := $(call rows_of) $(call rows_of,beyond/)
 rows := $(call rows_of,$(home))
 judge = $(B)/bin/verdicts$(if $(home),_beyond) --root ./$(home) --data $(D)/data --output $(D)/report/claims$(if $(home),_beyond).ecsv
@@ -332,7 +332,7 @@ burn:
 help:
 	@(sed -n 's/^## /  make /p' Makefile; \
 	awk '!/^#/ { at = index($$0, ","); id = substr($$0, 1, at - 1); if (id == "id") next; \
-	  text = $$0; for (k = 0; k < 7; ++k) text = substr(text, index(text, ",") + 1); \
+	  text = $$0; for (k = 0; k < 6; ++k) text = substr(text, index(text, ",") + 1); \
 	  split(text, quoted, "\""); printf "  make %s: %s\n", (id ~ /^x/ ? id : "fig" id), quoted[2] }' $(wildcard figures/figures.ecsv beyond/figures/figures.ecsv); \
 	echo "Variables: DEPS=skip (install nothing), PYTHON=..., JOBS=..., LAUNCH=... (put before each simulation),"; \
 	echo "  THREADS=... (of each program), QUICK=1 (coarse, into $(B)/quick)") $(or_read)

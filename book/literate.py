@@ -37,7 +37,7 @@ from lineage.claims import (KINDS, OBTAINED, agrees, by_name, in_plain, meanings
 from lineage.lock import quoted, read_lock
 from lineage.refresh import printed, read_figures
 from lineage.sources import definitions, local_names, sources_of
-from lineage.values import Finding, distance
+from lineage.values import Finding
 from lineage.volumes import joined, volumes
 from live import live
 
@@ -111,8 +111,6 @@ class Book:
         ecsv.check_all_written(self.data)
         fresh = cells | joined(lambda volume: read_answers(volume, report), every)
         self.numbers = by_name(fresh | locked)
-        self.stale = {fresh[key].name for key in locked.keys() & fresh.keys()
-                      if self.build.name != "quick" and distance(locked[key], fresh[key]) > 1}
         self.verdicts = joined(lambda volume: read_verdicts(volume, report), every)
         self.readings = joined(lambda volume: read_readings(volume, report), every)
         self.judged = joined(read_statements, every)
@@ -221,7 +219,7 @@ class Book:
         page = re.sub(r"^# .+$", lambda m: f'{m[0]}\n\n<p class="card">{card}</p>\n', "".join(parts), count=1, flags=re.M)
         if source.module:
             return ORPHAN + page
-        return STATEMENTS.sub(lambda _: self.decided(source.stem), page) + self.end_of(source.stem)
+        return STATEMENTS.sub(lambda _: self.decided(source.stem), page) + live.SCRIPT * bool(self.lives)
 
     def card(self, path, program):
         """What stands below the title of a chapter."""
@@ -236,12 +234,6 @@ class Book:
                 ("needed by", [s for s in self.sources if source.included in s.includes and s not in halves])]
         lines = [f"{word} " + ", ".join(md.link(s.page + ".html", s.name) for s in found) for word, found in said if found]
         return "<br>".join([f'{md.link("library.html", "Library")}: <code>{source.path}</code>', *lines])
-
-    def end_of(self, program):
-        """Figures of a chapter that no prose shows."""
-        left = [id for id, row in self.figures.items() if row["program"] == program and f"fig}} {id}" not in self.places]
-        return "".join([*["\n\n## Further figures of this program\n\n"] * bool(left),
-                        *(f"```{{fig}} {id}\n{self.figures[id]['caption']}\n```\n\n" for id in left), live.SCRIPT if self.lives else ""])
 
     def decided(self, program):
         """The statements that a chapter decides, and numbers of other authors, with links."""
@@ -362,20 +354,7 @@ class Book:
     def figures_page(self):
         cells = [f'<a href="fig-{id}.html"><img src="figures/{self.stem(id)}.svg" alt="{escape(row["caption"])}" loading="lazy">'
                  f"<span><b>{spoken(id)}.</b> {escape(row['caption'])}</span></a>" for id, row in self.figures.items()]
-        return f'\n<div class="gallery">{"".join(cells)}</div>\n\n## Where they are computed\n' + md.table(
-            ["figure", "section", "chapter and line of each table", "statements that name it"],
-            [[self.figure_link(id), row["section"], self.table_links(row), self.naming(row["label"])] for id, row in self.figures.items()])
-
-    def table_links(self, row):
-        """Where a chapter begins each table of a figure."""
-        chapter = self.by_page[row["program"]]
-        lines = {(found[0].page, found[1]) for name in row["data"].split() if (found := self.table_at(row["program"], name))}
-        return ", ".join([self.page_link(chapter.page), *(md.link(f"{page}.html#L-{k}", f"line {k}") for page, k in sorted(lines))])
-
-    def naming(self, label):
-        """The statements of the article that name a figure."""
-        ids = [id for id, claim in self.claims.items() if label and label in re.findall(r"\w+", claim["where"])]
-        return ", ".join(md.link(f"published.html#{id}", id) for id in ids)
+        return f'\n<div class="gallery">{"".join(cells)}</div>\n'
 
     def equations_page(self):
         return "".join(f"\n{md.place(f'eq-{n}')}\n\n## ({n}) {row['name']}\n\n$$\n{row['tex']} \\tag{{{n}}}\n$$\n\n"
@@ -604,8 +583,6 @@ class Bind(SphinxTransform):
             text = number.shown_as_interval
         if text not in ("", known, number.shown_like(text)):
             say.warning(f"{id} is stale: the text has {text}, the reference value is {known} (make refresh)", location=found)
-        if id in self.book.stale:
-            say.warning(f"{id} is stale: the computed value differs from the reference value {known} (make accept)", location=found)
         if not self.book.lines.get(id):
             say.warning(f"no line of the sources names '{id}'", location=found)
         return Number("", text or number.shown_like(""), id=id)

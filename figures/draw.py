@@ -26,23 +26,13 @@ def arguments():
     return data, out
 
 
-def table_of(path):
-    """The table in a file; ends the script unless it is what its program wrote."""
+def read(path):
+    """The columns of a table, by name, as arrays; ends the script unless it is what its program wrote."""
     try:
-        return ecsv.read_written(path)
+        table = ecsv.read_written(path)
     except ecsv.Fault as fault:
         sys.exit(str(fault))
-
-
-def read(path):
-    """Its columns of numbers, by name, as arrays."""
-    table = table_of(path)
-    return {c.name: np.array([row[c.name] for row in table.rows], dtype=float) for c in table.columns if c.kind != "string"}
-
-
-def records(path):
-    """Its rows, for tables that hold names."""
-    return table_of(path).rows
+    return {c.name: np.array([row[c.name] for row in table.rows], dtype=str if c.kind == "string" else float) for c in table.columns}
 
 
 def grid(table, x, y, value):
@@ -54,9 +44,15 @@ def grid(table, x, y, value):
     return image, (xs[0] - dx, xs[-1] + dx, ys[0] - dy, ys[-1] + dy)
 
 
+def image(axes, table, x, y, value, norm, scale=1, **more):
+    """Shows a long table as an image; returns it, for a colour bar."""
+    values, extent = grid(table, x, y, value)
+    return axes.imshow(scale * values, extent=extent, origin="lower", aspect="auto", norm=norm, interpolation="none", **more)
+
+
 def where(table, column, value):
     """The rows in which `column` has `value`."""
-    keep = np.isclose(table[column], value)
+    keep = table[column] == value if isinstance(value, str) else np.isclose(table[column], value)
     return {name: entries[keep] for name, entries in table.items()}
 
 

@@ -6,8 +6,8 @@ import numpy as np
 from matplotlib.patches import Circle, Polygon, Rectangle
 
 data, out = draw.arguments()
-size = {(row["id"], row["parameter"]): float(row["value"])
-        for row in draw.records(f"{data}/sec35_scales/schematic.ecsv")}
+sizes = draw.read(f"{data}/sec35_scales/schematic.ecsv")
+size = {(id, name): value for id, name, value in zip(sizes["id"], sizes["parameter"], sizes["value"])}
 BEAD, BEAM, WALL, LINE = "#56B4E9", "#E69F00", "#BBBBBB", "black"
 LIFT = 0.5  # angle at which the first bead of the cradle is drawn
 

@@ -1,5 +1,4 @@
 # Figure 04: the site-centred breather at t = 0 (line) and after a hundred periods (marks).
-width = 85; height = 60
 load 'figures/style.gp'
 table = data.'/sec32_newton_breathers/persistence.ecsv'
 set lmargin 8; set rmargin 1.5; set bmargin 3.4; set tmargin 0.8

@@ -5,7 +5,6 @@ width = 170; height = 75
 load 'figures/style.gp'
 table = data.'/sec32_barrier/barriers.ecsv'
 zeros = data.'/sec32_barrier/sign_changes.ecsv'
-only(s, x) = abs(column("s") - s) < 1e-9 ? x : NaN
 set multiplot layout 1,3 margins char 9,1.5,3.4,0.8 spacing char 3,0
 set xrange [1:2]
 set xtics 0.25

@@ -8,9 +8,7 @@ data, out = draw.arguments()
 figure, panels = plt.subplots(1, 3, figsize=(draw.TWO_COLUMNS, 75 * draw.MM), sharey=True)
 for axes, case, name in zip(panels, ["site", "control", "bond"], "abc"):
     field = draw.read(f"{data}/sec33_dps_stability/map_{case}.ecsv")
-    image, extent = draw.grid(field, "n", "t", "density")
-    picture = axes.imshow(image, extent=extent, origin="lower", aspect="auto",
-                          norm=PowerNorm(0.6, vmin=0, vmax=26), interpolation="none")
+    picture = draw.image(axes, field, "n", "t", "density", PowerNorm(0.6, vmin=0, vmax=26))
     axes.set(xlabel="site $n$", xlim=(-8.5, 8.5), ylim=(0, 500))
     axes.text(0.97, 0.97, f"({name})", transform=axes.transAxes, ha="right", va="top", color="white")
 panels[0].set_ylabel("time $t$ (units of the equation)")

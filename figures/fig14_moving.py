@@ -9,10 +9,8 @@ data, out = draw.arguments()
 figure, both = plt.subplots(1, 2, figsize=(draw.TWO_COLUMNS, 70 * draw.MM), sharey=True)
 for axes, centre, name in zip(both, ["bond", "site"], ["a", "b"]):
     table = draw.read(f"{data}/sec33_mobility/map_{centre}.ecsv")
-    image, extent = draw.grid(table, "n", "t", "e")
-    extent = (extent[0], extent[1], 1e-3 * extent[2], 1e-3 * extent[3])
-    picture = axes.imshow(1e5 * image, extent=extent, origin="lower", aspect="auto",
-                          norm=PowerNorm(0.5, vmin=0, vmax=5), interpolation="none")
+    table["t"] *= 1e-3
+    picture = draw.image(axes, table, "n", "t", "e", PowerNorm(0.5, vmin=0, vmax=5), 1e5)
     axes.set(xlabel="site $n$")
     draw.letter(axes, name, "white")
 both[0].set_ylabel("time $10^{-3}\\,t$")

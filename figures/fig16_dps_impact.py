@@ -9,9 +9,7 @@ field = draw.read(f"{data}/sec34_dps_impact/dps_impact_map.ecsv")
 final = draw.read(f"{data}/sec34_dps_impact/dps_impact_profile.ecsv")
 
 figure, axes = plt.subplots(figsize=(draw.ONE_COLUMN, 70 * draw.MM))
-image, extent = draw.grid(field, "n", "tau", "density")
-picture = axes.imshow(image, extent=extent, origin="lower", aspect="auto",
-                      norm=PowerNorm(0.5, vmin=0, vmax=0.3), interpolation="none")
+picture = draw.image(axes, field, "n", "tau", "density", PowerNorm(0.5, vmin=0, vmax=0.3))
 axes.set(xlabel="site $n$", ylabel=r"slow time $\tau$", xlim=(0.5, 105))
 bar = figure.colorbar(picture, ax=axes, extend="max", ticks=[0, 0.02, 0.05, 0.1, 0.2, 0.3])
 bar.set_label(r"$|A_n(\tau)|^2$")

@@ -9,9 +9,7 @@ maps = draw.read(f"{data}/sec34_dps_impact/impact_density_maps.ecsv")
 
 figure, both = plt.subplots(1, 2, figsize=(draw.TWO_COLUMNS, 70 * draw.MM), sharey=True)
 for axes, column, name in zip(both, ["e_lattice", "e_dps"], ["(a) chain", "(b) DpS"]):
-    image, extent = draw.grid(maps, "n", "t", column)
-    picture = axes.imshow(1e6 * image, extent=extent, origin="lower", aspect="auto",
-                          norm=PowerNorm(0.5, vmin=0, vmax=0.6), interpolation="none")
+    picture = draw.image(axes, maps, "n", "t", column, PowerNorm(0.5, vmin=0, vmax=0.6), 1e6)
     axes.set(xlabel="site $n$", xlim=(0.5, 105))
     axes.text(0.03, 0.97, name, transform=axes.transAxes, va="top", color="white")
 both[0].set_ylabel("time $t$")

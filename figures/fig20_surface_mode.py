@@ -9,9 +9,7 @@ forces = draw.read(f"{data}/sec34_impact/surface_mode_forces.ecsv")
 
 figure, both = plt.subplots(1, 2, figsize=(draw.TWO_COLUMNS, 75 * draw.MM), sharey=True)
 for axes, s, name in zip(both, [0, -0.7], ["a", "b"]):
-    image, extent = draw.grid(draw.where(forces, "s", s), "n", "t", "force")
-    picture = axes.imshow(-image, extent=extent, origin="lower", aspect="auto", cmap="gray_r",
-                          norm=PowerNorm(0.5, vmin=0, vmax=0.4), interpolation="none")
+    picture = draw.image(axes, draw.where(forces, "s", s), "n", "t", "force", PowerNorm(0.5, vmin=0, vmax=0.4), -1, cmap="gray_r")
     axes.set(xlabel="contact $n$", xlim=(0.5, 60))
     axes.set_title(f"({name}) $s = {s:g}$", loc="left")
 both[0].set_ylabel("time $t$")

@@ -1,5 +1,4 @@
 # Figure 21: velocities of a softened chain, with the surface mode at the left end and the packet.
-width = 85; height = 60
 load 'figures/style.gp'
 table = data.'/sec34_impact/surface_mode_snapshot.ecsv'
 set lmargin 8; set rmargin 1.5; set bmargin 3.4; set tmargin 0.8

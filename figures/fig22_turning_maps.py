@@ -14,10 +14,7 @@ figure, panels = plt.subplots(4, 1, figsize=(draw.TWO_COLUMNS, 150 * draw.MM),
                               height_ratios=[1.3, 1, 1, 0.8], layout="constrained")
 names = ["(a) $v_0 = 1.5$", "(b) $v_0 = 1.9$", "(c) $v_0 = 1.9$, zoom"]
 for axes, panel, name in zip(panels, [1, 2, 3], names):
-    image, (left, right, bottom, top) = draw.grid(draw.where(maps, "panel", panel), "n", "t", "e")
-    picture = axes.imshow(image.T, extent=(bottom, top, left, right), origin="lower",
-                          aspect="auto", norm=PowerNorm(0.5, vmin=0, vmax=0.5), cmap="magma_r",
-                          interpolation="none")
+    picture = draw.image(axes, draw.where(maps, "panel", panel), "t", "n", "e", PowerNorm(0.5, vmin=0, vmax=0.5), cmap="magma_r")
     axes.set_ylabel("site $n$")
     axes.text(0.01, 0.94, name, transform=axes.transAxes, va="top")
 for axes in (panels[1], panels[3]):

@@ -9,9 +9,8 @@ forces = draw.read(f"{data}/sec36_cantilever_defect/contact_forces.ecsv")
 
 figure, both = plt.subplots(1, 2, figsize=(draw.TWO_COLUMNS, 80 * draw.MM), sharey=True)
 for axes, ratio, name in zip(both, [1.6, 1.1], ["a", "b"]):
-    image, extent = draw.grid(draw.where(forces, "ratio", ratio), "n", "t", "force")
-    picture = axes.imshow(-image, extent=extent, origin="lower", aspect="auto", cmap="gray_r",
-                          norm=PowerNorm(0.5, vmin=0, vmax=3, clip=True), interpolation="none")
+    norm = PowerNorm(0.5, vmin=0, vmax=3, clip=True)
+    picture = draw.image(axes, draw.where(forces, "ratio", ratio), "n", "t", "force", norm, -1, cmap="gray_r")
     axes.axvline(99.5, color="#D55E00", lw=0.5, ls=(0, (4, 3)))
     axes.set(xlabel="contact $n$", xlim=(0.5, 199.5))
     axes.set_title(rf"({name}) $\tilde R_{{100}} = {ratio:g}$", loc="left")

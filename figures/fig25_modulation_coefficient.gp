@@ -2,7 +2,6 @@
 width = 85; height = 62
 load 'figures/style.gp'
 table = data.'/sec4_precompression_mi/instability.ecsv'
-only(s, x) = abs(column("s") - s) < 1e-9 ? x : NaN
 set lmargin 8; set rmargin 1.5; set bmargin 3.4; set tmargin 0.8
 set xlabel 'wavenumber q (1/site)'
 set ylabel 'modulation coefficient Φ' offset 1,0

@@ -47,11 +47,11 @@ def main(centre, growth):
         upper.text(0.97, 0.95, rf"$\mu = {mu}$", transform=upper.transAxes, ha="right", va="top")
     if growth:
         axes = figure.add_subplot(cells[2, :])
-        rows = [row for row in draw.records(f"{folder}/margins.ecsv") if row["centre"] == "site"]
-        mus, slopes = ([float(row[name]) for row in rows] for name in ("mu", "exponent"))
-        axes.axline((0, 0), (1, 1e3 * slopes[mus.index(1)]), ls="--", color="black", lw=0.8,
+        rows = draw.where(draw.read(f"{folder}/margins.ecsv"), "centre", "site")
+        mu, slope = rows["mu"], rows["exponent"]
+        axes.axline((0, 0), (1, 1e3 * slope[mu == 1][0]), ls="--", color="black", lw=0.8,
                     label=r"slope at $\mu = 1$")
-        axes.plot(mus, [1e3 * mu * slope for mu, slope in zip(mus, slopes)], "o", color=BLUE, ms=3.5,
+        axes.plot(mu, 1e3 * mu * slope, "o", color=BLUE, ms=3.5,
                   mfc="none", mew=0.9, label="computed anew at each frequency")
         axes.set(xlabel=r"frequency $\mu$", ylabel=r"$10^3\,\sigma_r$ (1 per unit of time)",
                  xlim=(0, 10.4), ylim=(0, 17))

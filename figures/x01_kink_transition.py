@@ -30,9 +30,8 @@ beads.legend(loc="upper right", handlelength=1, ncols=2, columnspacing=1)
 draw.letter(fraction, "a")
 draw.letter(beads, "b")
 for axes, velocity, name in [(low, 2.0, "c"), (high, 5.0, "d")]:
-    image, extent = draw.grid(draw.where(examples, "velocity", velocity), "n", "t", "wells")
-    picture = axes.imshow(image, extent=extent, origin="lower", aspect="auto", cmap="PuOr_r",
-                          norm=SymLogNorm(0.02, vmin=-2, vmax=2), interpolation="none")
+    rows, norm = draw.where(examples, "velocity", velocity), SymLogNorm(0.02, vmin=-2, vmax=2)
+    picture = draw.image(axes, rows, "n", "t", "wells", norm, cmap="PuOr_r")
     axes.set(xlabel="site $n$")
     axes.text(0.97, 0.03, f"$v_0 = {velocity:g}$", transform=axes.transAxes, ha="right")
     axes.set_title(f"({name})", loc="left", pad=3)

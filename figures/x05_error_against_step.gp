@@ -12,7 +12,7 @@ set yrange [1e-19:10]
 set ytics 1e3
 unset mytics
 set xtics (0.003, 0.01, 0.03, 0.1, 0.2)
-set label 1 panel('a') at graph 0.03,0.94
+set label 1 '(a)' at graph 0.03,0.94
 set xlabel 'time step  {/:Italic h}'; set ylabel 'error of displacements  {/:Italic y_n}(50)' offset 1,0
 of(name) = strcol('method') eq name ? column('error') : NaN
 plot orbit using 'step':(of('verlet')) with linespoints ls 4 title 'velocity Verlet', \
@@ -27,7 +27,7 @@ set yrange [1e-16:1]
 set xrange [3:1e6]
 set xtics autofreq
 set format x '10^{%T}'
-set label 1 panel('b') at graph 0.92,0.94
+set label 1 '(b)' at graph 0.92,0.94
 set xlabel 'force evaluations  {/:Italic N}  in one period'; set ylabel 'error of the tangent' offset 1,0
 plot tangent using (strcol('method') eq 'verlet' ? column('evaluations') : NaN):'tangent' \
        with linespoints ls 4 title 'velocity Verlet', \

@@ -1,5 +1,4 @@
 # Figure x42: extrapolation of the leapfrog after a contact event, with steps equal in t and in u.
-width = 85; height = 60
 load 'figures/style.gp'
 set logscale y
 set format y '10^{%T}'

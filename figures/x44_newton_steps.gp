@@ -1,5 +1,4 @@
 # Figure x44: residual of Newton's method against its steps, for three sets of equations.
-width = 85; height = 60
 load 'figures/style.gp'
 table = data.'/sec32_newton_breathers/iterations.ecsv'
 set logscale y

@@ -1,5 +1,4 @@
 # Figure x46: error of the margins of both DpS breathers against the length of the chain.
-width = 85; height = 60
 load 'figures/style.gp'
 set logscale y
 set yrange [1e-25:1e2]

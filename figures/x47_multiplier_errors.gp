@@ -1,5 +1,4 @@
 # Figure x47: errors of the multipliers next to +1, and of kappa, against the tolerance of the flow.
-width = 85; height = 60
 load 'figures/style.gp'
 set logscale xy
 set format xy '10^{%T}'

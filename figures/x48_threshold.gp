@@ -1,5 +1,4 @@
 # Figure x48: the threshold and the energy drift against the step.
-width = 85; height = 60
 load 'figures/style.gp'
 steps = data.'/sec33_mobility/threshold_steps.ecsv'
 set logscale xy

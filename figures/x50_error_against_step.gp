@@ -1,5 +1,4 @@
 # Figure x50: relative error of the packet's speed, energy and largest density against the step.
-width = 85; height = 60
 load 'figures/style.gp'
 table = data.'/sec34_impact/convergence.ecsv'
 set logscale xy

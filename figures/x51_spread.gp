@@ -1,5 +1,4 @@
 # Figure x51: how far packets spread whose impacts differ in late digits.
-width = 85; height = 60
 load 'figures/style.gp'
 folder = data.'/sec34_boomeron'
 within(noise) = abs(column("noise") / noise - 1) < 1e-9 ? column("deviation") : NaN

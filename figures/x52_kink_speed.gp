@@ -1,5 +1,4 @@
 # Figure x52: speed of the kink near the struck end and a hundred beads on, and of the pulse that moves beads as far.
-width = 85; height = 60
 load 'figures/style.gp'
 set logscale x
 set xrange [4.6:70]

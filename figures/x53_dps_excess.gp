@@ -1,5 +1,4 @@
 # Figure x53: by how much the DpS packet is too high and too fast, against the impact; filled: arrays that one can build.
-width = 85; height = 60
 load 'figures/style.gp'
 set logscale xy
 set format x '10^{%T}'

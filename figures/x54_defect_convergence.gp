@@ -1,5 +1,4 @@
 # Figure x54: errors of what is measured at a defect, against the step.
-width = 85; height = 60
 load 'figures/style.gp'
 set logscale xy
 set format y '10^{%T}'

@@ -1,5 +1,4 @@
 # Figure x56: largest displacement of bond-centred DpS breathers under noise against its push.
-width = 85; height = 60
 load 'figures/style.gp'
 set key top left samplen 0.6
 set logscale xy

@@ -1,8 +1,6 @@
 # Figure x57: what a soft well takes from the packet's energy, against the scaled anharmonicity of the impact.
-width = 85; height = 60
 load 'figures/style.gp'
 table = data.'/sec34_impact/velocity_sweep.ecsv'
-only(s, x) = abs(column("s") - s) < 1e-9 ? x : NaN
 set logscale xy
 set format x '10^{%T}'
 set format y '10^{%T}'

@@ -1,5 +1,4 @@
 # Figure x58: acceleration of the packet against its place, on the way out (filled) and back (open).
-width = 85; height = 60
 load 'figures/style.gp'
 table = data.'/sec34_boomeron/acceleration.ecsv'
 on(v, way) = column("s") == 1 && column("way") == way && abs(column("velocity") - v) < 1e-9 ? 1e4 * column("acceleration") : NaN

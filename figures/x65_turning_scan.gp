@@ -1,5 +1,4 @@
 # Figure x65: where a packet turns, and when, for impacts that round to 1.9.
-width = 85; height = 60
 load 'figures/style.gp'
 table = data.'/sec34_boomeron/turns.ecsv'
 set xrange [1.845:1.955]

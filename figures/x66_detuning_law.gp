@@ -1,5 +1,4 @@
 # Figure x66: what a defect transmits, against its detuning over the frequency shift of the packet, for three impacts.
-width = 85; height = 60
 load 'figures/style.gp'
 set xrange [0:1.7]
 set yrange [0:1]

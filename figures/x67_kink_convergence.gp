@@ -1,5 +1,4 @@
 # Figure x67: errors of the kink's speed and length against the step.
-width = 85; height = 60
 load 'figures/style.gp'
 set logscale xy
 set format y '10^{%T}'

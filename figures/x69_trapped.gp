@@ -1,5 +1,4 @@
 # Figure x69: energy of each site before a defect, twice after the packet has been reflected, and without a defect.
-width = 85; height = 60
 load 'figures/style.gp'
 set logscale y
 set format y '10^{%T}'

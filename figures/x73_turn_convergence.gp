@@ -1,5 +1,4 @@
 # Figure x73: error of turning point and reflection at 1.9 against the step, by two schemes.
-width = 85; height = 60
 load 'figures/style.gp'
 table = data.'/sec34_boomeron/convergence.ecsv'
 set logscale xy

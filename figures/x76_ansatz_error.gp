@@ -1,5 +1,4 @@
 # Figure x76: error of the NLS ansatz against its amplitude, in two norms.
-width = 85; height = 60
 load 'figures/style.gp'
 errors = data.'/sec4_precompression_mi/ansatz_error.ecsv'
 set lmargin 8.5; set rmargin 1.5; set bmargin 3.4; set tmargin 0.8

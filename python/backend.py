@@ -19,10 +19,6 @@ NAME = "breathers_lattice"
 TAG = "-".join([f"cp{sys.version_info.major}{sys.version_info.minor}"] * 2 + [sysconfig.get_platform().replace("-", "_").replace(".", "_")])
 
 
-class UnsupportedOperation(Exception):
-    """What pip catches where a backend does not do something."""
-
-
 def described():
     """The folder of the wheel that says what it is, and its files but for the list of all."""
     meta = json.loads((ROOT / "codemeta.json").read_text(encoding="utf-8"))
@@ -57,15 +53,3 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
         if subprocess.run(command, cwd=ROOT, check=False).returncode:
             sys.exit("lattice: CMake failed to build the Python module; see its messages above")
     return pack(ROOT / build / "python/lattice", wheel_directory)
-
-
-def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
-    folder, files = described()
-    (Path(metadata_directory) / folder).mkdir()
-    for name, text in files.items():
-        (Path(metadata_directory) / folder / name).write_text(text, encoding="utf-8")
-    return folder
-
-
-def build_sdist(sdist_directory, config_settings=None):
-    raise UnsupportedOperation("`make dist` packs the sources")

@@ -19,7 +19,6 @@ How a command is read, runs beside the interpreter, and answers. Each module inc
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <thread>
 #include <utility>
 #include <variant>
@@ -38,52 +37,11 @@ namespace {
 using Words = std::vector<std::string>;
 
 /**
-## The lock of the interpreter
-
-An interpreter that exits ends every other thread that wants its lock, or runs its code, by unwinding its stack. Our
-frames are not made for that: destructors would let go of objects without the lock, and the process would abort. Such a
-thread waits instead until the process is gone, as it does from Python 3.14 on. */
-/// What a function of the interpreter, or of numpy, which lets go of the lock to copy, returns, if it returns.
-template <class Ask>
-auto ask_interpreter(Ask ask) {
-  try {
-    return ask();
-  } catch (...) {
-    if (std::current_exception()) throw;  // an exception of C++, as that unwinding is not
-    for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
-  }
-}
-
-class WithLock {
- public:
-  WithLock() = default;
-  ~WithLock() { PyGILState_Release(state_); }
-  WithLock(const WithLock&) = delete;
-  WithLock& operator=(const WithLock&) = delete;
-
- private:
-  PyGILState_STATE state_ = ask_interpreter(PyGILState_Ensure);
-};
-
-class WithoutLock {
- public:
-  WithoutLock() = default;
-  ~WithoutLock() {
-    ask_interpreter([this] { PyEval_RestoreThread(state_); });
-  }
-  WithoutLock(const WithoutLock&) = delete;
-  WithoutLock& operator=(const WithoutLock&) = delete;
-
- private:
-  PyThreadState* state_ = PyEval_SaveThread();
-};
-
-/**
 ## Long work
 
 Signals reach the main thread only. There a computation runs in a thread of its own, without the lock, while the main
 thread waits and asks from time to time whether the user has pressed Ctrl-C. If so, the computation is told to stop.
-Any other thread computes itself, and so does the main one where no thread can start. */
+Any other thread computes itself. */
 template <class Compute>
 auto at_work(Compute compute) {
   std::atomic<bool> stop{false};
@@ -93,15 +51,14 @@ auto at_work(Compute compute) {
   });
   auto found = task.get_future();
   {
-    const WithoutLock for_others;
+    const py::gil_scoped_release for_others;
     std::thread worker;
-    try {
-      if (gettid() == getpid()) worker = std::thread(std::ref(task));
-    } catch (const std::system_error&) {
-    }
-    if (!worker.joinable()) task();
+    if (gettid() == getpid())
+      worker = std::thread(std::ref(task));
+    else
+      task();
     while (found.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
-      if (const WithLock with_lock; !stop && PyErr_CheckSignals() != 0) stop = true;
+      if (const py::gil_scoped_acquire with_lock; !stop && PyErr_CheckSignals() != 0) stop = true;
     if (worker.joinable()) worker.join();
   }
   if (PyErr_Occurred()) throw py::error_already_set();
@@ -152,8 +109,8 @@ py::list options() {
 ## Tables
 
 A column becomes an array of its own type. */
-py::object array_of(const std::vector<double>& x) {
-  return ask_interpreter([&] { return py::array_t<double>(py::ssize_t(x.size()), x.data()); });
+py::array_t<double> array_of(const std::vector<double>& x) {
+  return py::array_t<double>(py::ssize_t(x.size()), x.data());
 }
 
 py::object column_of(const Table& table, std::size_t k) {
@@ -161,8 +118,7 @@ py::object column_of(const Table& table, std::size_t k) {
   py::list out;
   for (const auto& row : table.rows)
     std::visit([&](const auto& cell) { out.append(cell); }, row[k]);
-  if (table.columns[k].kind == Kind::integer)
-    return ask_interpreter([&] { return py::array::ensure(out); });
+  if (table.columns[k].kind == Kind::integer) return py::array(out);
   return out;
 }
 

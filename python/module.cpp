@@ -39,7 +39,7 @@ class PythonRows {
  public:
   explicit PythonRows(const Functions& functions)
       : functions_(new Functions(functions), [](const Functions* last) {
-          const WithLock with_lock;
+          const py::gil_scoped_acquire with_lock;
           delete last;
         }) {}
 
@@ -53,16 +53,11 @@ class PythonRows {
     const py::function& function = energy  ? functions_->energy
                                    : force ? functions_->force
                                            : functions_->stiffness;
-    const WithLock with_lock;
-    const auto given = ask_interpreter([&] { return py::array_t<T>(py::ssize_t(n), x); });
-    const auto said = py::reinterpret_steal<py::object>(
-        ask_interpreter([&] { return PyObject_CallOneArg(function.ptr(), given.ptr()); }));
-    if (!said) throw py::error_already_set();
-    const auto returned = ask_interpreter([&] { return py::array::ensure(said); });
+    const py::gil_scoped_acquire with_lock;
+    const auto returned = py::array::ensure(function(py::array_t<T>(py::ssize_t(n), x)));
     if (!returned || std::string("fiu").find(returned.dtype().kind()) == std::string::npos)
       throw std::invalid_argument(std::string(name) + " does not return real numbers");
-    const auto answer = ask_interpreter(
-        [&] { return py::array_t<T, py::array::c_style | py::array::forcecast>(returned); });
+    const py::array_t<T, py::array::c_style | py::array::forcecast> answer(returned);
     // One number stands for as many as are asked for
     if (returned.size() == 1) return void(std::fill_n(out, n, *answer.data()));
     if (std::size_t(returned.size()) != n)
@@ -210,8 +205,8 @@ py::tuple multipliers_of_orbit(const Chain& chain, const Numbers& y, const Numbe
 }
 
 // A chain answers with a copy of its masses: who writes into that has changed nothing, and shall know.
-py::object read_only(const std::vector<double>& x) {
-  py::object array = array_of(x);
+py::array_t<double> read_only(const std::vector<double>& x) {
+  auto array = array_of(x);
   array.attr("setflags")(py::arg("write") = false);
   return array;
 }

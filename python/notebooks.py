@@ -80,13 +80,7 @@ def run(path, renew=False):
 def main(words):
     renew = "--renew" in words
     paths = [Path(w) for w in words if w != "--renew"] or sorted(FOLDER.glob("*.ipynb"))
-    try:
-        complaints = [c for path in paths for c in run(path, renew)]
-    except ImportError as error:
-        sys.path.append(str(FOLDER.parent / "tools"))
-        from lineage import lacking
-        foreign = isinstance(error, ModuleNotFoundError) and error.name != "lattice"
-        sys.exit("notebooks: " + (lacking(error) if foreign else f"{error} (make python, then PYTHONPATH=build/python)"))
+    complaints = [c for path in paths for c in run(path, renew)]
     print("\n".join(complaints) if complaints else f"{len(paths)} notebooks")
     return 1 if complaints else 0
 

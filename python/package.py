@@ -18,6 +18,7 @@ so that processes can share a scan; so can potentials of your own, if their func
 
 import inspect
 import math
+import numbers
 import reprlib
 import sys
 import warnings
@@ -95,32 +96,15 @@ def _estimates(table):
 
 
 def _short(value):
-    """A value in at most sixty characters of one line, for a complaint."""
-    try:
-        text = f"array of shape {value.shape}" if isinstance(value, np.ndarray) and value.ndim else _SHORT.repr(value)
-    except Exception:  # whatever a foreign type raises, or a whole number of more digits than Python prints
-        text = f"<{type(value).__name__}>"
-    text = " ".join(text.split())
-    return text if len(text) <= 60 else text[:57] + "..."
-
-
-_SHORT = reprlib.Repr()
-_SHORT.maxstring = _SHORT.maxother = _SHORT.maxlong = 50
+    """A value in one short line, for a complaint."""
+    return f"array of shape {value.shape}" if isinstance(value, np.ndarray) else " ".join(reprlib.repr(value).split())
 
 
 def _number(name, value):
-    """A real number as a float: no text, no truth value, no array. What is too large for a float is infinite."""
-    if isinstance(value, np.ndarray) and not value.ndim:
-        value = value[()]
-    odd = isinstance(value, (str, bytes, bool, np.bool_, np.complexfloating)) or np.ma.is_masked(value)
-    if not odd and not getattr(value, "ndim", 0):
-        try:
-            return float(value)
-        except OverflowError:
-            return math.copysign(math.inf, value > 0 or -1)
-        except (TypeError, ValueError):
-            pass
-    raise ValueError(f"{name}: {_short(value)} is not a number")
+    """A real number as a float: no text, no truth value, no array."""
+    if not isinstance(value, numbers.Real) or isinstance(value, bool):
+        raise ValueError(f"{name}: {_short(value)} is not a number")
+    return float(value)
 
 
 def _within(name, value, least, most):
@@ -156,10 +140,7 @@ def _words(command, options):
     declared = {name: (flag, allowed) for name, flag, allowed, *_ in _lattice.options[command]}
     words = []
     for name, value in options.items():
-        name = _FORMERLY.get(name, name)
         name = _DASHED.get(name, name)
-        if len(name) > 60 or not name.replace("-", "_").isidentifier():
-            raise ValueError(f"{_short(name)}: unknown option")
         flag, allowed = declared.get(name, (False, ""))
         if name not in declared or flag and value is True:
             words.append(f"--{name}")
@@ -171,16 +152,13 @@ def _words(command, options):
 def _typed(name, value, allowed):
     """A value as it would be typed."""
     if isinstance(value, str):
-        if len(value) > 60 or not value.isprintable():
-            raise ValueError(f"--{name}: {_short(value)} is neither a number nor a name (allowed: {allowed})")
         return value
     if isinstance(value, (_lattice.Well, _lattice.Contact)):
         kind = type(value).__name__
         raise ValueError(f"--{name}: a {kind} of your own is accepted only in a Chain (allowed: {allowed})")
     if not allowed.startswith("["):
         raise ValueError(f"--{name}: {_short(value)} is not one of the allowed names {allowed}")
-    x = _number(f"--{name}", value)
-    return str(int(value)) if hasattr(value, "__index__") and abs(x) < 1e50 else repr(x)
+    return str(value) if isinstance(value, numbers.Integral) and not isinstance(value, bool) else repr(_number(f"--{name}", value))
 
 
 def _described(target, command, extra=()):
@@ -270,7 +248,6 @@ def _is_narrow(function):
         return True
 
 
-_FORMERLY = {"onsite": "well"}  # earlier names of options
 _DASHED = {"mass_ratio": "mass-ratio", "defect_mass": "defect-mass"}  # names that Python would take for a difference
 
 
@@ -288,7 +265,6 @@ def _given(chain, options, named=()):
 
 def _own(options, name, kind):
     """Takes a potential of one's own out of the options, which then have no parameters of the library's."""
-    options |= {new: options.pop(old) for old, new in _FORMERLY.items() if old in options}
     if not isinstance(options.get(name), kind):
         return None
     for parameter in _lattice.parameters[name]:
@@ -312,14 +288,9 @@ def _repeated(name, row, count, ring):
     return np.append(np.resize(row, around), row[:count - around]) if len(row) < count and ring else np.resize(row, count)
 
 
-def _pattern(name, row):
-    """Masses or stiffnesses in words: the value of all, a short pattern, or the range; nothing where all are one."""
-    if np.all(row == 1):
-        return ""
-    for period in range(1, min(4, len(row) // 2) + 1):
-        if np.array_equal(row, np.resize(row[:period], len(row))):
-            return f"; {name} " + " and ".join(f"{x:g}" for x in row[:period]) + (" in turn" if period > 1 else "")
-    return f"; {name} {row.min():g} to {row.max():g}"
+def _range(name, row):
+    """The range of masses or stiffnesses, in words; nothing where all are one."""
+    return "" if np.all(row == 1) else f"; {name} {row.min():g} to {row.max():g}"
 
 
 class Chain(_lattice.Chain):
@@ -354,11 +325,9 @@ class Chain(_lattice.Chain):
                 options[name] = getattr(self, name)
         return _made, (type(self), options), self.__dict__ or None
 
-    onsite = property(lambda self: self.well, doc="The well, under its former name.")
-
     def __repr__(self):
         return f"Chain of {self.sites or 'as many'} beads{'' if self.sites else ' as needed'}: wells {self.well}; " \
-               f"contacts {self.contact}; ends {self.ends}{_pattern('mass', self.mass)}{_pattern('eta', self.eta)}"
+               f"contacts {self.contact}; ends {self.ends}{_range('mass', self.mass)}{_range('eta', self.eta)}"
 
     def _rows(self, samples=True, **arrays):
         """Positions or velocities: one number a site, or a whole run of such rows where that may be; all of one shape."""

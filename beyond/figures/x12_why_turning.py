@@ -5,14 +5,13 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 data, out = draw.arguments()
-path = f"{data}/sec34_why_packets_turn/balance.ecsv"
-table, names = draw.read(path), np.array([row["run"] for row in draw.records(path)])
+table = draw.read(f"{data}/sec34_why_packets_turn/balance.ecsv")
 terms = [("edges", "edges", "#0072B2", "-"), ("window", "window", "#E69F00", ":"),
          ("wells", "wells", "#D55E00", "--"), ("contacts", "contacts", "#009E73", "-.")]
 
 figure, ((a, b), (c, d)) = plt.subplots(2, 2, figsize=(draw.TWO_COLUMNS, 95 * draw.MM), sharex="col",
                                         height_ratios=(3, 1), width_ratios=(1, 1.25), layout="constrained")
-turning = {name: column[names == "all waves"] for name, column in table.items()}
+turning = draw.where(table, "run", "all waves")
 a.plot(turning["t"], turning["change"], color="black", lw=1.6, label="change of $P$")
 for name, label, colour, dash in terms:
     a.plot(turning["t"], turning[name], dash, color=colour, lw=1.2, label=label)
@@ -25,7 +24,7 @@ c.axhline(0, color="#888888", lw=0.5)
 c.set(xlabel="time $t$", ylabel="residual\n(thousandths)", xlim=(95, 302), ylim=(-3, 3))
 
 last = table["t"] == 298
-runs = list(dict.fromkeys(names))
+runs = list(dict.fromkeys(table["run"]))
 places = np.arange(len(runs))
 for k, (name, label, colour, dash) in enumerate(terms):
     b.bar(places - 0.3 + 0.15 * k, table[name][last], 0.15, color=colour)

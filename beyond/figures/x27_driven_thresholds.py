@@ -7,9 +7,9 @@ import numpy as np
 data, out = draw.arguments()
 folder = f"{data}/sec5_experiment"
 orbits = draw.read(f"{folder}/quiet_orbits.ecsv")
-thresholds = draw.records(f"{folder}/thresholds.ecsv")
+thresholds = draw.read(f"{folder}/thresholds.ecsv")
 folds = draw.read(f"{folder}/folds.ecsv")
-fold = float(thresholds[0]["threshold"]) / float(thresholds[0]["over_fold"])
+fold = thresholds["threshold"][0] / thresholds["over_fold"][0]
 
 figure, (quiet, ways, law) = plt.subplots(1, 3, figsize=(draw.TWO_COLUMNS, 62 * draw.MM), layout="constrained")
 
@@ -22,10 +22,9 @@ draw.letter(quiet, "a")
 
 names = {"once": "switched on:\nfirst packet", "lasting": "switched on:\nlasting", "down": "slowly down:\nlasting",
          "up": "slowly up:\nfirst packet"}
-rows = {row["way"]: row for row in thresholds}
 for k, way in enumerate(names):
-    ways.errorbar(float(rows[way]["threshold"]), k, xerr=float(rows[way]["threshold_error"]), fmt="o", ms=4,
-                  color="#D55E00", mfc="white", capsize=2)
+    row = draw.where(thresholds, "way", way)
+    ways.errorbar(row["threshold"], [k], xerr=row["threshold_error"], fmt="o", ms=4, color="#D55E00", mfc="white", capsize=2)
 ways.axvline(fold, color="#888888", lw=0.8, ls=":")
 ways.set(xlabel=r"threshold ($\mathrm{\mu m}$)", yticks=range(4), yticklabels=names.values(), ylim=(-0.5, 3.5))
 draw.letter(ways, "b")

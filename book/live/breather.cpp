@@ -51,10 +51,9 @@ Estimate known(double rough, double good, double step) {
 void report_orbit(const Fitted& found, const Orbit<double>& rough) {
   const Orbit<double>& orbit = found.orbit;
   const double step = orbit.variation();
-  std::vector<double> residuals, steps;
-  for (const Iteration& i : orbit.history) residuals.push_back(i.residual), steps.push_back(i.step);
+  std::vector<double> residuals;
+  for (const Iteration& i : orbit.history) residuals.push_back(i.residual);
   page::list("residuals", residuals);
-  page::list("steps", steps);
   page::list("y", orbit.start.y);
   State<double> end = orbit.start;
   const FlowReport<double> run = flow(found.problem.chain, end, found.problem.period());
@@ -82,7 +81,7 @@ void report_multipliers(const Fitted& found, const Orbit<double>& rough) {
   for (const MultiplierPair& pair : pairs) {
     for (int sign : {1, -1}) {
       const auto m = multiplier(pair.kappa, sign);
-      points.insert(points.end(), {m.real(), m.imag(), pair.multiplier_error()});
+      points.insert(points.end(), {m.real(), m.imag()});
     }
     if (pair.is_unstable()) ++unstable;
   }

@@ -81,7 +81,7 @@
       if (multipliers) {
         this.circle.hidden = false;
         const points = [];
-        for (let k = 0; k < multipliers.length; k += 3) points.push([multipliers[k], multipliers[k + 1]]);
+        for (let k = 0; k < multipliers.length; k += 2) points.push([multipliers[k], multipliers[k + 1]]);
         const reach = Math.max(1.15, ...points.map(([a]) => Math.abs(a))), tall = Math.min(330, this.circle.clientWidth * 0.8);
         const across = reach * (this.circle.clientWidth - 70) / (tall - 44);
         const plot = new Plot(this.circle, tall, [-across, across], [-reach, reach]);

@@ -78,5 +78,4 @@ extern "C" __attribute__((export_name("run"))) void run() {
   const StruckArray struck{{}, asked.velocity};
   draw_map(struck, asked);
   divide_energy(struck, asked.radius);
-  page::fact("mu", exact(struck.array.mu(asked.radius)));
 }

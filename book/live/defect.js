@@ -15,20 +15,13 @@
 
     furnish() {
       this.map = make("canvas", { role: "img" });
-      this.budget = make("div");
-      this.shows.append(this.map, this.budget);
+      this.shows.append(this.map);
     }
-    begin() { this.budget.replaceChildren(); }
 
     progress(t) { this.say(t < 74.9 ? `computing: ${t.toFixed(0)} of 75 ms` : "the map is drawn; computing the fractions at two steps …"); }
 
     report() {
-      const f = this.facts, percent = (x) => `${(100 * x).toFixed(1)} %`;
       this.say(`computed in ${this.seconds.toFixed(2)} s; the errors are the differences of two runs with steps 0.1 and 0.05 of the time scale`);
-      const [back, near, on] = ["net_reflected", "net_near", "net_transmitted"].map((n) => f[n].value);
-      const part = (name, x) => make("span", { class: name, style: `flex-grow: ${Math.max(x, 0.0005)}` });
-      this.budget.append(make("div", { class: "bar", "aria-hidden": "true" }, part("stays", back), part("rest", near), part("packet", on)),
-        make("p", {}, `Of the energy that arrives at the defect, ${percent(back)} is reflected, ${percent(near)} is still near it after 75 ms, ${percent(on)} is transmitted.`));
       this.fact("net_reflected", "reflected fraction of the arriving energy");
       this.fact("net_near", "fraction of the arriving energy near the defect");
       this.fact("net_transmitted", "transmitted fraction of the arriving energy");

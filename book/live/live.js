@@ -168,7 +168,7 @@ window.Live = (() => {
       this.command.textContent = this.commands();
       this.link.href = `${this.page()}.html?${new URLSearchParams(Object.entries(this.ask).map(([k, v]) => [k, shown(v)]))}`;
       this.table.replaceChildren();
-      this.begin();
+      this.begin?.();
       this.become("running");
       this.say("computing …");
       const bytes = await load(this.page());

@@ -76,9 +76,6 @@ void report(const Impact& impact, const Refined<ImpactRun>& runs) {
   page::fact("boundary_energy_fraction",
              runs.at_end([](const ImpactRun& o) { return boundary_share(o.density); }));
   page::fact("energy_drift", runs.of([](const ImpactRun& o) { return o.run.energy_drift; }));
-  page::fact("escaped", runs.of([&](const ImpactRun& o) {
-    return int(o.largest_displacement > impact.chain.well.rim());
-  }));
 }
 
 /**

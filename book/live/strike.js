@@ -1,4 +1,4 @@
-// Strike the chain: a map that grows while it is computed, the velocities at the end, where the energy is.
+// Strike the chain: a map that grows while it is computed, and the velocities at the end.
 (() => {
   "use strict";
   const { Panel, Plot, drawMap, make } = Live;
@@ -31,14 +31,10 @@
     furnish() {
       this.map = make("canvas", { role: "img" });
       this.profile = make("canvas", { role: "img" });
-      this.budget = make("div");
-      this.shows.append(this.map, this.profile, this.budget);
+      this.shows.append(this.map, this.profile);
     }
 
-    begin() {
-      this.inputs.s.disabled = !this.hasS();
-      this.budget.replaceChildren();
-    }
+    begin() { this.inputs.s.disabled = !this.hasS(); }
 
     progress(t) {
       this.say(`computing with step 0.2${this.level ? `/${2 ** this.level}` : ""}: t = ${t.toFixed(0)} of ${this.ask.time}`);
@@ -46,16 +42,6 @@
 
     report() {
       this.say(`computed in ${this.seconds.toFixed(2)} s; two runs, the finer with step 0.2/${2 ** this.level}, agree to 10⁻⁴`);
-      const stays = this.facts.boundary_energy_fraction.value, share = this.facts.packet_energy_fraction.value;
-      // A packet that stands at the end is not another one than what stays there.
-      if (this.facts.centre.value > 11 && Number.isFinite(share)) {
-        const rest = Math.max(0, 1 - stays - share), percent = (x) => `${(100 * x).toFixed(1)} %`;
-        const part = (name, x) => make("span", { class: name, style: `flex-grow: ${Math.max(x, 0.0005)}` });
-        const key = (name) => make("span", { class: `key ${name}`, "aria-hidden": "true" });
-        this.budget.append(make("div", { class: "bar", "aria-hidden": "true" }, part("stays", stays), part("packet", share), part("rest", rest)),
-          make("p", {}, "Where the energy is at the end: ", key("stays"), ` ${percent(stays)} on the first five beads, `,
-            key("packet"), ` ${percent(share)} in the foremost packet, `, key("rest"), ` ${percent(rest)} elsewhere.`));
-      }
       this.fact("speed", "speed of the foremost packet beyond site 20", "sites per unit of time");
       this.fact("centre", "position of the foremost packet at the end", "(site)");
       this.fact("peak_energy_density", "largest maximum of the packet's energy density");

@@ -41,7 +41,7 @@ STATEMENT("a.two") {
 '''
 RESULTS = ["name", "value", "value_error"]
 RESULTS_OF_DEMO = ["one", 1.0, 1e-3], ["other", 1.0, 0.0], ["two", 2.0, 0.1]
-FIGURES = ["id", "label", "section", "program", "script", "class", "data", "caption", "details"]
+FIGURES = ["id", "label", "section", "program", "script", "data", "caption", "details"]
 REAL = ("value", "error", "value_error", "margin", "margin_error", "failures", "small", "small_error", "large", "large_error", "seconds",
         "lowest", "highest")
 NAN = float("nan")
@@ -80,7 +80,7 @@ class Scratch(unittest.TestCase):
             ["sec1_demo", "answer", "a.one", 1.0000000000000002, 1e-3, "m"],
             ["sec1_demo", "margin", "a.two", 0.5, 0.05, ""], ["sec1_demo", "cell", "results/name=two/value", 2.0, 0.1, ""]]))
         self.write("figures/figures.ecsv", table(FIGURES, [
-            ["01", "demo", "1", "sec1_demo", "fig01.gp", "ER", "results", "A line.", "(a–c) At $t = \\frac12$."]]))
+            ["01", "demo", "1", "sec1_demo", "fig01.gp", "results", "A line.", "(a–c) At $t = \\frac12$."]]))
         self.write("paper/costs.ecsv", table(["program", "seconds"], [["sec1_demo", 3.0]]))
         self.write("codemeta.json", ecsv.text_of(ROOT / "codemeta.json"))
         self.write("README.md", "<!-- discrepant -->\n<!-- /discrepant -->\n")

@@ -14,10 +14,10 @@ cd "$here"
 cp -r "$root/Makefile" "$root/tools" .
 cp "$root"/figures/draw.py "$root"/figures/matplotlibrc "$root"/figures/style.gp figures
 # Three programs with a figure each, and a second volume with one.
-names=id,label,section,program,script,class,data,caption,details
-printf '%s\n' $names '01,one,1,sec1_short,fig01_short.gp,ER,short,"One.","(a) So, or so."' '02,two,1,sec2_long,fig02_long.gp,ER,long,"Two.","(a) So, or so."' \
-  'x01,"",3,sec3_own,x01_own.py,ER,own,"Three.","(a) So, or so."' > figures/figures.ecsv
-printf '%s\n' $names 'x02,"",5,sec5_far,x02_far.py,ER,far,"Four.","(a) So, or so."' > beyond/figures/figures.ecsv
+names=id,label,section,program,script,data,caption,details
+printf '%s\n' $names '01,one,1,sec1_short,fig01_short.gp,short,"One.","(a) So, or so."' '02,two,1,sec2_long,fig02_long.gp,long,"Two.","(a) So, or so."' \
+  'x01,"",3,sec3_own,x01_own.py,own,"Three.","(a) So, or so."' > figures/figures.ecsv
+printf '%s\n' $names 'x02,"",5,sec5_far,x02_far.py,far,"Four.","(a) So, or so."' > beyond/figures/figures.ecsv
 printf 'program,seconds\nsec1_short,1\nsec2_long,9.5\nsec3_own,12\n' > paper/costs.ecsv
 printf 'program,seconds\nsec5_far,2\n' > beyond/paper/costs.ecsv
 touch src/sec1_short.cpp src/sec2_long.cpp src/sec3_own.cpp beyond/src/sec5_far.cpp

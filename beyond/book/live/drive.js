@@ -21,7 +21,6 @@
       this.map = make("canvas", { role: "img" });
       this.shows.append(this.map);
     }
-    begin() {}
 
     progress(t) {
       const { time } = this.ask;
