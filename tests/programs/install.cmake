@@ -20,7 +20,9 @@ run(${CMAKE_COMMAND} --build ${place}/build)
 
 # What each program says: the digits that do not depend on rounding
 set(says
+    "strike" "^boundary share 0\\.242[0-9]+\n$"
     "independent" "^difference [0-9.]+e-(0[7-9]|1[0-9])\n$"
+    "breather" "^amplitude 0\\.01074[0-9]+, energy 0\\.000153599, residual [0-9.]+e-1[2-9] after [0-9] steps\n$"
     "multipliers" "^multipliers \\(1,-0\\.0003094[0-9]+\\) and \\(1,0\\.0003094[0-9]+\\), error [0-9.]+e-[01][0-9]\n$"
     "barrier" "^at equal frequency 1\\.62[0-9]+e-11, at equal area -2\\.3[0-9]+e-13\n$"
     "own_well" "^energy drift [0-9.]+e-(0[89]|1[0-9])\n$"
