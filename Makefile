@@ -85,7 +85,7 @@ or_read := || { code=$$?; [ $$code = 141 ] || exit $$code; }
 
 # Folders have the names of some of them.
 .PHONY: all figures chapter test beyond test-beyond ready all-figures all-data programs configure summary verdicts book weave \
-  test-book install-browse test-lineage tests examples python run-tests run-tests-beyond test-python paper typeset \
+  test-book install-browse test-lineage tests examples python run-tests run-tests-beyond test-python bench paper typeset \
   accept refresh show verify second mutants fresh dist style tidy install-deps burn help
 took = printf "together   : %d s with compiling and drawing\n" $$(($$(date +%s) - $$(cat $(D)/report/start)))
 
@@ -252,6 +252,11 @@ test-python: programs
 	@PYTHONPATH=$(B)/asan/python:python \
 	  LD_PRELOAD="$$(c++ -print-file-name=libasan.so) $$(c++ -print-file-name=libstdc++.so)" \
 	  "$(call with,numpy)" python/tests.py $(B)/bin
+
+## bench: time the integrators against GSL and Boost.odeint (a minute) into build/ratios.ecsv
+bench: ready
+	@sh tools/build.sh $(B) $(JOBS) bench
+	@$(B)/bin/bench_ratios $(B)/ratios.ecsv
 
 ## paper: typeset build/paper.pdf, and theorem.pdf of volume two, from the reference values and the figures
 paper: install-deps
