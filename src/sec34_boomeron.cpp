@@ -509,7 +509,7 @@ void reproduce(Report& report) {
 **To change it.** Another impact is a line of `experiments`; the program sorts it into `turns` or, if it does not come
 back by five sites within a `time` above `way_out`, into `onward` (as 2.5 at $s=1$, which stays near the struck end),
 and up to `strongest_fitted` also into `acceleration`. If its chain is so short that the packet or the waves cross it,
-the program says so. The statements need the article's impacts. What counts as a turn are the defaults of `find_turn`,
+the program says so. The statements need the article's impacts. What counts as a turn are the constants of `find_turn`,
 the smoothing is `path_smoothing` (turning.hpp).
 
 1. *Easy.* When does the packet of figure 23 turn? `build/bin/sec34_boomeron run --velocity 1.87` gives

@@ -91,20 +91,6 @@ Table Provenance::sign(Table table) const {
   return table;
 }
 
-/// What an earlier version of the program wrote into the folder, and this one does not, goes.
-static void remove_older(const std::filesystem::path& folder, const std::string& program,
-                         const Sums& written) {
-  std::vector<std::filesystem::path> older;
-  for (const auto& file : std::filesystem::directory_iterator(folder))
-    if (file.path().extension() == ".ecsv" && !written.count(file.path().filename())) try {
-        for (const auto& [key, text] : read(file.path()).meta)
-          if (key == "program" && text == program) older.push_back(file.path());
-      } catch (const std::exception&) {
-        continue;  // not one of ours
-      }
-  for (const auto& path : older) std::filesystem::remove(path);
-}
-
 /// What is not the same on every machine.
 static Meta build() {
   const char* revision = std::getenv("LATTICE_REVISION");
@@ -123,8 +109,6 @@ void Output::finish() {
     write_whole(folder_ / (name + ".ecsv"), text);
     sums[name + ".ecsv"] = sha256(text);
   }
-  for (const auto& [key, program] : provenance_.entries)
-    if (key == "program") remove_older(folder_, program, sums);
   Table made{label("what", "what the tables beside this one were made with"),
              label("value", "the program by its SHA-256, the others in words")};
   made.add({"program", sha256_of("/proc/self/exe")});

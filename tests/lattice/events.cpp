@@ -205,22 +205,6 @@ TEST_CASE("beads that almost or just touch or part are followed exactly",
 
 namespace {
 
-/// Two wells with a hill between them, on whose top the beads rest: W''(0) = -1.
-struct Hill {
-  template <class T>
-  T energy(T y) const {
-    return y * y * (y * y / T(2) - T(1)) / T(2);
-  }
-  template <class T>
-  T force(T y) const {
-    return y * (T(1) - y * y);
-  }
-  template <class T>
-  T stiffness(T y) const {
-    return T(3) * (y * y) - T(1);
-  }
-};
-
 /// A few beads in the middle move, the others rest: those are outside the core.
 template <class T = double>
 State<T> stirred(std::size_t sites) {
@@ -277,42 +261,6 @@ TEST_CASE("the tangent of any chain is the derivative of the flow", "[property][
   }
   check_tangent({10, NoWell{}, CompressedHertz{0.5}});
   check_tangent({10, {}, CompressedHertz{0.5}, Ends::periodic});
-}
-
-TEST_CASE("the tangent map is symplectic, and good to twelve digits", "[property][events]") {
-  const Chain chain{8, Quartic{0.5}, Hertz{.negligible = 0}};
-  const auto start = random_state(8, 0.7);
-  Tangent<double> m(8, 16);
-  Tangent<long double> fine(8, 16);
-  carried(chain, start, 6, &m);
-  carried(chain, start, 6, &fine);
-  for (std::size_t i = 0; i < 16; ++i)
-    for (std::size_t j = 0; j < 16; ++j) {
-      check_close(m(i, j), double(fine(i, j)), 1e-12);
-      double form = 0;
-      for (std::size_t k = 0; k < 8; ++k) form += m(k, i) * m(k + 8, j) - m(k + 8, i) * m(k, j);
-      check_close(form, j == i + 8 ? 1 : i == j + 8 ? -1 : 0, 2e-12);
-    }
-}
-
-TEST_CASE("at rest the tangent is drift, rotation or growth, exactly", "[unit][tangent]") {
-  const double time = 2.5;
-  const auto check = [&](const Chain& chain, double y_y, double y_v, double v_y) {
-    Tangent<double> t(4, 8);
-    carried(chain, State<double>(4), time, &t);
-    for (std::size_t i = 0; i < 8; ++i)
-      for (std::size_t k = 0; k < 8; ++k) {
-        const bool same = i % 4 == k % 4;
-        const double entry = i < 4 ? (k < 4 ? y_y : y_v) : (k < 4 ? v_y : y_y);
-        check_close(t(i, k), same ? entry : 0, 1e-13);
-      }
-  };
-  check(Chain{4, NoWell{}}, 1, time, 0);
-  check(Chain{4}, std::cos(time), std::sin(time), -std::sin(time));
-  Chain heavy{4};  // beads of mass 4 turn with the frequency 1/2
-  vary(heavy, {4, 4, 4, 4}, {});
-  check(heavy, std::cos(time / 2), 2 * std::sin(time / 2), -std::sin(time / 2) / 2);
-  check(Chain{4, Hill{}}, std::cosh(time), std::sinh(time), std::sinh(time));
 }
 
 TEST_CASE("a bead light enough to feel a faint contact belongs to the core", "[unit][tangent]") {

@@ -31,25 +31,6 @@ Path thrown(double top) {
 
 }  // namespace
 
-TEST_CASE("an endless chain is longer than the way of the fastest wave of its stiffest contact",
-          "[unit][boomeron]") {
-  struct Blow {
-    double velocity;
-    Contact contact;
-    double stiffness;
-  };
-  for (const auto& [velocity, contact, k] : {Blow{3, Hertz{}, 0.8 * std::pow(3, 0.4)},
-                                             {0.1, CompressedHertz{0.9}, 1.5 * std::sqrt(0.9)}}) {
-    // The largest group velocity of omega^2 = 1 + 4 k sin^2(q/2), sought among the wavenumbers
-    double fastest = 0;
-    for (double q = 0.001; q < 3.14; q += 0.001)
-      fastest =
-          std::max(fastest, k * std::sin(q) / std::sqrt(1 + 4 * k * std::pow(std::sin(q / 2), 2)));
-    const auto sites = on_long_chain({velocity, {7, Harmonic{}, contact}, 1e6}).chain.sites;
-    check_close(double(sites), 100 + 1.15e6 * fastest, 2, 1e-6);
-  }
-}
-
 TEST_CASE("a thrown ball turns at its apex and rebounds at the ground", "[unit][boomeron]") {
   const Turn turn = find_turn(smooth(thrown(200), path_smoothing));
   check_close(turn.apex.time, 200, 0.5);
@@ -70,20 +51,6 @@ TEST_CASE("a thrown ball turns at its apex and rebounds at the ground", "[unit][
   CHECK(std::isinf(SameTurn{}(a, c)));
 }
 
-TEST_CASE("a packet that is caught, slows down or goes on has not turned", "[unit][boomeron]") {
-  const auto caught = [](double t) { return 20 - 19 * std::exp(-t / 40) + 0.8 * std::sin(t / 20); };
-  const Turn swing = find_turn(smooth(drawn(800, caught), path_smoothing));
-  CHECK(swing.stop.found());
-  CHECK_FALSE(swing.apex.found());
-  const auto slow = [](double t) { return 1 + 4 * std::sqrt(t); };
-  const Turn away = find_turn(smooth(drawn(800, slow), path_smoothing));
-  CHECK_FALSE(away.stop.found());
-  CHECK_FALSE(away.apex.found());
-  // Without smoothing the ripple passes for a stop
-  CHECK(find_turn(drawn(300, steady)).stop.found());
-  CHECK_FALSE(find_turn(smooth(drawn(300, steady), path_smoothing)).stop.found());
-}
-
 TEST_CASE("a turn by hand", "[unit][turning]") {
   // Out with a stop before site 8 and one beyond it, back by five from 14 at 7, again by three from 4 at 12
   Path trip;
@@ -96,25 +63,8 @@ TEST_CASE("a turn by hand", "[unit][turning]") {
   check_close(turn.rebound.time, vertex(trip, 12).time, 1e-14);
   trip.samples[15].centre = 7;  // exactly three sites are not enough
   CHECK_FALSE(find_turn(trip).rebound.found());
-  CHECK(find_turn(trip, 5, 2.9).rebound.found());
   trip.samples.resize(10);
   CHECK_FALSE(find_turn(trip).apex.found());  // exactly five neither
-  CHECK(find_turn(trip, 4.9).apex.found());
-  CHECK(find_turn(trip, 5, 3, 6.9).stop.time == vertex(trip, 1).time);
-  CHECK(find_turn(trip, 5, 3, 7).stop.time == vertex(trip, 3).time);
-}
-
-TEST_CASE("the apex converges with the step", "[convergence][boomeron]") {
-  const Impact impact{.velocity = 1.95,
-                      .chain = {150, Quartic{1}},
-                      .time = 700,
-                      .denser = false,
-                      .packet = WhichPacket::strongest};
-  double apex[3];
-  for (int k : {0, 1, 2})
-    apex[k] = turn_of(strike(EventCorrected{0.2 / (1 << k)}, impact).path).apex.site;
-  CHECK(std::abs(apex[2] - apex[1]) < std::abs(apex[1] - apex[0]) / 4);
-  CHECK(std::abs(apex[2] - apex[1]) < 1e-3);
 }
 
 TEST_CASE("a chain is long enough for what travels in it", "[unit][model]") {
@@ -124,7 +74,7 @@ TEST_CASE("a chain is long enough for what travels in it", "[unit][model]") {
   };
   for (const auto& [like, velocity, time] : {Run{{0, Quartic{1}}, 1.9, 200},
                                              {{0, NoWell{}}, 1.9, 200},
-                                             {{0, NoWell{}}, 100, 60},
+                                             {{0, NoWell{}}, 100, 300},
                                              {{0, NoWell{}, CompressedHertz{4}}, 1, 60}}) {
     const Impact impact = on_long_chain({velocity, like, time});
     CAPTURE(velocity, impact.chain.sites);

@@ -12,7 +12,6 @@
 #include "report/command_line.hpp"
 #include "report/heartbeat.hpp"
 #include "support/check.hpp"
-#include "support/scratch.hpp"
 
 using namespace lattice;
 using namespace report;
@@ -89,22 +88,6 @@ TEST_CASE("GSL reports and never aborts", "[unit][frame]") {
   double t = 0;
   std::vector<double> x{1};
   CHECK_THROWS_AS(lost.advance(t, 1, x), std::runtime_error);
-}
-
-TEST_CASE("what a program writes no longer goes, and nothing else", "[unit][frame]") {
-  Scratch scratch;
-  Table mine{number("x", "number")}, other = mine;
-  mine.add({1.0}), other.add({2.0});
-  mine.meta = {{"program", "sec1_demo"}}, other.meta = {{"program", "sec2_other"}};
-  write(scratch.path / "older.ecsv", mine);
-  write(scratch.path / "other.ecsv", other);
-  write_whole(scratch.path / "notes.ecsv", "no table");
-  Output output(scratch.path, {{{"program", "sec1_demo"}}, {}});
-  output.add("speeds", mine);
-  output.finish();
-  CHECK_FALSE(std::filesystem::exists(scratch.path / "older.ecsv"));
-  for (const char* name : {"other", "notes", "speeds", "run"})
-    CHECK(std::filesystem::exists(scratch.path / (std::string(name) + ".ecsv")));
 }
 
 TEST_CASE("a row that has headings makes the columns, and no other row comes among them",

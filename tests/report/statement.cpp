@@ -286,13 +286,6 @@ TEST_CASE("two bounds in a line are two", "[unit]") {
   CHECK(found.readings.size() == 4);
 }
 
-TEST_CASE("a coarse table beside others", "[unit]") {
-  const auto both = [](Spoken& s) {
-    s.less(1, s.table("coarse")["threshold"]), s.less(1, least(s.table("sweep"), "width"));
-  };
-  CHECK(judged(both).is_quick);
-}
-
 TEST_CASE("near is a distance, and increases goes from each row to the next", "[unit]") {
   const Judged found = judged([](Spoken& s) {
     s.increases(s.table("sweep").where("s", 0), "velocity", "width");

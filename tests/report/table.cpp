@@ -4,7 +4,6 @@
 
 #include <cstring>
 #include <numeric>
-#include <random>
 #include <sstream>
 #include <utility>
 
@@ -69,45 +68,6 @@ TEST_CASE("a table that was cut or edited is refused", "[unit][table]") {
   }
 }
 
-// Bytes lost, doubled, changed or moved: a text is refused as what it is, or its rows fit its columns
-TEST_CASE("no text makes the reader of tables fail otherwise", "[property][table]") {
-  Table table{{number("x", "it's a number"), count("k", "a count"), label("s", "a text")}};
-  table.meta = {{"program", "test"}};
-  for (int i = 0; i < 4; ++i)
-    table.add({0.1 * i, std::int64_t(i), std::string(i % 2 ? "plain" : "a \"b\", c # d")});
-  const std::string good = to_text(table), letters = "\"',\n#{}:-+.0eE\r\\ na\x80\xff";
-  std::mt19937 chance(20130601);
-  const auto any = [&](std::size_t below) { return std::size_t(chance() % below); };
-  std::size_t read = 0, refused = 0;
-  for (int k = 0; k < 3000; ++k) {
-    std::string text = good;
-    for (std::size_t edits = 1 + any(4); edits > 0 && !text.empty(); --edits) {
-      const std::size_t at = any(text.size()), length = any(12), kind = any(5);
-      if (kind == 0) text.erase(at, length);
-      if (kind == 1) text.insert(at, text.substr(any(text.size()), length));
-      if (kind == 2) text[at] = letters[any(letters.size())];
-      if (kind == 3) text[at] = char(any(256));
-      if (kind == 4) text.insert(at, 1, letters[any(letters.size())]);
-    }
-    CAPTURE(k, text);
-    try {
-      std::istringstream in(text);
-      const Table got = from_text(in);
-      ++read;
-      for (const auto& row : got.rows) {
-        bool fits = row.size() == got.columns.size();
-        for (std::size_t c = 0; fits && c < row.size(); ++c)
-          fits = row[c].index() == std::size_t(got.columns[c].kind);
-        REQUIRE(fits);
-      }
-    } catch (const std::runtime_error&) {
-      ++refused;
-    }
-  }
-  CHECK(read > 300);
-  CHECK(refused > 300);
-}
-
 TEST_CASE("writing where it cannot leaves nothing", "[unit][table]") {
   const Scratch scratch;
   Table table{label("s", "")};
@@ -149,18 +109,10 @@ TEST_CASE("numbers are read in one way", "[unit][table]") {
     CAPTURE(text);
     CHECK_FALSE(parse_number(text));
   }
+  CHECK(number_text(0.1 + 0.2) == "0.30000000000000004");
   CHECK(short_text(1e6) == "1000000");
   CHECK(short_text(-0.1) == "-0.1");
   CHECK(short_text(1e-6) == "1e-06");
-}
-
-TEST_CASE("a number that is written is the number that is read", "[property][table]") {
-  CHECK(number_text(0.1 + 0.2) == "0.30000000000000004");
-  for (double x = 1; std::abs(x) < 1e200; x *= -1.7636684144902381) {
-    const auto read = parse_number(number_text(1 / x));
-    REQUIRE(read);
-    REQUIRE(*read == 1 / x);
-  }
 }
 
 TEST_CASE("an estimate brings the column of its error", "[unit][table]") {

@@ -24,13 +24,6 @@ std::string on(const char* printed, const char* tolerance, double value, double 
   return verdict(printing(printed, tolerance, {value, error}), {});
 }
 
-/// The verdict on `small < large` for each pair.
-std::string on(const std::vector<std::pair<Estimate, Estimate>>& sides) {
-  Case one;
-  for (const auto& [small, large] : sides) one.found.comparisons.push_back({"", small, large});
-  return verdict(one, {});
-}
-
 }  // namespace
 
 TEST_CASE("a print is met, missed, or not decided", "[unit]") {
@@ -143,18 +136,6 @@ TEST_CASE("a power of a missed number follows from it", "[unit]") {
   CHECK(energy("a.kick^2", 1.2e-11, 4.4518e-6) == "discrepant");
   CHECK(energy("a.kick^2", 9.909e-12, 6.19e-6) == "discrepant");
   CHECK(energy("a.none^2", 9.909e-12, 4.4518e-6) == "discrepant");
-}
-
-TEST_CASE("comparisons hold by more than the errors", "[unit]") {
-  const Estimate a{1.2, 0.1}, b{0.9, 0.1}, c{1.05, 0.1};
-  CHECK(on({{1, a}}) == "holds");
-  CHECK(on({{1, a}, {b, a}}) == "holds");
-  CHECK(on({{1, a}, {a, b}}) == "in part");
-  CHECK(on({{a, b}}) == "discrepant");
-  CHECK(on({{1, c}}) == "unresolved");
-  CHECK(on({{c, a}}) == "unresolved");            // both errors count
-  CHECK(on({{1, c}, {1.2, b}}) == "unresolved");  // it fails, or holds in part
-  CHECK(on({{1, c}, {1, a}}) == "unresolved");
 }
 
 TEST_CASE("a list that could not be judged is refused with its row", "[unit]") {

@@ -22,3 +22,19 @@ inline lattice::State<double> after(const lattice::Method& method, const lattice
   evolve(method, chain, s, time);
   return s;
 }
+
+/// Two wells with a hill between them, on whose top the beads rest: W''(0) = -1.
+struct Hill {
+  template <class T>
+  T energy(T y) const {
+    return y * y * (y * y / T(2) - T(1)) / T(2);
+  }
+  template <class T>
+  T force(T y) const {
+    return y * (T(1) - y * y);
+  }
+  template <class T>
+  T stiffness(T y) const {
+    return T(3) * (y * y) - T(1);
+  }
+};

@@ -8,7 +8,7 @@ namespace lattice {
 // Reversible in time about a site at the start, about the next bond after half a period
 Symmetry travelling_reversible(std::size_t half_length, bool free_period) {
   const std::size_t n0 = half_length, sites = 2 * half_length + 2;
-  Symmetry s{.name = "travelling", .sites = sites, .parts = 2, .free_period = free_period};
+  Symmetry s{.name = "travelling", .parts = 2, .free_period = free_period};
   for (std::size_t n = 1; n <= half_length; ++n) s.unknowns.push_back({{n0 + n, 1}, {n0 - n, -1}});
   s.unknowns.push_back({{sites + n0, 1}});
   for (std::size_t n = 1; n <= half_length; ++n)

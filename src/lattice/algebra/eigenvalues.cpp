@@ -49,22 +49,8 @@ std::vector<std::complex<T>> eigenvalues_of(const Matrix<T>& matrix) {
   return values;
 }
 
-// Inverse iteration. The shift misses the value by a little, or there would be nothing to solve; the vector that we
-// begin with has no symmetry.
-template <class T>
-Vector<T> eigenvector_of(const Matrix<T>& matrix, const T& value) {
-  const Eigen::Index n = matrix.rows();
-  const T shift = value + 8 * std::numeric_limits<T>::epsilon() * matrix.cwiseAbs().maxCoeff();
-  const Matrix<T> shifted = matrix - shift * Matrix<T>::Identity(n, n);
-  Vector<T> x = Vector<T>::LinSpaced(n, T(1), T(2));
-  for (int pass = 0; pass < 3; ++pass) x = solve_square<T>(shifted, x).normalized();
-  return x;
-}
-
 // The scalars that are used
 template std::vector<std::complex<double>> eigenvalues_of(const Matrix<double>&);
 template std::vector<std::complex<long double>> eigenvalues_of(const Matrix<long double>&);
-template Vector<double> eigenvector_of(const Matrix<double>&, const double&);
-template Vector<long double> eigenvector_of(const Matrix<long double>&, const long double&);
 
 }  // namespace lattice

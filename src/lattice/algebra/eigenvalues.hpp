@@ -13,8 +13,4 @@ namespace lattice {
 template <class T>
 std::vector<std::complex<T>> eigenvalues_of(const Matrix<T>& matrix);
 
-/// A vector of length one that `matrix` multiplies by its simple, real eigenvalue `value`.
-template <class T>
-Vector<T> eigenvector_of(const Matrix<T>& matrix, const T& value);
-
 }  // namespace lattice

@@ -102,8 +102,8 @@ void Leapfrog<T>::drift(std::vector<T>& z, T dt) const {
 template <class T>
 void Leapfrog<T>::kick(std::vector<T>& z, const Curvature<T>& node) {
   const std::size_t n = chain_.sites;
-  detail::with_kind(chain_.well,
-                    [&](const auto& well) { forces_of(well, z.data(), pull_.data(), n); });
+  std::visit([&](const auto& well) { forces_of(well, z.data(), pull_.data(), n); },
+             chain_.well.kind);
   if (!chain_.variation)
     sweep_kick(z.data() + n, node.kick, pull_.data(), push_.data(), n);
   else
@@ -135,9 +135,9 @@ template <class T>
 void Leapfrog<T>::evaluate(const T* y, T* well, T* link) {
   const std::size_t n = chain_.sites;
   ++evaluations;
-  detail::with_kind(chain_.contact,
-                    [&](const auto& contact) { curvatures_of(contact, y, n, push_.data(), link); });
-  detail::with_kind(chain_.well, [&](const auto& kind) { stiffnesses_of(kind, y, well, n); });
+  std::visit([&](const auto& contact) { curvatures_of(contact, y, n, push_.data(), link); },
+             chain_.contact.kind);
+  std::visit([&](const auto& kind) { stiffnesses_of(kind, y, well, n); }, chain_.well.kind);
   // The vectorised sweep leaves out the two end contacts and the stiffnesses eta_n
   for (std::size_t i : {std::size_t(0), n}) {
     push_[i] = contact_push(chain_, y, i);

@@ -90,11 +90,6 @@ struct TangentRow {
   T self, left, right;
 };
 
-/// The weight $w_j = \prod_{i \ne j} j^2/(j^2 - i^2)$ of the run of $j$ kicks (Richardson extrapolation): the runs
-/// differ from the exact solution by a series in even powers of their step, and the sum is free of its first terms.
-template <class T>
-T extrapolation_weight(std::size_t j, std::size_t levels);
-
 /**
 Far from the centre of a breather the contacts hardly push, and a change oscillates by itself in the well as it is at
 rest, a motion that we know exactly. The sites in between are the core: from the first to the last one with a contact

@@ -8,14 +8,6 @@
 namespace lattice {
 
 template <class T>
-T extrapolation_weight(std::size_t j, std::size_t levels) {
-  T weight(1);
-  for (std::size_t i = 1; i <= levels; ++i)
-    if (i != j) weight *= T(double(j * j)) / (T(double(j * j)) - T(double(i * i)));
-  return weight;
-}
-
-template <class T>
 Window core_of(const Chain& chain, const StepRecord<T>& record,
                std::type_identity_t<T> negligible) {
   const std::size_t n = chain.sites;
@@ -83,6 +75,16 @@ void rotate_outside(const Chain& chain, Window core, T duration, Tangent<T>& tan
       v[k] = turn.v_v * v[k] + turn.v_y * old;
     }
   }
+}
+
+/// The weight $w_j = \prod_{i \ne j} j^2/(j^2 - i^2)$ of the run of $j$ kicks (Richardson extrapolation): the runs
+/// differ from the exact solution by a series in even powers of their step, and the sum is free of its first terms.
+template <class T>
+T extrapolation_weight(std::size_t j, std::size_t levels) {
+  T weight(1);
+  for (std::size_t i = 1; i <= levels; ++i)
+    if (i != j) weight *= T(double(j * j)) / (T(double(j * j)) - T(double(i * i)));
+  return weight;
 }
 
 /// Advances the columns by one step. Every level starts from the same block. The weighted increments are summed and not
@@ -156,6 +158,5 @@ void advance_tangent(const Chain& chain, const StepRecord<T>& record,
 
 /// The functions of this file in a number type.
 #define LATTICE_TANGENT(T)                                           \
-  template T extrapolation_weight<T>(std::size_t, std::size_t);      \
   template Window core_of<T>(const Chain&, const StepRecord<T>&, T); \
   template void advance_tangent<T>(const Chain&, const StepRecord<T>&, T, Tangent<T>&);

@@ -2,8 +2,11 @@
 
 namespace lattice {
 
-// Follow the packet to its first stop, out to the apex, and back to where it rebounds
-Turn find_turn(const Path& path, double back, double again, double clear) {
+// Follow the packet to its first stop, out to the apex, and back to where it rebounds. It has turned once it has come back
+// by `back` sites, which is more than it moves to and fro while it is caught between two sites, and rebounded once it then
+// moves out by `again` sites. The first stop is sought beyond site `clear`, where the packet has left the end
+Turn find_turn(const Path& path) {
+  constexpr double back = 5, again = 3, clear = 8;
   Turn turn;
   std::size_t far = 0, near = 0;
   bool turned = false;

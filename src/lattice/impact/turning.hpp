@@ -27,10 +27,8 @@ struct Turn {
   Moment rebound;  ///< the nearest point of the way back
 };
 
-/// The turn of a smoothed path; what it does not show stays `nan`. A packet has turned once it has come back by `back`
-/// sites, which is more than it moves to and fro while it is caught between two sites, and rebounded once it then moves
-/// out by `again` sites. The first stop is sought beyond site `clear`, where the packet has left the end.
-Turn find_turn(const Path& path, double back = 5, double again = 3, double clear = 8);
+/// The turn of a smoothed path; what it does not show stays `nan`.
+Turn find_turn(const Path& path);
 
 /// Sampling every 0.2 units of time resolves the internal oscillation, whose period is that of a bead in its well. The
 /// smoothing covers several of these periods, still short compared with the hundreds of units that a packet takes to turn.

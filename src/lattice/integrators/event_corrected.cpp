@@ -341,12 +341,11 @@ struct NystromStep {
 
 double EventCorrected::advance(const Chain& chain, State<double>& state, Window& window, double h,
                                std::size_t count, NystromMemory& at) const {
-  double work = 0;
-  detail::with_kind(chain.contact, [&]<class C>(const C& contact) {
-    work =
-        detail::NystromStep<C>{base, chain, contact, finer, reach}.run(state, window, h, count, at);
-  });
-  return work;
+  const auto run = [&]<class C>(const C& contact) {
+    const detail::NystromStep<C> stepper{base, chain, contact, finer, reach};
+    return stepper.run(state, window, h, count, at);
+  };
+  return std::visit(run, chain.contact.kind);
 }
 
 template Method::Method(const EventCorrected&);

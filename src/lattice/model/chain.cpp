@@ -56,4 +56,30 @@ void assert_fits(const Chain& chain, std::size_t entries) {
 
 LATTICE_IN_EACH_PRECISION(LATTICE_CHAIN)
 
+// The push of each bead on its neighbour to the right
+std::vector<double> contact_forces(const Chain& chain, const std::vector<double>& y) {
+  assert_fits(chain, y.size());
+  std::vector<double> f(chain.sites);
+  for (std::size_t n = 0; n < chain.sites; ++n) f[n] = contact_push(chain, y.data(), n + 1);
+  return f;
+}
+
+// Stiffnesses for small motions about y: a well acts on its own bead
+Hessian linearise(const Chain& chain, const std::vector<double>& y) {
+  assert_fits(chain, y.size());
+  const std::size_t n = chain.sites;
+  const bool ring = chain.ends == Ends::periodic;
+  Hessian h{std::vector<double>(n), std::vector<double>(n, 0)};
+  for (std::size_t i = 0; i < n; ++i) h.diagonal[i] = chain.well.stiffness(y[i]);
+  // A contact stiffens both its beads and couples them; at an end there is only one bead
+  for (std::size_t i = 0; i <= n; ++i) {
+    if (!is_distinct_contact(chain, i)) continue;
+    const double k = chain.eta_of(i) * chain.contact.stiffness(stretch(chain, y.data(), i));
+    if (i > 0) h.diagonal[i - 1] += k;
+    if (i < n || ring) h.diagonal[i % n] += k;
+    if (chain.inside(i) || ring) h.off[i - 1] = -k;
+  }
+  return h;
+}
+
 }  // namespace lattice

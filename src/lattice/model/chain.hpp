@@ -182,18 +182,15 @@ T energy(const Chain& chain, const State<T>& state);
 
 /// Contact forces of site n on n + 1, `sites` entries: not negative without precompression, and
 /// the article's f_n with the opposite sign.
-template <class T>
-std::vector<T> contact_forces(const Chain& chain, const std::vector<T>& y);
+std::vector<double> contact_forces(const Chain& chain, const std::vector<double>& y);
 
 /// A symmetric, tridiagonal matrix with one entry of `diagonal` and `off` per site: off[n] couples n and n + 1, and its
 /// last entry the two ends of a ring.
-template <class T>
 struct Hessian {
-  std::vector<T> diagonal, off;
+  std::vector<double> diagonal, off;
 };
 
 /// The second derivatives of the potential energy at the positions `y`, of which phonons and stability follow.
-template <class T>
-Hessian<T> linearise(const Chain& chain, const std::vector<T>& y);
+Hessian linearise(const Chain& chain, const std::vector<double>& y);
 
 }  // namespace lattice

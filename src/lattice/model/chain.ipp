@@ -121,49 +121,15 @@ T energy(const Chain& chain, const State<T>& state) {
   return sum;
 }
 
-// The push of each bead on its neighbour to the right
-template <class T>
-std::vector<T> contact_forces(const Chain& chain, const std::vector<T>& y) {
-  assert_fits(chain, y.size());
-  std::vector<T> f(chain.sites);
-  detail::with_kind(chain.contact, [&](const auto& contact) {
-    for (std::size_t n = 0; n < chain.sites; ++n)
-      f[n] = detail::push_at(chain, contact, y.data(), n + 1);
-  });
-  return f;
-}
-
-// Stiffnesses for small motions about y: a well acts on its own bead
-template <class T>
-Hessian<T> linearise(const Chain& chain, const std::vector<T>& y) {
-  assert_fits(chain, y.size());
-  const std::size_t n = chain.sites;
-  const bool ring = chain.ends == Ends::periodic;
-  Hessian<T> h{std::vector<T>(n), std::vector<T>(n, T(0))};
-  detail::with_kind(
-      chain.well, [&](const auto& well) { stiffnesses_of(well, y.data(), h.diagonal.data(), n); });
-  // A contact stiffens both its beads and couples them; at an end there is only one bead
-  for (std::size_t i = 0; i <= n; ++i) {
-    if (!is_distinct_contact(chain, i)) continue;
-    const T k = T(chain.eta_of(i)) * chain.contact.stiffness(stretch(chain, y.data(), i));
-    if (i > 0) h.diagonal[i - 1] += k;
-    if (i < n || ring) h.diagonal[i % n] += k;
-    if (chain.inside(i) || ring) h.off[i - 1] = -k;
-  }
-  return h;
-}
-
 }  // namespace lattice
 
 /// The functions of this file in a number type.
-#define LATTICE_CHAIN(T)                                                          \
-  template detail::Accelerate<T> detail::accelerator<T>(const Chain&);            \
-  template Window waking<T>(const Chain&, const State<T>&);                       \
-  template detail::KickDrift<T> detail::kick_drifter<T>(const Chain&);            \
-  template void accelerate<T>(const Chain&, const T*, T*, Window&);               \
-  template void kick_drift<T>(const Chain&, State<T>&, Window&, T, T);            \
-  template std::vector<T> accelerations<T>(const Chain&, const std::vector<T>&);  \
-  template std::vector<T> energy_density<T>(const Chain&, const State<T>&);       \
-  template T energy<T>(const Chain&, const State<T>&);                            \
-  template std::vector<T> contact_forces<T>(const Chain&, const std::vector<T>&); \
-  template Hessian<T> linearise<T>(const Chain&, const std::vector<T>&);
+#define LATTICE_CHAIN(T)                                                         \
+  template detail::Accelerate<T> detail::accelerator<T>(const Chain&);           \
+  template Window waking<T>(const Chain&, const State<T>&);                      \
+  template detail::KickDrift<T> detail::kick_drifter<T>(const Chain&);           \
+  template void accelerate<T>(const Chain&, const T*, T*, Window&);              \
+  template void kick_drift<T>(const Chain&, State<T>&, Window&, T, T);           \
+  template std::vector<T> accelerations<T>(const Chain&, const std::vector<T>&); \
+  template std::vector<T> energy_density<T>(const Chain&, const State<T>&);      \
+  template T energy<T>(const Chain&, const State<T>&);

@@ -125,12 +125,6 @@ LATTICE_WIDE void sweep(const W well, const C contact, Y* __restrict__ y, T* __r
   }
 }
 
-/// Calls `use` with the potential by its own type.
-template <class P, class Use>
-void with_kind(const P& potential, Use use) {
-  std::visit([&](const auto& known) { use(known); }, potential.kind);
-}
-
 /**
 A potential of the caller's own is known by what it does to a row of numbers (potential.hpp). A chain with such a one chooses
 anew for every block, and so does one whose arithmetic takes longer than the choice: with contacts of any exponent, or in
@@ -144,11 +138,11 @@ void sweep_blocks(const Well& well, const Contact& contact, Y* y, T* out, const 
     const std::size_t inner = (hi < n ? hi : n - 1) - lo;
     push[0] = left;
     for (std::size_t i = 0; i < inner; ++i) push[i + 1] = y[lo + i + 1] - y[lo + i];
-    with_kind(contact, [&](const auto& c) { forces_of(c, push + 1, push + 1, inner); });
+    std::visit([&](const auto& c) { forces_of(c, push + 1, push + 1, inner); }, contact.kind);
     for (std::size_t i = 0; i < inner; ++i) push[i + 1] = weights.contact(lo + i + 1, push[i + 1]);
     if (hi == n) push[hi - lo] = right;
     left = push[hi - lo];
-    with_kind(well, [&](const auto& w) { forces_of(w, y + lo, pull, hi - lo); });
+    std::visit([&](const auto& w) { forces_of(w, y + lo, pull, hi - lo); }, well.kind);
     for (std::size_t i = lo; i < hi; ++i)
       move(weights.acceleration(i, pull[i - lo] + (push[i - lo] - push[i - lo + 1])), y[i], out[i]);
   }

@@ -181,14 +181,6 @@ struct OneOf {
   const P* get_if() const {
     return std::get_if<P>(&kind);
   }
-  /// The struct that it was made from. Throws std::bad_variant_access if it is another one.
-  template <class P>
-  const P& as() const {
-    if constexpr (std::is_constructible_v<List, P>)
-      return std::get<P>(kind);
-    else
-      return std::get<Own>(kind).template as<P>();
-  }
 
   template <class T>
   T energy(T x) const {

@@ -134,7 +134,7 @@ struct OwnWell : OwnPotential {
 
 /**
 The wells that have a name, and the caller's own: `chain.well = Quartic{0.5}` sets one and
-`chain.well.as<Quartic>().s` reads it (potential.hpp). */
+`chain.well.get_if<Quartic>()->s` reads it (potential.hpp). */
 struct Well : OneOf<OwnWell, NoWell, Harmonic, Quartic, Pendulum> {
   using OneOf::OneOf;
   Well() : OneOf(Harmonic{}) {}

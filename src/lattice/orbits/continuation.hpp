@@ -68,7 +68,7 @@ Along<T> along_omega(double alpha = 1.5) {
 /// Along the anharmonicity s of a quartic well.
 template <class T>
 Along<T> along_s() {
-  return {"s", [](const Shooting<T>& p) { return T(p.chain.well.template as<Quartic>().s); },
+  return {"s", [](const Shooting<T>& p) { return T(std::get<Quartic>(p.chain.well.kind).s); },
           [](Shooting<T>& p, const T& s) { p.chain.well = Quartic{double(s)}; }, 1.0 / 1024};
 }
 

@@ -103,9 +103,21 @@ Matrix<T> perpendicular_to(const Vector<T>& f) {
   return basis;
 }
 
-// Without the direction of the phase the pinning pair is a simple eigenvalue
+// A vector of length one that `matrix` multiplies by its simple, real eigenvalue `value`, by inverse iteration. The shift
+// misses the value by a little, or there would be nothing to solve; the vector that we begin with has no symmetry
 template <class T>
-MultiplierPairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f) {
+static Vector<T> eigenvector_of(const Matrix<T>& matrix, const T& value) {
+  const Eigen::Index n = matrix.rows();
+  const T shift = value + 8 * std::numeric_limits<T>::epsilon() * matrix.cwiseAbs().maxCoeff();
+  const Matrix<T> shifted = matrix - shift * Matrix<T>::Identity(n, n);
+  Vector<T> x = Vector<T>::LinSpaced(n, T(1), T(2));
+  for (int pass = 0; pass < 3; ++pass) x = solve_square<T>(shifted, x).normalized();
+  return x;
+}
+
+// Without the direction `f` of the phase the pinning pair is a simple eigenvalue
+template <class T>
+static MultiplierPairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f) {
   const Matrix<T> basis = perpendicular_to(f);
   const Matrix<T> rows = basis.transpose() * k, restricted = rows * basis;
   MultiplierPairs<T> pairs;
@@ -115,7 +127,6 @@ MultiplierPairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f) {
                    [](const auto& a, const auto& b) { return std::norm(a) < std::norm(b); });
   pairs.mode = basis * eigenvector_of<T>(restricted, pairs.pinning());
   pairs.mode /= pairs.mode.norm();
-  pairs.phase_error = sup<T>(k.transpose() * f / f.norm());
   return pairs;
 }
 
@@ -178,7 +189,6 @@ Estimate excess(const std::vector<MultiplierPair>& pairs, std::size_t first) {
   template T symplectic_error<T>(const Matrix<T>&);                                       \
   template Matrix<T> pair_matrix<T>(const Matrix<T>&);                                    \
   template Matrix<T> perpendicular_to<T>(const Vector<T>&);                               \
-  template MultiplierPairs<T> pairs_of<T>(const Matrix<T>&, const Vector<T>&);            \
   template MultiplierPairs<T> floquet_pairs<T>(const Chain&, const State<T>&, const T&,   \
                                                const EventTolerance<T>&);                 \
   template std::vector<MultiplierPair> pairs_with_errors<T, T>(const MultiplierPairs<T>&, \

@@ -70,24 +70,19 @@ pair is a simple one, so that an error $\delta$ of the flow costs $\delta$ and n
 template <class T>
 Matrix<T> perpendicular_to(const Vector<T>& f);
 
-/// The pairs of an orbit, with how well $f^TK$ vanishes and $F$ is symplectic.
+/// The pairs of an orbit, with how well $F$ is symplectic.
 template <class T>
 struct MultiplierPairs {
-  std::vector<std::complex<T>> kappa;  ///< all but that of the phase
+  std::vector<std::complex<T>> kappa;  ///< all but that of the phase, by their distance from +1
   Vector<T> mode;        ///< positions at t = 0 of the mode of kappa.front(), of length one
   T symplectic_error{};  ///< of the half-period map, see symplectic_error
-  T phase_error{};       ///< largest entry of f^T K for f of length one
   /// kappa of the pinning pair.
   T pinning() const { return kappa.front().real(); }
 };
 
-/// Eigenvalues and the first mode of `k` restricted to the vectors perpendicular to `f`, sorted by the modulus of
-/// $\kappa$, that is by their distance from $+1$. Throws std::runtime_error if Eigen finds no eigenvalues.
-template <class T>
-MultiplierPairs<T> pairs_of(const Matrix<T>& k, const Vector<T>& f);
-
 /// The pairs of an orbit that begins at rest at `start`, even in time, with period `period`. Throws
-/// std::invalid_argument if it does not begin at rest, NewtonFailed if the flow is inaccurate.
+/// std::invalid_argument if it does not begin at rest, NewtonFailed if the flow is inaccurate, std::runtime_error if Eigen
+/// finds no eigenvalues.
 template <class T>
 MultiplierPairs<T> floquet_pairs(const Chain& chain, const State<T>& start,
                                  const std::type_identity_t<T>& period,

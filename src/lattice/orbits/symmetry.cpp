@@ -4,7 +4,7 @@ namespace lattice {
 
 // From rest to rest in half a period
 Symmetry even_in_time(std::size_t sites) {
-  Symmetry s{.name = "time-even", .sites = sites, .parts = 2};
+  Symmetry s{.name = "time-even", .parts = 2};
   for (std::size_t n = 0; n < sites; ++n) {
     s.unknowns.push_back({{n, 1}});
     s.equations.push_back({{{sites + n, 1}}});
@@ -14,7 +14,7 @@ Symmetry even_in_time(std::size_t sites) {
 
 // Antisymmetric about a bond: the right half of the chain tells all
 Symmetry bond_centred(std::size_t sites) {
-  Symmetry s{.name = "bond-centred", .sites = sites, .parts = 2};
+  Symmetry s{.name = "bond-centred", .parts = 2};
   for (std::size_t n = sites / 2; n < sites; ++n) {
     s.unknowns.push_back({{n, 1}, {sites - 1 - n, -1}});
     s.equations.push_back({{{sites + n, 1}}});
@@ -24,7 +24,7 @@ Symmetry bond_centred(std::size_t sites) {
 
 // After a quarter of a period positions are odd about the site and velocities even
 Symmetry site_centred(std::size_t sites) {
-  Symmetry s{.name = "site-centred", .sites = sites, .parts = 4};
+  Symmetry s{.name = "site-centred", .parts = 4};
   for (std::size_t n = 0; n < sites; ++n) {
     const std::size_t mirror = sites - 1 - n;
     s.unknowns.push_back({{n, 1}});
@@ -38,7 +38,7 @@ Symmetry site_centred(std::size_t sites) {
 
 // No symmetry but the period itself: the whole state must return
 Symmetry returning(std::size_t sites) {
-  Symmetry s{.name = "returning", .sites = sites};
+  Symmetry s{.name = "returning"};
   for (std::size_t n = 0; n < sites; ++n) s.unknowns.push_back({{n, 1}});
   for (std::size_t i = 0; i < 2 * sites; ++i) s.equations.push_back({{{i, 1}}, {{i, -1}}});
   return s;
@@ -50,7 +50,7 @@ Symmetry centred(Centre centre, std::size_t sites) {
 
 // A state that returns after the period, moved along by `shift` sites
 Symmetry travelling(std::size_t sites, std::size_t shift, bool ring) {
-  Symmetry s{.name = shift == 0 ? "periodic" : "travelling", .sites = sites, .decays = !ring};
+  Symmetry s{.name = shift == 0 ? "periodic" : "travelling", .decays = !ring};
   for (std::size_t i = 0; i < 2 * sites; ++i) {
     const std::size_t half = i / sites * sites, n = i - half;
     s.unknowns.push_back({{i, 1}});

@@ -35,8 +35,7 @@ struct Equation {
 
 /// All that Newton's method has to know of an orbit's symmetry.
 struct Symmetry {
-  std::string name;  ///< for messages
-  std::size_t sites = 0;
+  std::string name;                   ///< for messages
   Basis unknowns{};                   ///< how the initial state depends on each unknown
   std::vector<Equation> equations{};  ///< what must vanish
   int parts = 1;                      ///< the segment lasts for the period over this number

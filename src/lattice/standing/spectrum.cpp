@@ -4,7 +4,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "lattice/algebra/eigenvalues.hpp"
 #include "lattice/model/contact.hpp"
 #include "lattice/model/sites.hpp"
 #include "lattice/quadruple/quadruple.hpp"
@@ -111,44 +110,6 @@ Margin margin_of(Centre centre, double mu, std::size_t sites, double alpha) {
   return out;
 }
 
-/// The matrix of (a, b).
-template <class T>
-static Matrix<T> full_matrix(const Stationary<T>& state) {
-  const auto sites = Eigen::Index(state.u.size());
-  const T p = (T(state.exponent) + T(1)) / T(2), q = (T(state.exponent) - T(1)) / T(2);
-  Matrix<T> full(2 * sites, 2 * sites);
-  full.setZero();
-  // What M takes from site k to site i enters with p within a or b and with q between them
-  const auto add = [&](Eigen::Index i, Eigen::Index k, const T& value) {
-    full(i, k) -= p * value;
-    full(i, sites + k) -= q * value;
-    full(sites + i, k) += q * value;
-    full(sites + i, sites + k) += p * value;
-  };
-  // Each site turns with mu, and each contact stiffens its two sites and couples them
-  for (Eigen::Index i = 0; i < sites; ++i) {
-    full(i, i) += state.mu;
-    full(sites + i, sites + i) -= state.mu;
-    if (i + 1 == sites) break;
-    const T slope =
-        secant_stiffness(T(state.u[std::size_t(i) + 1] - state.u[std::size_t(i)]), state.exponent);
-    add(i, i, slope);
-    add(i + 1, i + 1, slope);
-    add(i, i + 1, -slope);
-    add(i + 1, i, -slope);
-  }
-  return full;
-}
-
-// The eigenvalues sigma of this matrix are i lambda
-template <class T>
-std::vector<std::complex<T>> full_exponents(const Stationary<T>& state) {
-  std::vector<std::complex<T>> out;
-  for (const std::complex<T>& sigma : eigenvalues_of(full_matrix(state)))
-    out.emplace_back(sigma.imag(), -sigma.real());
-  return out;
-}
-
 // The plane in which a breather is shifted and pushed along the chain
 PinningMode::PinningMode(const ContactSpectrum<double>& spectrum)
     : V(spectrum.second),
@@ -173,10 +134,9 @@ void PinningMode::add(std::complex<double> z, Field& w) const {
 }
 
 // The scalars that are used: all eigenvalues in two, a single one in three
-#define LATTICE_SPECTRUM(T)                                                   \
-  template ContactSpectrum<T> contact_spectrum(const Stationary<T>&);         \
-  template std::vector<std::pair<T, T>> exponents(const ContactSpectrum<T>&); \
-  template std::vector<std::complex<T>> full_exponents(const Stationary<T>&);
+#define LATTICE_SPECTRUM(T)                                           \
+  template ContactSpectrum<T> contact_spectrum(const Stationary<T>&); \
+  template std::vector<std::pair<T, T>> exponents(const ContactSpectrum<T>&);
 
 #define LATTICE_COUNTED(T)                                                 \
   template std::vector<T> contact_roots(const Stationary<T>&);             \

@@ -105,20 +105,6 @@ template <class Fine>
 Margin margin_of(Centre centre, double mu, std::size_t sites, double alpha = 1.5);
 
 /**
-## The full matrix
-
-The article writes the perturbation as $a_ne^{\lambda t}+b_n^*e^{\lambda^*t}$, Eq. (22), and finds the
-exponents from a full matrix of $2N$ rows; with our $x+iy = a+b^*$ at $t = 0$ this is
-$$i\lambda\begin{pmatrix}a\\b\end{pmatrix} =
-  \begin{pmatrix}\mu-pM & -qM\\ qM & -\mu+pM\end{pmatrix}
-  \begin{pmatrix}a\\b\end{pmatrix},\qquad p = \frac{\alpha+1}2,\quad q = \frac{\alpha-1}2,$$
-because $\delta(z|z|^{\alpha-1}) = |z|^{\alpha-1}(p\,\delta z+q\,\delta z^*)$ for real $z$. It serves as a
-check: its entries come from the displacements, and nothing of its structure is used. */
-/// The exponents lambda from the full matrix. Throws std::runtime_error if the solver does not converge.
-template <class T>
-std::vector<std::complex<T>> full_exponents(const Stationary<T>& state);
-
-/**
 ## The pinning pair
 
 The second eigenvector $V$ of $M$ looks like the derivative of the breather along the chain: added to the field it

@@ -86,13 +86,13 @@ std::vector<T> displacements(Centre centre, const T& mu, const std::vector<T>& r
 The iteration stops when no strain is corrected by more than a hundred roundings, times $\alpha$ for each
 site, because $r_n \sim |r_{n-1}|^\alpha$ makes a relative error that much larger from site to site. */
 template <class T>
-void converge_strains(Centre centre, const T& mu, std::vector<T>& r, double alpha, int most,
+void converge_strains(Centre centre, const T& mu, std::vector<T>& r, double alpha,
                       std::vector<double>& history) {
   const double bound =
       100 * double(std::numeric_limits<T>::epsilon()) * std::pow(alpha, double(r.size()));
   std::ostringstream text;
   // Each round multiplies every strain by one plus its relative correction
-  for (int k = 0; k < most; ++k) {
+  for (int k = 0; k < 30; ++k) {
     const Vector<T> eta = newton_step(centre, mu, r, alpha);
     double largest = 0;
     for (std::size_t n = 0; n < r.size(); ++n) {
@@ -117,12 +117,12 @@ void converge_strains(Centre centre, const T& mu, std::vector<T>& r, double alph
 // The balance of forces predicts the next strain, until the chain is full or the strain too small for the arithmetic
 template <class T>
 Stationary<T> stationary_from(Centre centre, const T& mu, std::vector<T> start, std::size_t sites,
-                              double alpha, int most) {
+                              double alpha) {
   using std::abs;
   const T least = least_exact<T>();
   Stationary<T> out{centre, mu, {}, std::move(start), {}, alpha};
   for (;;) {
-    converge_strains(centre, mu, out.strain, alpha, most, out.history);
+    converge_strains(centre, mu, out.strain, alpha, out.history);
     const T next = -force_of(out.strain.back(), alpha) / mu;
     if (out.strain.size() == sites / 2 || abs(next) < least) break;
     out.strain.push_back(next);
@@ -133,7 +133,7 @@ Stationary<T> stationary_from(Centre centre, const T& mu, std::vector<T> start, 
 
 // The start is the compact profile of the quasi-continuum limit, scaled with a power of mu
 template <class T>
-Stationary<T> stationary(Centre centre, const T& mu, std::size_t sites, double alpha, int most) {
+Stationary<T> stationary(Centre centre, const T& mu, std::size_t sites, double alpha) {
   using std::pow;
   if (!fits(centre, sites))
     throw std::invalid_argument(
@@ -152,15 +152,14 @@ Stationary<T> stationary(Centre centre, const T& mu, std::size_t sites, double a
   for (std::size_t n = 0; n < start.size(); ++n) start[n] = size * (near(n + 1) - near(n));
   // Towards alpha = 1 the edge of the profile is too small for its number
   while (start.size() > 1 && !(start.back() != T(0))) start.pop_back();
-  return stationary_from(centre, mu, std::move(start), sites, alpha, most);
+  return stationary_from(centre, mu, std::move(start), sites, alpha);
 }
 
 // The scalars that are used
-#define LATTICE_STATIONARY(T)                                                                   \
-  template struct Stationary<T>;                                                                \
-  template Stationary<T> stationary_from(Centre, const T&, std::vector<T>, std::size_t, double, \
-                                         int);                                                  \
-  template Stationary<T> stationary(Centre, const T&, std::size_t, double, int);
+#define LATTICE_STATIONARY(T)                                                                    \
+  template struct Stationary<T>;                                                                 \
+  template Stationary<T> stationary_from(Centre, const T&, std::vector<T>, std::size_t, double); \
+  template Stationary<T> stationary(Centre, const T&, std::size_t, double);
 
 LATTICE_STATIONARY(double)
 LATTICE_STATIONARY(long double)

@@ -53,16 +53,15 @@ inline std::size_t short_chain(double alpha = 1.5) {
 /// The stationary state of frequency `mu` with the given centre on `sites` sites with free ends;
 /// its phase is that of Eqs. (18) and (19) (central contact of a bond-centred state compressed,
 /// central bead of a site-centred one displaced forward). Throws std::invalid_argument for impossible
-/// input and std::runtime_error, with the history, if `most` Newton steps on one length do not converge.
+/// input and std::runtime_error, with the history, if Newton's method does not converge.
 /// T is double, long double or one of quadruple.hpp; `alpha` was tried from 1.01 to 10.
 template <class T = double>
-Stationary<T> stationary(Centre centre, const T& mu, std::size_t sites, double alpha = 1.5,
-                         int most = 30);
+Stationary<T> stationary(Centre centre, const T& mu, std::size_t sites, double alpha = 1.5);
 
 /// The same from strains `start` of a shorter chain or of another state.
 template <class T>
 Stationary<T> stationary_from(Centre centre, const T& mu, std::vector<T> start, std::size_t sites,
-                              double alpha = 1.5, int most = 30);
+                              double alpha = 1.5);
 
 /// Above it a number and its rounding error are both normal numbers of this type. A tail ends there.
 template <class T>

@@ -3,8 +3,6 @@
 
 #include "lattice/integrators/event_corrected.hpp"
 
-#include <random>
-
 #include "lattice/events/event_driven.hpp"
 #include "lattice/gsl/reference.hpp"
 #include "lattice/impact/impact.hpp"
@@ -112,29 +110,6 @@ TEST_CASE("the correction restores the order across switching contacts", "[conve
   CHECK(impact_error(0.05, corrected) < 1e-3 * impact_error(0.05, uncorrected));
 }
 
-TEST_CASE("beyond the reach of the correction short steps see the event",
-          "[convergence][contact]") {
-  // Two beads whose only contact closes near t = 0.5, at another place of a step for each start
-  const Chain chain{2, Quartic{1}};
-  const auto error = [&](double h, double reach) {
-    double squares = 0;
-    for (int k = 0; k < 40; ++k) {
-      State<double> start(2);
-      start.y = {-0.1, 0.3 + 0.0037 * k}, start.v = {0.5, -0.2};
-      const auto there = after(EventCorrected{.step = h, .reach = reach}, chain, start, 1);
-      squares += std::pow(distance(there, event_driven(chain, start, 1)), 2);
-    }
-    return std::sqrt(squares / 40);
-  };
-  const auto slope = [&](double reach, double h, double k) {
-    return std::log(error(h, reach) / error(k, reach)) / std::log(h / k);
-  };
-  CHECK(slope(2, 0.2, 0.05) > 4);
-  check_close(slope(2, 0.0125, 0.003125), 2.5, 0.3);
-  CHECK(slope(6, 0.05, 0.0125) > 4.4);
-  CHECK(error(0.0125, 6) < error(0.0125, 2) / 2);
-}
-
 TEST_CASE("any exponent is corrected", "[property][contact]") {
   for (double alpha : {1.25, 1.4, 2.0, 2.5}) {
     const Chain chain{20, Quartic{0.5}, PowerContact{alpha, 0}};
@@ -192,8 +167,7 @@ TEST_CASE("a windowed run has the bits of the full run", "[property][window]") {
   same({400, Quartic{1}, CompressedHertz{0.5}}, struck(400, 1.9));
 }
 
-TEST_CASE("contact-aware runs are symmetric, conserve energy and can be reversed",
-          "[property][contact]") {
+TEST_CASE("contact-aware runs are symmetric", "[property][contact]") {
   const Chain chain{31, Quartic{1}};
   const auto start = random_state(31, 0.8, 11);
   State<double> mirrored(31);
@@ -204,13 +178,6 @@ TEST_CASE("contact-aware runs are symmetric, conserve energy and can be reversed
   const auto a = after(EventCorrected{0.05}, chain, start, 30),
              b = after(EventCorrected{0.05}, chain, mirrored, 30);
   for (std::size_t n = 0; n < 31; ++n) CHECK(b.y[n] == -a.y[30 - n]);
-
-  auto s = struck(31, 1.9);
-  const Run run = evolve(EventCorrected{0.05}, chain, s, 30, Every{1});
-  CHECK(run.energy_drift < 1e-7);
-  for (double& v : s.v) v = -v;
-  s = after(EventCorrected{0.05}, chain, s, 30);
-  check_close(largest_difference(s, struck(31, -1.9)), 0, 1e-6);
 }
 
 namespace {
@@ -260,21 +227,4 @@ TEST_CASE("contacts that are shorter than a step are not missed", "[property][co
     check_close(exact.y[0], y, 1e-10);
     check_close(exact.v[0], v, 1e-9);
   }
-}
-
-TEST_CASE("the error of stiff contacts contains the truth", "[property][contact]") {
-  std::mt19937_64 bits(49);
-  const auto random = [&](double from, double to) {
-    return from + (to - from) * double(bits() >> 11) * 0x1p-53;
-  };
-  for (double eta : {1.0, 1e2, 1e4, 1e6})
-    for (int k = 0; k < 12; ++k) {
-      const double A = 1 + std::pow(10, random(-7, -2)), f = random(0, 2 * M_PI);
-      const Stiff two = swing(eta, A, f);
-      auto s = two.start, exact = event_driven(two.chain, s, two.time);
-      const Run run = evolve(Converged{1e-8}, two.chain, s, two.time);
-      exact.t = s.t;
-      CAPTURE(eta, A, f);
-      CHECK(distance(s, exact) <= 5 * run.error);
-    }
 }

@@ -182,35 +182,26 @@ TEST_CASE("a chain runs with the length of its masses and in states of that leng
           "[unit][chain]") {
   Chain twelve{12};
   vary(twelve, std::vector<double>(12, 1), {});
-  const auto refused = [](const Chain& chain, State<double> state) {
+  Chain eight = twelve;
+  eight.sites = 8;
+  State<double> ragged = struck(12, 1);
+  ragged.v.pop_back();
+  for (const auto& [chain, state] : {std::pair(eight, struck(8, 1)),
+                                     {twelve, struck(8, 1)},
+                                     {Chain{12}, struck(8, 1)},
+                                     {twelve, ragged}}) {
     CAPTURE(chain.sites, bool(chain.variation), state.y.size());
     CHECK_THROWS_AS(energy_density(chain, state), std::invalid_argument);
-    CHECK_THROWS_AS(evolve(EventCorrected{0.1}, chain, state, 1), std::invalid_argument);
-    CHECK_THROWS_AS(flow<double>(chain, state, 1.0), std::invalid_argument);
-    if (chain.variation && state.y.size() == chain.variation->mass.size()) return;
+    State<double> moved = state;
+    CHECK_THROWS_AS(evolve(EventCorrected{0.1}, chain, moved, 1), std::invalid_argument);
+    CHECK_THROWS_AS(flow<double>(chain, moved, 1.0), std::invalid_argument);
+    if (state.y.size() == 12) continue;
     CHECK_THROWS_AS(accelerations(chain, state.y), std::invalid_argument);
     CHECK_THROWS_AS(contact_forces(chain, state.y), std::invalid_argument);
     CHECK_THROWS_AS(linearise(chain, state.y), std::invalid_argument);
-  };
-  for (const std::size_t sites : {8, 136}) {
-    Chain other = twelve;
-    other.sites = sites;
-    refused(other, struck(sites, 1));
-    refused(twelve, struck(sites, 1));
-    refused(Chain{12}, struck(sites, 1));
-    CHECK_THROWS_AS(lengthened(other, sites + 2), std::invalid_argument);
-    CHECK_THROWS_AS(between(other, Chain{sites}, 0.5), std::invalid_argument);
-    CHECK_THROWS_AS(between(Chain{sites}, other, 1), std::invalid_argument);
   }
-  State<double> ragged = struck(12, 1);
-  ragged.v.pop_back();
-  refused(twelve, ragged);
-  // Masses without stiffnesses, and the other way round
-  Chain half{12};
-  half.variation = Variation{twelve.variation->mass, twelve.variation->mass, {}};
-  refused(half, struck(12, 1));
-  half.variation = Variation{{}, {}, twelve.variation->eta};
-  refused(half, struck(12, 1));
+  CHECK_THROWS_AS(lengthened(eight, 10), std::invalid_argument);
+  CHECK_THROWS_AS(between(eight, Chain{8}, 0.5), std::invalid_argument);
   // Nor is it made longer; as it is it has the bits of a chain without masses
   CHECK_THROWS_AS(on_long_chain({1, twelve, 20}), std::invalid_argument);
   const Impact plain{1, {12}, 20, 0.2, may_move}, heavy{1, twelve, 20, 0.2, may_move};

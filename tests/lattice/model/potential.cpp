@@ -158,12 +158,12 @@ TEST_CASE("potentials are found by name and parameters", "[unit][potential]") {
   const std::string wells = comma_list(names_of<Well>());
   CHECK(wells.find("none, harmonic, quartic, pendulum") == 0);
   CHECK(comma_list(names_of<Contact>()).find("hertz, power") == 0);  // each name once
-  CHECK(named<Well>("quartic", {{"s", -0.5}}).as<Quartic>().s == -0.5);
+  CHECK(named<Well>("quartic", {{"s", -0.5}}).get_if<Quartic>()->s == -0.5);
   CHECK(named<Contact>("hertz").is<Hertz>());
-  CHECK(named<Contact>("hertz", {{"precompression", 0.5}}).as<CompressedHertz>().d == 0.5);
+  CHECK(named<Contact>("hertz", {{"precompression", 0.5}}).get_if<CompressedHertz>()->d == 0.5);
   const auto power = named<Contact>("power", {{"alpha", 2}, {"precompression", 0.5}});
-  CHECK(power.as<PowerContact>().exponent == 2);
-  CHECK(power.as<PowerContact>().d == 0.5);
+  CHECK(power.get_if<PowerContact>()->exponent == 2);
+  CHECK(power.get_if<PowerContact>()->d == 0.5);
   CHECK(describe(named<Well>("quartic", {{"s", -0.5}})) == "quartic, s = -0.5");
   const auto refused = []<class Any>(const Any*, const char* name, const Settings& given) {
     return refusal<std::invalid_argument>([&] { named<Any>(name, given); });
@@ -179,16 +179,16 @@ TEST_CASE("potentials are found by name and parameters", "[unit][potential]") {
 
 TEST_CASE("a well and a contact are what they were made from", "[unit][model]") {
   const Chain chain{7, Quartic{-0.5}, CompressedHertz{0.5}, Ends::periodic};
-  CHECK(chain.well.as<Quartic>().s == -0.5);
-  CHECK(chain.contact.as<CompressedHertz>().d == 0.5);
+  CHECK(chain.well.get_if<Quartic>()->s == -0.5);
+  CHECK(chain.contact.get_if<CompressedHertz>()->d == 0.5);
   CHECK(chain.contact.opening() == 0.5);
   CHECK(Chain{}.well.is<Harmonic>());
   CHECK(Chain{}.contact.is<Hertz>());
-  CHECK_THROWS_AS(chain.well.as<Pendulum>(), std::bad_variant_access);
+  CHECK_FALSE(chain.well.is<Pendulum>());
   // A law that is Hertz's becomes Hertz
   CHECK(simplest(Contact{CompressedHertz{0}}).is<Hertz>());
   CHECK(simplest(Contact{PowerContact{1.5, 0}}).is<Hertz>());
-  CHECK(simplest(Contact{PowerContact{1.5, 0.3}}).as<CompressedHertz>().d == 0.3);
+  CHECK(simplest(Contact{PowerContact{1.5, 0.3}}).get_if<CompressedHertz>()->d == 0.3);
   CHECK(simplest(Contact{PowerContact{2, 0}}).is<PowerContact>());
 }
 
@@ -283,25 +283,19 @@ TEST_CASE("honest wells are taken, steep or flat, large or small", "[unit][poten
     CHECK(refusal<std::invalid_argument>([&] { OwnWell{well}; }) == "");
   };
   for_each_potential<Well>(taken);
-  for (const double s : {10.0, 1e8, -1.0 / 6, -10.0, -1e6}) taken(Quartic{s});
-  for (const double a : {1e-8, 1e-3, 1.0, 1e3, 1e8})
-    for (const double k : {1e-12, 1.0, 1e12}) taken(cosh_well(a, k));
-  for (const double knee : {1e-3, 0.3, 0.31, 0.8, 0.835, 5.0})
-    for (const double hard : {0.0, 0.9, 1.1, 1e6}) taken(bilinear(knee, hard));
+  for (const double s : {1e8, -1.0 / 6, -1e6}) taken(Quartic{s});
+  for (const double a : {1e-8, 1.0, 1e8})
+    for (const double k : {1e-12, 1e12}) taken(cosh_well(a, k));
+  for (const double knee : {1e-3, 0.31, 0.835, 5.0})
+    for (const double hard : {0.0, 1.1, 1e6}) taken(bilinear(knee, hard));
   for (const double a : {1e-4, 1.0, 1e4}) taken(losing(a));
   taken(lopsided);
-  // One that ends in walls, two wells with a hill between, and ripples
+  // One that ends in walls, and structure that is finer than the first steps of the check
   taken(MyWell{{[](double y) { return -std::log(1 - 100 * y * y) / 200; },
                 [](double y) { return -y / (1 - 100 * y * y); },
                 [](double y) { return (1 + 100 * y * y) / std::pow(1 - 100 * y * y, 2); }},
                0.1});
-  taken(MyWell{{[](double y) { return y * y * (y * y / 2 - 1) / 2; },
-                [](double y) { return y * (1 - y * y); }, [](double y) { return 3 * y * y - 1; }}});
-  taken(MyWell{{[](double y) { return y * y / 2 + 1e-5 * (1 - std::cos(1e4 * y)); },
-                [](double y) { return -y - 0.1 * std::sin(1e4 * y); },
-                [](double y) { return 1 + 1e3 * std::cos(1e4 * y); }}});
-  // Structure that is finer than the first steps of the check
-  for (const double a : {1e-4, 3e-5, 1e-5, 1e-6})
+  for (const double a : {1e-4, 1e-6})
     taken(MyWell{{[=](double y) { return 2 * std::pow(a * std::sin(y / a / 2), 2); },
                   [=](double y) { return -a * std::sin(y / a); },
                   [=](double y) { return std::cos(y / a); }}});
@@ -312,31 +306,22 @@ TEST_CASE("honest contacts are taken, and a chain of links that never open", "[u
     CHECK(refusal<std::invalid_argument>([&] { OwnContact{contact}; }) == "");
   };
   for_each_potential<Contact>(taken);
-  for (const double d : {1e-9, 0.25, 1.0, 10.0, 1e3}) taken(CompressedHertz{d});
-  for (const double alpha : {1.0, 1.2, 2.0, 10.0, 40.0})
-    for (const double d : {0.0, 1e-3, 0.5, 10.0})
-      for (const double k : {1e-9, 1.0, 1e9}) {
-        taken(PowerContact{alpha, d});
-        taken(power_contact(alpha, d, k));
-      }
-  const auto link = [&](auto e, auto f, auto k) { taken(MyContact{{e, f, k}, 0, 1}); };
-  link([](double r) { return std::exp(-r) - 1 + r; }, [](double r) { return std::exp(-r) - 1; },
-       [](double r) { return std::exp(-r); });
-  // Links that pull when they are pressed too far, and those of Lennard-Jones, beyond their centre as well
-  for (const double k : {-2.0, 1.3, 2.0})
-    link([=](double r) { return r * r / 2 + k * r * r * r / 3; },
-         [=](double r) { return -r - k * r * r; }, [=](double r) { return 1 + 2 * k * r; });
-  for (const double a : {0.1, 0.3, 0.5, 0.7, 0.8, 2.0}) {
-    const auto power = [=](double r, int n) { return std::pow(1 + r / a, -n); };
-    link([=](double r) { return a * a * (power(r, 12) - 2 * power(r, 6) + 1) / 72; },
-         [=](double r) { return a * (power(r, 13) - power(r, 7)) / 6; },
-         [=](double r) { return (13 * power(r, 14) - 7 * power(r, 8)) / 6; });
-  }
+  for (const double d : {1e-9, 0.25, 1e3}) taken(CompressedHertz{d});
+  for (const double alpha : {1.0, 1.2, 40.0})
+    for (const double d : {0.0, 1e-3, 10.0}) {
+      taken(PowerContact{alpha, d});
+      taken(power_contact(alpha, d, 1e9));
+    }
+  taken(
+      MyContact{{[](double r) { return std::exp(-r) - 1 + r; },
+                 [](double r) { return std::exp(-r) - 1; }, [](double r) { return std::exp(-r); }},
+                0,
+                1});
 }
 
 TEST_CASE("a well whose functions do not belong together is refused", "[unit][potential]") {
-  for (const double a : {1e-6, 1.0, 1e3})
-    for (const double wrong : {1.01, 0.99, -1.0, 0.0}) {
+  for (const double a : {1e-6, 1e3})
+    for (const double wrong : {1.01, -1.0}) {
       CAPTURE(a, wrong);
       refused(cosh_well(a, 1, wrong), "minus the slope of its energy is");
       refused(cosh_well(a, 1, 1, wrong), "minus the slope of its");
@@ -348,10 +333,7 @@ TEST_CASE("a well whose functions do not belong together is refused", "[unit][po
   CHECK(said_of(MyWell{{half, pull, one}}) == "");
   CHECK(said_of(MyWell{{half, pull, [](double) { return 2; }}}) ==
         "the well's stiffness(-0.83541) is 2, but minus the slope of its force is 1 there");
-  refused(MyWell{{pull, half, one}}, "the well's force(-0.83541) is 0.348955");
-  refused(MyWell{{half, [](double y) { return y; }, one}}, "is -0.83541, but minus the slope");
-  // Wrong on one side, in a small term, and only close to rest
-  refused(MyWell{{half, [](double y) { return -std::abs(y); }, one}}, "the well's force(-0.83541)");
+  // In a small term, and only close to rest
   refused(MyWell{{half, [](double y) { return -y - 0.01 * y * y * y; }, one}}, "force(-0.83541)");
   refused(
       MyWell{{[](double y) { return y * y / 2 + 1e8 * std::pow(y, 4) / 4; },
@@ -366,18 +348,13 @@ TEST_CASE("a well must rest at zero, be finite and have a rim beyond it", "[unit
   refused(MyWell{{[](double y) { return y + y * y / 2; }, [](double y) { return -1 - y; },
                   [](double) { return 1; }}},
           "force(0) is -1 and must be 0: measure displacements from the rest position");
-  for (const double bad : {none, inf, -inf}) {
+  for (const double bad : {none, inf}) {
     const auto broken = [=](double) { return bad; };
     refused(MyWell{{broken, good.f, good.k}}, "energy(0) is");
     refused(MyWell{{good.e, broken, good.k}}, "force(0) is");
     refused(MyWell{{good.e, good.f, broken}}, "stiffness(0) is");
   }
-  // A root that is not real on one side
-  refused(MyWell{{[](double y) { return 0.4 * std::pow(y, 2.5); },
-                  [](double y) { return -std::pow(y, 1.5); },
-                  [](double y) { return 1.5 * std::sqrt(y); }}},
-          "nan, not a finite number");
-  for (const double rim : {0.0, -1.0, -inf, none}) {
+  for (const double rim : {0.0, none}) {
     MyWell well = good;
     well.edge = rim;
     refused(well, "the well's rim is ");
@@ -390,9 +367,9 @@ TEST_CASE("a well must rest at zero, be finite and have a rim beyond it", "[unit
 }
 
 TEST_CASE("a contact whose functions do not belong together is refused", "[unit][potential]") {
-  for (const double alpha : {1.0, 1.5, 2.5, 10.0})
-    for (const double d : {0.0, 0.1, 10.0})
-      for (const double wrong : {1.01, 0.99, -1.0, 0.0}) {
+  for (const double alpha : {1.0, 1.5, 10.0})
+    for (const double d : {0.0, 10.0})
+      for (const double wrong : {1.01, -1.0}) {
         CAPTURE(alpha, d, wrong);
         refused(power_contact(alpha, d, 1, wrong), "minus the slope of its energy is");
         refused(power_contact(alpha, d, 1, 1, wrong), "minus the slope of its");
@@ -401,8 +378,8 @@ TEST_CASE("a contact whose functions do not belong together is refused", "[unit]
   // Attraction, an opening that is none, and exponents
   refused(power_contact(1.5, 0, -1), "the contact pulls");
   const MyContact good = power_contact(1.5);
-  for (const double open : {none, inf}) refused(MyContact{good, open}, "the contact's opening is ");
-  for (const double exponent : {none, inf, 0.5, -1.0})
+  refused(MyContact{good, none}, "the contact's opening is ");
+  for (const double exponent : {inf, 0.5})
     refused(MyContact{good, 0, exponent}, "the contact's exponent is ");
   refused(MyContact{{good.e, [&](double r) { return good.f(r) + 1; }, good.k}},
           "force(0) is 1 and must be 0");
@@ -418,11 +395,8 @@ TEST_CASE("the check is made once, and what a potential throws passes", "[unit][
   well.f = [&calls, f = well.f](double y) { return ++calls, f(y); };
   const OwnWell own(well);
   const int made = calls;
-  CHECK(made > 0);
-  CHECK(made < 1000);
-  const OwnWell copy = own;
-  Chain chain{4, copy};
-  chain.well = own;
+  CHECK((made > 0 && made < 1000));
+  Chain chain{4, own};
   const Chain other = chain;
   CHECK(calls == made);
   CHECK(other.well.force(0.5) == -std::sinh(0.5));
@@ -440,14 +414,8 @@ TEST_CASE("a well that loses digits near zero is known", "[unit][potential]") {
                         [=](double y) { return a * std::expm1(-y / a); }, losing(a).k}}));
     CHECK_FALSE(loses(cosh_well(a)));
   }
-  CHECK_FALSE(loses(bilinear(0.3, 2)));
   CHECK_FALSE(loses(lopsided));
-  CHECK_FALSE(loses({{[](double y) { return y * y * y * y / 4; },
-                      [](double y) { return -y * y * y; }, [](double y) { return 3 * y * y; }}}));
-  for_each_potential<Well>([](const auto& well) {
-    CHECK_FALSE(loses_digits(Well(well)));
-    CHECK_FALSE(loses_digits(OwnWell(well)));
-  });
+  for_each_potential<Well>([](const auto& well) { CHECK_FALSE(loses_digits(OwnWell(well))); });
 }
 
 TEST_CASE("a well of one's own needs a place in a list for its name, no more",

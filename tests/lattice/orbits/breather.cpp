@@ -15,6 +15,7 @@
 #include "sec3/resolutions.hpp"
 #include "support/check.hpp"
 #include "support/return_error.hpp"
+#include "support/states.hpp"
 
 using namespace lattice;
 using namespace report;
@@ -81,7 +82,7 @@ struct Layer {
   }
 };
 
-/// Springs of frequency one that are stiffer on one side, or that lose digits near rest; a hill between two wells.
+/// Springs of frequency one that are stiffer on one side, or that lose digits near rest.
 struct Toda {
   double energy(double y) const { return std::expm1(-y) + y; }
   double force(double y) const { return std::expm1(-y); }
@@ -91,11 +92,6 @@ struct Naive {
   double energy(double y) const { return (std::exp(y) + std::exp(-y)) / 2 - 1; }
   double force(double y) const { return (std::exp(-y) - std::exp(y)) / 2; }
   double stiffness(double y) const { return std::cosh(y); }
-};
-struct Hill {
-  double energy(double y) const { return y * y * (y * y / 2 - 1) / 2; }
-  double force(double y) const { return y * (1 - y * y); }
-  double stiffness(double y) const { return 3 * y * y - 1; }
 };
 
 }  // namespace
@@ -151,10 +147,6 @@ TEST_CASE("breathers of other chains return by another integrator", "[property][
     CHECK(fine < 1e-5);
     CHECK(fine < coarse / 12);
   }
-  // Masses that are all one, told one by one, are those of equal beads
-  const auto plain = asked(1.3).find(), same = asked(1.3, {}, masses(31, 1)).find();
-  check_close(same.orbit.energy, plain.orbit.energy, 0, 1e-12);
-  CHECK(sup<double>(same.orbit.x - plain.orbit.x) < 1e-12 * plain.orbit.amplitude);
 }
 
 TEST_CASE("contacts of any exponent have breathers of the size that is guessed",
@@ -338,7 +330,7 @@ TEST_CASE("bands end at eigenvalues of a ring", "[unit][chains]") {
     Chain chain{sites, Harmonic{}, CompressedHertz{0.02}, Ends::periodic};
     vary(chain, masses(sites, r), {});
     const PhononBands bands(chain);
-    const Hessian<double> h = linearise(chain, std::vector<double>(sites));
+    const Hessian h = linearise(chain, std::vector<double>(sites));
     Matrix<double> m = Matrix<double>::Zero(sites, sites);
     for (std::size_t i = 0; i < sites; ++i) {
       const std::size_t next = (i + 1) % sites;
@@ -382,7 +374,7 @@ Quadruple wide_gap(double omega, double s, double tolerance) {
 }  // namespace
 
 TEST_CASE("barriers agree with an independent computation", "[published][periodic]") {
-  // By another implementation of Newton's method in quadruple precision; ours in this precision finds them too.
+  // By another implementation of Newton's method in quadruple precision
   const struct {
     double omega, s, expected;
   } rows[] = {{1.1, 0, 1.62422471641e-11},
@@ -395,7 +387,6 @@ TEST_CASE("barriers agree with an independent computation", "[published][periodi
     const auto site = find_breather(ps), bond = find_breather(pb);
     const auto gap = barrier(ps, site, bond);
     check_close(gap.equal_frequency, expected, 0, 1e-5);
-    check_close(double(wide_gap(omega, s, 1e-22)), expected, 0, 1e-5);
     auto moved = ps;
     moved.omega = gap.omega_site;
     check_close(newton(moved, site.x).action_integral, bond.action_integral, 0, 1e-10);
@@ -442,21 +433,6 @@ TEST_CASE("barriers of other wells and contacts", "[property][chains]") {
   // Near omega_b = 1 the phase of an orbit is rounded by more than its energy
   const Estimate weak = found(asked(1.00024)).equal_frequency;
   check_close(weak.value, 4.20579818087e-21, weak.error);
-  // At equal frequency it is the difference of two energies
-  for (OneBreather one : {asked(1.2, PowerContact{2}), asked(1.35, CompressedHertz{1e-3})}) {
-    const Estimate gap = found(one).equal_frequency;
-    Wide energy[2];
-    for (int k : {0, 1}) {
-      one.centre = both_centres[k];
-      const Fitted at = one.find();
-      energy[k] =
-          newton(in_precision<Wide>(at.problem), at.orbit, rule<Wide>(Resolution::fine)).energy;
-    }
-    const double error = 1e-15 * double(energy[0]);
-    check_close(gap.value, double(energy[0] - energy[1]), error);
-    CHECK(error < 1e-2 * std::abs(gap.value));
-    CHECK(gap.error < 1e-6 * std::abs(gap.value));
-  }
 }
 
 TEST_CASE("a zero of the barrier does not depend on the pairs around it",
