@@ -11,8 +11,7 @@ $\epsilon^{1/2}$ for an impact and to [9.44](cell:limits/start=pair/tau=10/coeff
 shapes do not change the equation, and its plane waves of 2, 3 and 4 sites are $O(\epsilon^{3/2})$-close to exact
 travelling waves of the chain.
 
-![Relative error divided by the square root of the amplitude. Drawn by x02_dps_error.gp: `coefficient` of the table
-`dps_error` against the square root of `eps`.](fig:x02)
+![Relative error divided by the square root of the amplitude.](fig:x02)
 
 <!-- head -->
 `build/bin/sec31_dps_limit` computes this chapter in 2 s on two cores and writes 5 tables to
@@ -128,8 +127,7 @@ double largest_of(double before, double here, double after) {
   return std::max(std::abs(after), is_between ? std::abs(parabola.extremum()) : 0);
 }
 
-/// The largest |y_app - y_n| of any bead, up to each of the horizons `until`; the last is the
-/// longest.
+/// The largest |y_app - y_n| of any bead, up to each of the horizons `until`, the longest one last.
 std::vector<double> deviations(const Start& start, const Well& well, double eps,
                                const std::vector<double>& until, const Resolution& resolution) {
   // The DpS equation, real and imaginary parts in turn
@@ -137,8 +135,7 @@ std::vector<double> deviations(const Start& start, const Well& well, double eps,
   std::vector<double> a, before(sites), here(sites);
   for (const std::complex<double>& A : start.A) a.insert(a.end(), {A.real(), A.imag()});
 
-  // The chain takes event-corrected steps; after each of them GSL brings the DpS equation to the
-  // same time
+  // After each event-corrected step of the chain GSL brings the DpS equation to the same time
   std::vector<double> largest(until.size());
   double tau = 0;
   const auto observe = [&](const State<double>& now) {
@@ -201,15 +198,6 @@ std::vector<Estimate> local_orders(const std::vector<double>& eps,
   return out;
 }
 
-/// The limit of values whose distance from it is halved from each to the next.
-Estimate limit(const std::vector<Estimate>& values) {
-  const auto from = [&](std::size_t last) {
-    const Estimate &a = values[last - 1], &b = values[last];
-    return Estimate{2 * b.value - a.value, 2 * b.error + a.error};
-  };
-  return with_error(from(values.size() - 2), from(values.size() - 1));
-}
-
 /**
 ## The error and its order (figure x02)
 
@@ -249,8 +237,8 @@ void report_errors(Report& report) {
       limits.add({{"start", start.name},
                   {"tau", horizons[h]},
                   {"first", order[0]},
-                  {"order", limit(order)},
-                  {"coefficient", limit(all[h])}});
+                  {"order", limit_of(order)},
+                  {"coefficient", limit_of(all[h])}});
     }
   }
   report.table("time_constant").add(Row{{"tau_0", exact(tau_0(alpha))}});
@@ -281,7 +269,7 @@ void report_wells(Report& report) {
   Table& table = report.table("other_wells");
   for (const auto& [name, well] : wells)
     for (const Start& start : {starts[0], starts[1]}) {
-      const Estimate order = limit(local_orders(eps, coefficients(start, well, {4}, eps)[0]));
+      const Estimate order = limit_of(local_orders(eps, coefficients(start, well, {4}, eps)[0]));
       table.add({{"well", name}, {"start", start.name}, {"order", order}});
     }
 }
@@ -317,8 +305,8 @@ void report_waves(Report& report) {
       amplitude.push_back(quotient(distances.at_equal_amplitude, 2 * e * rate(e)));
     }
     return Row{{"wavelength", wavelength},
-               {"order", limit(local_orders(eps, frequency))},
-               {"order_amplitude", limit(local_orders(eps, amplitude))}};
+               {"order", limit_of(local_orders(eps, frequency))},
+               {"order_amplitude", limit_of(local_orders(eps, amplitude))}};
   });
 }
 
@@ -344,7 +332,7 @@ void reproduce(Report& report) {
 
 **To change it.** Parameters are the constants after the derivation, another start is an entry of `starts` (figure x02
 draws three, for `alpha = 1.5`), another well a struct like `Asymmetric` in the list `wells`. With `alpha = 1.75` the
-orders should tend to 1.75, in other wells more slowly than `limit` assumes: the force $y^2$ still misses it by 0.04.
+orders should tend to 1.75, in other wells more slowly than `limit_of` assumes: the force $y^2$ still misses it by 0.04.
 
 1. *Easy.* Does a packet of the chain move as the DpS equation says?
    `build/bin/sec34_impact run --velocity 0.01 --time 1000` gives `speed` = 0.02531. Hint: an impact of velocity $v_0$

@@ -101,8 +101,7 @@ struct Iterate {
 };
 using Path = std::vector<Iterate>;
 
-/// x <- x - DR(x)^-1 R(x) from the ansatz, without the directions whose singular value is below
-/// `least`.
+/// x <- x - DR(x)^-1 R(x) from the ansatz, without directions of a singular value below `least`.
 Path iterate(const Shooting<double>& problem, Resolution resolution, double least) {
   Vector<double> x =
       problem.reduce(ansatz(Centre::site, problem.omega, sites, Phase::compressed, contact));
@@ -111,8 +110,7 @@ Path iterate(const Shooting<double>& problem, Resolution resolution, double leas
     const Evaluation<double> now = problem.evaluate(x, rule<double>(resolution).events);
     const Vector<double>& R = now.residual;
     const Matrix<double>& DR = now.jacobian;
-    // The unit of a bead is its own displacement, since the tail falls so fast; in least squares it
-    // is the largest
+    // The unit of a bead is its own displacement, as the tail falls fast, or the largest
     const auto unit = problem.sizes(x, DR.rows() == DR.cols());
     const Vector<double> step = solve_scaled<double>(DR, R, unit, least);
     path.push_back({x, sup(R) / sup(x), sup(step) / sup(x), condition_of(DR)});
@@ -174,8 +172,7 @@ Row row_of(const char* equations, std::size_t k, const TwoRuns<Path>& paths,
 }
 
 void report_convergence(Report& report) {
-  // The same iteration on a quarter of the period and on the whole, with and without the pinning
-  // mode
+  // The same iteration on a quarter of the period, and on the whole with and without the mode
   const auto both = [](const Shooting<double>& equations, double least) {
     return TwoRuns<Path>{iterate(equations, Resolution::coarse, least),
                          iterate(equations, Resolution::fine, least)};
@@ -211,10 +208,6 @@ breather at random by up to 0.1 per cent, and Newton's method knows only that th
 return to $10^{-9}$ of the amplitude (`newton.symmetry`), about the tolerance, $1.4\cdot10^{-17}$, times the largest
 condition number of $DR$, [6.89e7](cell:symmetry/centre=site/omega=1.5/condition). Since $DR$ is regular, no continuous
 family of asymmetric breathers of one frequency passes here; others are possible. */
-std::string name_of(Centre centre) {
-  return centre == Centre::site ? "site" : "bond";
-}
-
 void report_symmetry(Report& report) {
   Table& table = report.table("symmetry");
   for (Centre centre : both_centres)
@@ -446,9 +439,7 @@ replaces `Quartic{anharmonicity}` in `conditions` (with `Pendulum{}` the last of
    1.001 it is a quarter of that; Eq. (20) says why.
 2. *Harder.* What is the law of exercise 1 for contacts of another exponent?
    `build/bin/sec32_newton_breathers breather --contact power --alpha 2 --omega 1.1` gives `amplitude` = 0.0998154.
-   Hint: the shift of the frequency goes like the contact force over the displacement, amplitude$^{\alpha-1}$.
-
-The command `breather` computes a breather with your own parameters (commands/one_breather.hpp). */
+   Hint: the shift of the frequency goes like the contact force over the displacement, amplitude$^{\alpha-1}$. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
   report_convergence(report);

@@ -8,8 +8,7 @@ section 3.6. We strike chains with $\lambda^{5/2}$ from $10^{-3}$ to 10 and find
 too high and too fast, for small $\lambda$ by a fraction that grows nearly like the square root of this number. In the
 array the fractions are 0.15 and 0.11.
 
-![Newton's cradle and an array of clamped cantilevers decorated by beads. Drawn by fig01_two_chains.py: the sizes of the
-table `schematic`.](fig:01)
+![Newton's cradle and an array of clamped cantilevers decorated by beads.](fig:01)
 
 <!-- head -->
 `build/bin/sec35_scales` computes this chapter in 2 s on two cores and writes 9 tables to `build/data/sec35_scales`. Its
@@ -95,8 +94,8 @@ lifetime. It inserts a period of 0.15 ms; ours is $2\pi\tau_c$, 0.158 ms.
 void report_scales(Report& report) {
   const double step = report.quick ? 0.2 : 0.1;
   const TwoRuns<Collision> runs{collide(step), collide(step / 2)};
-  const Estimate time = runs.of([](const Collision&c) { return c.contact_time; }),
-                 compression = runs.of([](const Collision&c) { return c.compression; });
+  const Estimate time = runs.of(&Collision::contact_time),
+                 compression = runs.of(&Collision::compression);
   const Collision known = collision_by_energy();
   if (!(std::hypot(time.value - known.contact_time, compression.value - known.compression) < 1e-7))
     throw Failure("the integrated collision disagrees with the conservation of energy");
@@ -202,8 +201,7 @@ back and raise it, so at the same velocity they are deflected less; and it is a 
 frequency of the pushes (last column) explains about 2/3 of the excess of the deflection, that of the velocity a part of
 the rest. What remains, and why the packet is too fast, we do not know.
 
-![Excess of the DpS equation against the impact. Drawn by x53_dps_excess.gp: `deflection` and `speed` over `impact` from
-`dps_regime` and, filled, `arrays`.](fig:x53)
+![Excess of the DpS equation against the impact.](fig:x53)
 
 The deflection of one bead depends on the phase of its oscillation when the packet is strongest there. So the table also
 has the range over beads 71 to 80: this is how well the excess of the deflection is known. Between the two steps of all
@@ -237,21 +235,21 @@ Compared compared(double impact, const TwoRuns<Packet>& dps, bool quick) {
     return excess(2 * eps, [k](const Packet& p) { return p.deflection[k]; });
   };
   // Over all beads
-  const Estimate speed = excess(std::sqrt(eps), [](const Packet& p) { return p.speed; });
+  const Estimate speed = excess(std::sqrt(eps), &Packet::speed);
   Estimate least = of_bead(0), most = least;
   for (std::size_t k = 1; k < Beads{}.size(); ++k) {
     least = smaller(least, of_bead(k));
     most = larger(most, of_bead(k));
   }
   return {.speed = speed,
-          .push = chain.of([](const Packet& p) { return p.push; }),
-          .share = chain.of([](const Packet& p) { return p.share; }),
+          .push = chain.of(&Packet::push),
+          .share = chain.of(&Packet::share),
           .columns = {{"deflection", of_bead(bead_80 - first_observed)},
                       {"least", least},
                       {"most", most},
                       {"speed", speed},
-                      {"velocity", excess(2 * eps, [](const Packet& p) { return p.velocity; })},
-                      {"frequency", chain.of([](const Packet& p) { return p.frequency; })}}};
+                      {"velocity", excess(2 * eps, &Packet::velocity)},
+                      {"frequency", chain.of(&Packet::frequency)}}};
 }
 
 Row joined(Row row, const Row& more) {

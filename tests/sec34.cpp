@@ -1,4 +1,4 @@
-// What is measured of packets after an impact: energy, width, tail, acceleration.
+// What is measured of packets after an impact: energy, height, acceleration, spread.
 
 #include <complex>
 
@@ -15,23 +15,6 @@
 using namespace lattice;
 using namespace report;
 
-namespace {
-
-/// A front whose amplitude is that of a compact packet of `width` sites, with a tail ahead.
-Front compact(double width) {
-  std::vector<double> e(40, 0.0);
-  for (int k = -10; k <= 10; ++k) {
-    const double x = 2 * k / (width + 1);
-    const double a = std::abs(x) < 1 ? std::pow(std::cos(M_PI * x / 2), 2) : 0;
-    e[std::size_t(20 + k)] = a * a + 1e-7;
-  }
-  Front front;
-  front.add(e, 20);
-  return front;
-}
-
-}  // namespace
-
 TEST_CASE("the front of a linear wave is no travelling breather", "[property]") {
   const Dps linear{140, Ends::free, 1, 0.5};
   const Path front = follow_dps(linear, dps_impact(140), 100, 2000, 1e-8).path;
@@ -39,15 +22,6 @@ TEST_CASE("the front of a linear wave is no travelling breather", "[property]") 
   CAPTURE(speed_change(front).value, energy_change(front));
   CHECK(std::abs(speed_change(front).value) < 0.05);
   CHECK(energy_change(front) < -0.1);
-}
-
-TEST_CASE("a packet's width is not any number", "[unit]") {
-  for (std::size_t width : {3, 5, 7, 9}) {
-    CAPTURE(width);
-    const Front front = compact(double(width));
-    CHECK(front.width() == width);
-    check_close(front.tail(), std::sqrt(1e-7), 0, 1e-6);
-  }
 }
 
 TEST_CASE("the approximation of an impact starts with other velocities", "[unit][dps]") {
@@ -58,14 +32,6 @@ TEST_CASE("the approximation of an impact starts with other velocities", "[unit]
     check_close(start.second, -change, 0, 1e-9);
     CHECK((start.place == 0 && start.others == 0));
   }
-}
-
-TEST_CASE("the height of a packet is from crest to trough about its peak", "[unit]") {
-  State<double> state(30);
-  state.y[3] = -9, state.y[14] = 2, state.y[16] = -3;
-  check_close(amplitude(state, 15).height, 5, 1e-14);
-  check_close(amplitude(state, 15).displacement, 3, 1e-14);
-  check_close(amplitude(state, 1).displacement, 9, 1e-14);
 }
 
 TEST_CASE("only what rises above the waves between is visible", "[property]") {
@@ -110,19 +76,6 @@ TEST_CASE("a parabola that is fitted to a path has its acceleration", "[unit][bo
   CHECK(all.deviation < 1e-11);
   // The wedge |u|, u from -1 to 1, has the variance 1/12; its part along P_2 is 5/8 P_2, whose square has the mean 5/64
   check_close(fit_parabola(wedge, 0, 200).deviation, std::sqrt(1.0 / 12 - 5.0 / 64), 2e-3);
-}
-
-TEST_CASE("runs decorrelate the later the less they differ", "[unit][boomeron]") {
-  const Chain chain{60, Quartic{1}};
-  const EventCorrected method{0.1};
-  const auto time = [&](double delta) {
-    return decorrelation_time(method, struck(60, 1.9), method, struck(60, 1.9 * (1 + delta)), chain,
-                              300);
-  };
-  CHECK(std::isinf(time(0)));
-  CHECK(time(1) == 0);
-  CHECK(time(3e-2) < time(3e-3));
-  CHECK(time(3e-3) < 300);
 }
 
 // In chains of a length of their own; the times of parting are those of an extrapolating integrator elsewhere, which
