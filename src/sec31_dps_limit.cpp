@@ -237,8 +237,8 @@ void report_errors(Report& report) {
       limits.add({{"start", start.name},
                   {"tau", horizons[h]},
                   {"first", order[0]},
-                  {"order", limit_of(order)},
-                  {"coefficient", limit_of(all[h])}});
+                  {"order", limit_by_halving(order)},
+                  {"coefficient", limit_by_halving(all[h])}});
     }
   }
   report.table("time_constant").add(Row{{"tau_0", exact(tau_0(alpha))}});
@@ -269,7 +269,8 @@ void report_wells(Report& report) {
   Table& table = report.table("other_wells");
   for (const auto& [name, well] : wells)
     for (const Start& start : {starts[0], starts[1]}) {
-      const Estimate order = limit_of(local_orders(eps, coefficients(start, well, {4}, eps)[0]));
+      const Estimate order =
+          limit_by_halving(local_orders(eps, coefficients(start, well, {4}, eps)[0]));
       table.add({{"well", name}, {"start", start.name}, {"order", order}});
     }
 }
@@ -283,8 +284,8 @@ The DpS equation has the plane waves $A_n = e^{i(qn-\Omega\tau)}$ of wavenumber 
 has the period $2\pi$ and
 $$\omega^2u'' + u = \epsilon^{1/2}\bigl[(u(\varphi-q)-u(\varphi))_+^{3/2} - (u(\varphi)-u(\varphi+q))_+^{3/2}\bigr].$$
 The right-hand side is small, so the harmonics $G_k$ of its bracket give those of $u = \sum_k b_k\sin k\varphi$ by
-iteration, $b_k = \epsilon^{1/2}G_k/(1-k^2\omega^2)$ (48 and, for the error, 24). At $k = 1$, where $1-\omega^2$ is small,
-too, this fixes $b_1$, as $G_1$ grows like $b_1^{3/2}$, or, at given $b_1 = 2$, $\omega$.
+iteration, $b_k = \epsilon^{1/2}G_k/(1-k^2\omega^2)$ (48 and, for the error, 24). At $k = 1$, where $1-\omega^2$ is
+small, too, this fixes $b_1$, as $G_1$ grows like $b_1^{3/2}$, or, at given $b_1 = 2$, $\omega$.
 
 The article does not say what the two waves share; the verdict *assumes* equal frequency, where their distance is the
 same at all times. At *equal amplitude*, that of $b_1$, they drift apart, by a phase of order $\epsilon^{1/2}$ up to
@@ -373,8 +374,8 @@ void report_waves(Report& report) {
       amplitude.push_back(quotient(distance(false), 2 * e * rate(e)));
     }
     return Row{{"wavelength", wavelength},
-               {"order", limit_of(local_orders(eps, frequency))},
-               {"order_amplitude", limit_of(local_orders(eps, amplitude))}};
+               {"order", limit_by_halving(local_orders(eps, frequency))},
+               {"order_amplitude", limit_by_halving(local_orders(eps, amplitude))}};
   });
 }
 
@@ -400,7 +401,8 @@ void reproduce(Report& report) {
 
 **To change it.** Parameters are the constants after the derivation, another start is an entry of `starts` (figure x02
 draws three, for `alpha = 1.5`), another well a struct like `Asymmetric` in the list `wells`. With `alpha = 1.75` the
-orders should tend to 1.75, in other wells more slowly than `limit_of` assumes: the force $y^2$ still misses it by 0.04.
+orders should tend to 1.75, in other wells more slowly than `limit_by_halving` assumes: the force $y^2$ still misses it
+by 0.04.
 
 1. *Easy.* Does a packet of the chain move as the DpS equation says?
    `build/bin/sec34_impact run --velocity 0.01 --time 1000` gives `speed` = 0.02531. Hint: an impact of velocity $v_0$

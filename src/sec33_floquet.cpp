@@ -354,8 +354,8 @@ void report_slow(Report& report) {
         {(1 + std::log2(fall.value)) / 2, fall.error / fall.value / (2 * std::numbers::ln2)});
   }
   report.table("slow_limit")
-      .add({{"exponent", limit_of(exponents)},
-            {"relative_rate", limit_of(rates)},
+      .add({{"exponent", limit_by_halving(exponents)},
+            {"relative_rate", limit_by_halving(rates)},
             {"here", relative_rate(omega_b - 1)},
             {"dps", margin_of<long double>(Centre::site, 1, sites_of(Centre::site)).exponent}});
 }

@@ -54,7 +54,6 @@ one. */
 #include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
 #include "sec34/acceleration.hpp"
-#include "sec34/ensemble.hpp"
 
 using namespace lattice;
 using namespace report;
@@ -259,6 +258,42 @@ $10^{-4}$, and the upper decile of the centres (figure 22) always farther out th
 constexpr double compared_every = 10, ensemble_step = 0.1;  // of time; a step twice as long too
 constexpr double unpredictable = 0.5;  // of a site: the standard deviation from which on it is
 constexpr unsigned long seed = 20130501;
+
+/// The centres at one time: mean, standard deviation, lower and upper decile.
+struct Spread {
+  double t, mean, deviation, low, high;
+};
+
+/// The spread of smoothed paths with equal times, at every sample whose number is a multiple of `every`.
+std::vector<Spread> spread_of(const std::vector<Path>& smoothed, std::size_t every) {
+  const std::size_t members = smoothed.size(), tenth = members / 10;
+  std::vector<Spread> out;
+  for (std::size_t k = 0; k < smoothed.at(0).size(); k += every) {
+    std::vector<double> x;
+    double mean = 0, square = 0;
+    for (const Path& p : smoothed) {
+      x.push_back(p.samples.at(k).centre);
+      mean += x.back() / double(members);
+    }
+    for (double c : x) square += (c - mean) * (c - mean) / double(members - 1);
+    std::sort(x.begin(), x.end());
+    out.push_back({smoothed[0][k].t, mean, std::sqrt(square), x[tenth], x[members - 1 - tenth]});
+  }
+  return out;
+}
+
+/// The part of it from one time to another.
+std::vector<Spread> between(std::vector<Spread> all, double from, double to) {
+  std::erase_if(all, [&](const Spread& at) { return at.t < from || at.t > to; });
+  return all;
+}
+
+/// The first time at which the deviation exceeds `sites`.
+double time_to_spread(const std::vector<Spread>& all, double sites) {
+  for (const Spread& at : all)
+    if (at.deviation > sites) return at.t;
+  throw Failure("the packets stay together");
+}
 
 /// Smoothed paths of impacts within a fraction `noise` of 1.9, compared.
 std::vector<Spread> spread_within(double noise, std::size_t members, double step, double time) {

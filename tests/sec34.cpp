@@ -1,4 +1,4 @@
-// What is measured of packets after an impact: energy, height, acceleration, spread.
+// What is measured of packets after an impact: energy, height, acceleration.
 
 #include <complex>
 
@@ -8,7 +8,6 @@
 #include "lattice/impact/impact.hpp"
 #include "sec34/acceleration.hpp"
 #include "sec34/dps_comparison.hpp"
-#include "sec34/ensemble.hpp"
 #include "sec34/packet.hpp"
 #include "support/check.hpp"
 
@@ -143,17 +142,4 @@ TEST_CASE("a free bead in a soft well is the slower the farther it moves", "[uni
          [&](const State<double>& now) { seen.add(now.t, now.y[0], now.v[0]); });
   check_close(seen.frequency(), free_frequency(-0.7, 0.9), 0, 1e-4);
   check_close(seen.amplitude(), 0.9, 0, 1e-6);
-}
-
-TEST_CASE("the spread of paths is that of their centres", "[unit][boomeron]") {
-  std::vector<Path> paths(3);
-  for (int i = 0; i < 100; ++i)
-    for (int k = 0; k < 3; ++k) paths[std::size_t(k)].add(i, 5 + 0.01 * i * (k - 1));
-  const std::vector<Spread> all = spread_of(paths, 10);
-  REQUIRE(all.size() == 10);
-  check_close(all[3].mean, 5, 1e-12);
-  check_close(all[3].deviation, 0.3, 1e-12);
-  CHECK(time_to_spread(all, 0.45) == 50);
-  CHECK_THROWS_AS(time_to_spread(all, 10), std::runtime_error);
-  CHECK(between(all, 20, 40).size() == 3);
 }

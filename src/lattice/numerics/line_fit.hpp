@@ -35,7 +35,7 @@ Estimate order_between(double large, const Estimate& a, double small, const Esti
 
 /// The limit of at least three values whose distance from it is halved from each to the next, by the last two; its error is
 /// the change without the last one, and what the errors of the values contribute.
-Estimate limit_of(const std::vector<Estimate>& values);
+Estimate limit_by_halving(const std::vector<Estimate>& values);
 
 /// The parabola through three values at -1, 0 and 1, in units of the distance between samples.
 struct Parabola {
