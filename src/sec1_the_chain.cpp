@@ -317,8 +317,7 @@ error (of the step alone), is some three times what remains. The turn's two chan
 | speed of the packet | [0.1877932 ± 4e-7](cell:results/speed) | [0.18780 ± 5e-5](cell:sec34_impact/velocity_sweep/s=0/velocity=1/speed) |
 | turning point | [20.055 ± 0.008](cell:results/turn) | [20.065 ± 0.006](cell:sec34_boomeron/turns/velocity=1.9/apex_site) |
 | energy of the breather | [1.5360e-4](cell:results/energy) | [1.53599e-4](cell:sec32_barrier/key_pairs/s=0/omega=1.1/energy_site) | */
-// A number from `steps` steps in a time, halved again and again: the last one, with its change as
-// error
+// A number from `steps` steps in a time, halved again and again; the last change is its error
 template <class Of>
 Estimate converged(Table& table, const char* number, double time, int steps, int halved, Of of) {
   double last = 0, now = of(steps);

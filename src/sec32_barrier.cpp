@@ -7,9 +7,7 @@ barrier*, is what a breather has to overcome on its way along the chain. Section
 find $1.62\cdot10^{-11}$ and a sign, positive if the breather around a site has more energy: the barrier vanishes
 7 times in the linear well alone. What a moving breather meets, at equal action, is 70 times smaller at 1.1, negative.
 
-![Energy barrier between both families, for three wells, with the prediction of $E_{PN}$ from $\tilde E_{PN}$. Drawn by
-fig07_pn_barrier.gp: `energy_bond`, moduli of `equal_frequency`, `predicted` and `equal_area`, and `relative` of the
-table `barriers` against `omega`, and the zeros in `sign_changes`.](fig:07)
+![Energy barrier between both families, for three wells, with the prediction of $E_{PN}$ from $\tilde E_{PN}$.](fig:07)
 
 The notion comes from dislocations and was carried over to discrete solitons (Kivshar and Campbell, Phys. Rev. E 48,
 1993): as a function of the position of its centre the energy of a soliton is the *Peierls-Nabarro potential*, and its
@@ -83,13 +81,6 @@ BreatherPair find_pair(double s, double omega) {
   return pair;
 }
 
-/// Both barriers, with 64 bits where double precision does not give one of them to 3 parts in a
-/// thousand.
-void measure(BreatherPair& pair) {
-  measure_in<double>(pair);
-  if (!settled(pair.equal_frequency) || !settled(pair.equal_action)) measure_in<Wide>(pair);
-}
-
 /**
 In the soft and the linear well the two energies differ by 2.1 parts in a million at most, with medians of
 $2\cdot10^{-7}$ and $1.7\cdot10^{-8}$ over `barriers`: three digits of the barrier need nine to eleven of each energy.
@@ -132,11 +123,6 @@ well it is -2.352e-13, against 1.624e-11 at equal frequency. (computed)
 constexpr std::array small_amplitude{1.0005, 1.001, 1.002};  // of the law, linear well only
 constexpr std::array key_frequencies{1.01, 1.1, near_zero - beside, near_zero, near_zero + beside,
                                      1.5};
-
-/// The modulus of a barrier, as the article has it.
-Estimate modulus(const Estimate& barrier) {
-  return {std::abs(barrier.value), barrier.error};
-}
 
 /// Pairs of one well, in extended precision except in a quick run.
 BreatherPairs key_pairs(double s, bool quick) {
@@ -207,18 +193,16 @@ Families report_barriers(Report& report) {
         s, {conditions(Centre::site, omegas[0], s), conditions(Centre::bond, omegas[0], s)}, omegas,
         measure));
     for (const BreatherPair& pair : families.back()) {
-      const auto& [energy_site, energy_bond] = pair.energy;
-      const auto& [amplitude_site, amplitude_bond] = pair.amplitude;
       table.add(
           {{"s", s},
            {"omega", pair.omega},
-           {"energy_bond", energy_bond},
-           {"amplitude_bond", amplitude_bond},
+           {"energy_bond", pair.energy[1]},
+           {"amplitude_bond", pair.amplitude[1]},
            {"equal_frequency", pair.equal_frequency},
            {"equal_area", pair.equal_action},
            {"predicted", Estimate{pair.equal_action.value - pair.omega * pair.slope_action.value,
                                   pair.equal_action.error + pair.omega * pair.slope_action.error}},
-           {"relative", modulus(quotient(pair.equal_frequency, energy_bond))}});
+           {"relative", modulus(quotient(pair.equal_frequency, pair.energy[1]))}});
     }
   }
   return families;
@@ -244,9 +228,8 @@ void report_zeros(Report& report, const Families& families) {
 
   // Where the barrier at equal frequency vanishes
   std::vector<Estimate> zeros(before.size());
-  parallel_for("zeros", zeros.size(), [&](std::size_t i) {
-    zeros[i] = frequency_of_zero(before[i], after[i], Equal::frequency);
-  });
+  parallel_for("zeros", zeros.size(),
+               [&](std::size_t i) { zeros[i] = frequency_of_zero(before[i], after[i]); });
   Table& changes = report.table("sign_changes");
   int number = 0;
   for (std::size_t i = 0; i < zeros.size(); ++i) {
@@ -320,8 +303,7 @@ to the residual nearly as by a detuning, but the last step is three million time
 mode both numbers are more like the article's, and the energy is off by
 [-8.4e-14](cell:sec32_newton_breathers/convergence/equations=without_pinning_mode/energy_excess), 17 times too little
 and with the other sign. The printed last step allows [7.6e-15](cell:accuracy/energy_of_variation). */
-/// How far the energy is off if the printed residual is that of the exact breather of a slightly
-/// different frequency.
+/// How far the energy is off if the printed residual is that of a slightly different frequency.
 double energy_of_residual(double detuning) {
   Shooting<double> problem = conditions(Centre::site, printed_omega, linear);
   const Orbit<double> orbit = find_breather(problem);
@@ -333,8 +315,7 @@ double energy_of_residual(double detuning) {
   return std::abs(other.energy - orbit.energy) * printed_residual / residual;
 }
 
-/// At most how far, if every bead is off by the printed variation; at rest the slope of the energy
-/// is -acceleration.
+/// At most how far, if every bead is off by the printed variation; the slope is -acceleration.
 double energy_of_variation(Resolution resolution) {
   const Shooting<double> problem = conditions(Centre::site, printed_omega, linear);
   const Orbit<double> orbit = find_breather(problem, Phase::compressed, rule<double>(resolution));
@@ -396,9 +377,7 @@ quick run 16 s. The factor $-\delta/5$ and the printed numbers then no longer ap
 2. *Harder.* Contacts whose force grows with the square of the overlap:
    `build/bin/sec32_barrier barrier --omega 1.001 --contact power --alpha 2` gives `equal_area` = -1.994595e-13. Divide
    it by `equal_frequency`: what becomes of the factor $-\delta/5$? Hint: with the exponent $\alpha$ the scaling is
-   $H = a\,\delta^p$, $p = 2/(\alpha-1)$.
-
-The command `barrier` prints both barriers with your own parameters (commands/one_barrier.hpp). */
+   $H = a\,\delta^p$, $p = 2/(\alpha-1)$. */
 int main(int argc, char** argv) {
   return run({"sec32_barrier", "3.2", "The barrier between two breathers (section 3.2)", reproduce,
               commands<OneBarrier>()},

@@ -8,9 +8,7 @@ on a chain with 12 strains in each half. Far from the centre each $|u_n|$ (at $\
 inner neighbour's. The quasi-continuum approximation is good where the breather is large, but half too large at
 the third or fourth site. The surprise is that the norms of the two differ by only about one part in a million.
 
-![Both breathers, their quasi-continuum approximation and tails, and the error of a short chain. Drawn by
-x03_dps_profiles.py: `u` and `quasi_continuum` of `profile_site` and `profile_bond` against `n`, and `site` and `bond`
-of `lengths` against `strains`.](fig:x03)
+![Both breathers, their quasi-continuum approximation and tails, and the error of a short chain.](fig:x03)
 
 <!-- head -->
 `build/bin/sec32_dps_profiles` computes this chapter in less than 1 s on two cores and writes 7 tables to
@@ -128,8 +126,9 @@ double difference(const Breather& b) {
   return most / amplitude;
 }
 
-void report_profile(Table& profile, Table& by_site, const TwoRuns<Breather>& runs,
-                    const char* name) {
+void report_profile(Report& report, Table& by_site, const TwoRuns<Breather>& runs) {
+  const std::string name = name_of(runs.fine.centre);
+  Table& profile = report.table("profile_" + name);
   const std::size_t sites = runs.coarse.u.size();
   for (std::size_t i = 0; i < sites; ++i) {
     const long n = site_number(i, sites);
@@ -223,13 +222,6 @@ double amplitude_exponent(const Breather& one) {
   return farthest;
 }
 
-void report_breathers(Table& table, const TwoRuns<Breather>& runs, const char* name) {
-  table.add({{"centre", name},
-             {"difference", runs.of(difference)},
-             {"norm", runs.of([](const Breather& b) { return double(b.norm()); })},
-             {"amplitude_exponent", runs.of(amplitude_exponent)}});
-}
-
 double gap(const Breather& site, const Breather& bond) {
   return double((bond.norm() - site.norm()) / site.norm());
 }
@@ -238,10 +230,13 @@ void reproduce(Report& report) {
   Table &breathers = report.table("breathers"), &by_site = report.table("by_site");
   const TwoRuns<Breather> site{breather(Centre::site), breather(Centre::site, strains + 1)},
       bond{breather(Centre::bond), breather(Centre::bond, strains + 1)};
-  report_profile(report.table("profile_site"), by_site, site, "site");
-  report_profile(report.table("profile_bond"), by_site, bond, "bond");
-  report_breathers(breathers, site, "site");
-  report_breathers(breathers, bond, "bond");
+  for (const TwoRuns<Breather>& runs : {site, bond}) {
+    report_profile(report, by_site, runs);
+    breathers.add({{"centre", name_of(runs.fine.centre)},
+                   {"difference", runs.of(difference)},
+                   {"norm", runs.of([](const Breather& b) { return double(b.norm()); })},
+                   {"amplitude_exponent", runs.of(amplitude_exponent)}});
+  }
   report_lengths(report);
   report.table("support").add(Row{
       {"half_width", position(1, 1)}, {"residual", departure(1)}, {"control", departure(0.99)}});

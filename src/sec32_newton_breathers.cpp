@@ -46,6 +46,7 @@ $$\dot y_n(T_b/2) = 0 \quad\text{(bond)},\qquad
 #include "lattice/algebra/dense.hpp"
 #include "lattice/diagnostics/observe.hpp"
 #include "lattice/events/event_driven.hpp"
+#include "lattice/gsl/random.hpp"
 #include "lattice/model/dps.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/orbits/shooting.hpp"
@@ -53,7 +54,6 @@ $$\dot y_n(T_b/2) = 0 \quad\text{(bond)},\qquad
 #include "report/program.hpp"
 #include "sec3/breather_pairs.hpp"
 #include "sec3/resolutions.hpp"
-#include "sec3/static_breathers.hpp"
 
 using namespace lattice;
 using namespace report;
@@ -101,8 +101,7 @@ struct Iterate {
 };
 using Path = std::vector<Iterate>;
 
-/// x <- x - DR(x)^-1 R(x) from the ansatz, without the directions whose singular value is below
-/// `least`.
+/// x <- x - DR(x)^-1 R(x) from the ansatz, without directions of a singular value below `least`.
 Path iterate(const Shooting<double>& problem, Resolution resolution, double least) {
   Vector<double> x =
       problem.reduce(ansatz(Centre::site, problem.omega, sites, Phase::compressed, contact));
@@ -111,8 +110,7 @@ Path iterate(const Shooting<double>& problem, Resolution resolution, double leas
     const Evaluation<double> now = problem.evaluate(x, rule<double>(resolution).events);
     const Vector<double>& R = now.residual;
     const Matrix<double>& DR = now.jacobian;
-    // The unit of a bead is its own displacement, since the tail falls so fast; in least squares it
-    // is the largest
+    // The unit of a bead is its own displacement, as the tail falls fast, or the largest
     const auto unit = problem.sizes(x, DR.rows() == DR.cols());
     const Vector<double> step = solve_scaled<double>(DR, R, unit, least);
     path.push_back({x, sup(R) / sup(x), sup(step) / sup(x), condition_of(DR)});
@@ -152,6 +150,16 @@ excludes this mode. The article's numbers are more like those without it; it doe
 | symmetric equations | [2e-14 ± 2e-14](cell:convergence/equations=quarter_period/residual) | [0 ± 4e-13](cell:step) |
 | its equations | [3.61e-10](cell:convergence/equations=whole_period/steps=5/residual) | [5.639e-5](cell:step) |
 | without the pinning mode | [2.01e-9](cell:convergence/equations=without_pinning_mode/residual) | [2e-14 ± 9e-14](cell:step) | */
+/// The article's residual of positions x at t = 0: the change of positions and velocities after a whole period, over the
+/// largest of them, computed in extended precision.
+double return_after_period(const Shooting<double>& problem, const Vector<double>& x) {
+  const auto same = in_precision<Wide>(problem);
+  const State<Wide> start = same.expand(x.cast<Wide>());
+  State<Wide> end = start;
+  flow(same.chain, end, same.period());
+  return double(largest_difference(end, start) / largest(start));
+}
+
 /// A point of a path in numbers, compared with the breather.
 Row row_of(const char* equations, std::size_t k, const TwoRuns<Path>& paths,
            const Shooting<double>& problem, const Orbit<double>& breather) {
@@ -174,8 +182,7 @@ Row row_of(const char* equations, std::size_t k, const TwoRuns<Path>& paths,
 }
 
 void report_convergence(Report& report) {
-  // The same iteration on a quarter of the period and on the whole, with and without the pinning
-  // mode
+  // The same iteration on a quarter of the period, and on the whole with and without the mode
   const auto both = [](const Shooting<double>& equations, double least) {
     return TwoRuns<Path>{iterate(equations, Resolution::coarse, least),
                          iterate(equations, Resolution::fine, least)};
@@ -211,15 +218,37 @@ breather at random by up to 0.1 per cent, and Newton's method knows only that th
 return to $10^{-9}$ of the amplitude (`newton.symmetry`), about the tolerance, $1.4\cdot10^{-17}$, times the largest
 condition number of $DR$, [6.89e7](cell:symmetry/centre=site/omega=1.5/condition). Since $DR$ is regular, no continuous
 family of asymmetric breathers of one frequency passes here; others are possible. */
-std::string name_of(Centre centre) {
-  return centre == Centre::site ? "site" : "bond";
+/// A breather that was found without its symmetry: how far from it, over the amplitude, and the condition number of DR.
+struct FreeBreather {
+  double broken;
+  Estimate condition;  // its error: the difference from that at the symmetric breather
+};
+
+/// Newton's method in extended precision knows only that the breather of `problem` is even in time, and starts with all
+/// positions changed by a random part of themselves, at most `perturbation`.
+FreeBreather without_symmetry(const Shooting<double>& problem) {
+  const std::size_t sites = problem.chain.sites;
+  Shooting<double> even = problem;
+  even.symmetry = even_in_time(sites);
+  State<double> start = find_breather(problem).start;
+  const auto symmetric = even.evaluate(even.reduce(start), {});
+  start.y = perturbed(start.y, perturbation, seed);
+  const auto free = in_precision<Wide>(even);
+  const Orbit<Wide> orbit = newton(free, newton(even, even.reduce(start)));
+  State<Wide> image = orbit.start;
+  if (sites % 2 == 1) flow(free.chain, image, free.period() / 2);  // around a site
+  Wide most = 0;
+  for (std::size_t n = 0; n < sites; ++n)
+    most = std::max(most, std::abs(orbit.start.y[n] + image.y[sites - 1 - n]));
+  return {double(most / orbit.amplitude), with_error(condition_of(symmetric.jacobian).condition,
+                                                     condition_of(orbit.jacobian).condition)};
 }
 
 void report_symmetry(Report& report) {
   Table& table = report.table("symmetry");
   for (Centre centre : both_centres)
     for (double omega : searched) {
-      const auto found = without_symmetry(conditions(centre, omega), perturbation, seed);
+      const auto found = without_symmetry(conditions(centre, omega));
       table.add({{"centre", name_of(centre)},
                  {"omega", omega},
                  {"broken", with_error(0.0, found.broken)},
@@ -317,6 +346,29 @@ If every site must converge relative to its own size (`scaled_rule`), Newton's m
 double precision, to [6.42e-208](cell:tail/n=14/size), and to $n = 21$ in extended precision; where both exist their
 difference is the error. So 31 beads suffice at 1.1. Outwards the ratio of neighbouring displacements falls from each
 pair to the next, on both sides and to the end of double precision (`newton.decay`). */
+/// |y_n(0)| of a breather, each site as accurate as the largest, and zero beyond the end of the chain.
+template <class T>
+struct Tail {
+  std::vector<T> y;
+
+  explicit Tail(const Shooting<double>& problem)
+      : y(newton(in_precision<T>(problem), find_breather(problem), scaled_rule<T>()).start.y) {}
+  T operator()(long n) const {
+    const std::size_t i = site_index(n, y.size());
+    return i < y.size() ? std::abs(y[i]) : T(0);
+  }
+  /// ln(-ln |y_n|), which grows by ln(3/2) a site; nan where there is no number.
+  double double_log(long n) const {
+    const T y = (*this)(n);
+    return y > 0 ? double(std::log(-std::log(y))) : undefined.value;
+  }
+  /// ln |y_(n+1)| / ln |y_n|, outwards; nan where there is no number.
+  double exponent(long n) const {
+    const T y = (*this)(n), outer = (*this)(n < 0 ? n - 1 : n + 1);
+    return outer > 0 ? double(std::log(outer) / std::log(y)) : undefined.value;
+  }
+};
+
 void report_tail(Report& report) {
   const Tail<double> size(conditions(Centre::site, omega_b, s, tail_sites));
   const Tail<Wide> wide(conditions(Centre::site, omega_b, s, wide_sites));
@@ -354,6 +406,14 @@ tends to that of the two norms, which is [-1.331e-6](cell:sec32_dps_profiles/nor
 | 1.001 | [0.0906](cell:branches/omega=1.001/amplitude_gap) | [1.186e-6](cell:energy_gap) | [0.000515](cell:asymmetry) |
 | 1.725 | [0.130](cell:branches/omega=1.725/amplitude_gap) | [1.28e-8](cell:energy_gap) | [0.365](cell:asymmetry) |
 | 2 | [0.0714](cell:branches/omega=2/amplitude_gap) | [-6.08e-8](cell:energy_gap) | [0.464](cell:asymmetry) | */
+/// The largest |y_n(0) - y_-n(0)|, relative to the largest |y_n(0)|.
+double asymmetry(const Orbit<double>& orbit) {
+  double most = 0;
+  for (std::size_t n = 0, last = orbit.start.y.size() - 1; n < last - n; ++n)
+    most = std::max(most, std::abs(orbit.start.y[n] - orbit.start.y[last - n]));
+  return most / orbit.amplitude;
+}
+
 void report_branches(Report& report) {
   // Both families, frequency by frequency, at two tolerances
   std::vector<double> omegas = pair_frequencies(s, report.quick ? intervals / 8 : intervals);
@@ -393,6 +453,23 @@ shrink to a third. So the statement holds up to 1.01 if *nearly* means 1 per cen
 For $s \in [-1, 1]$ the article finds that both families bifurcate from rest. There the force $s\,y^3$ is negligible:
 between 1.0005 and 1.001, where the amplitude is below $10^{-6}$, it grows like $(\omega_b-1)^2$, as in Eq. (20), with
 one exponent to 9 digits at $s = -1$, 0, 1: [2.001 ± 0.004](cell:other_wells/s=1/centre=site/exponent) for a site. */
+/// The exponent of the amplitude in omega_b - 1 between two breathers: two near a bifurcation from rest, by Eq. (20),
+/// zero where a family begins at a finite amplitude.
+double growth_exponent(const Orbit<double>& lower, const Orbit<double>& upper) {
+  return std::log(upper.amplitude / lower.amplitude) /
+         std::log((upper.omega - 1) / (lower.omega - 1));
+}
+
+/// Participation number of the displacements at t = 0, (sum y^2)^2 / sum y^4, in sites, at two tolerances.
+Estimate width_of(const Shooting<double>& problem) {
+  const auto width = [&](Resolution resolution) {
+    auto squares = find_breather(problem, Phase::compressed, rule<double>(resolution)).start.y;
+    for (double& y_n : squares) y_n *= y_n;
+    return participation(squares);
+  };
+  return with_error(width(Resolution::coarse), width(Resolution::fine));
+}
+
 void report_small_amplitude(Report& report) {
   Table &widths = report.table("widths"), &others = report.table("other_wells");
   for (Centre centre : both_centres) {
@@ -446,9 +523,7 @@ replaces `Quartic{anharmonicity}` in `conditions` (with `Pendulum{}` the last of
    1.001 it is a quarter of that; Eq. (20) says why.
 2. *Harder.* What is the law of exercise 1 for contacts of another exponent?
    `build/bin/sec32_newton_breathers breather --contact power --alpha 2 --omega 1.1` gives `amplitude` = 0.0998154.
-   Hint: the shift of the frequency goes like the contact force over the displacement, amplitude$^{\alpha-1}$.
-
-The command `breather` computes a breather with your own parameters (commands/one_breather.hpp). */
+   Hint: the shift of the frequency goes like the contact force over the displacement, amplitude$^{\alpha-1}$. */
 void reproduce(Report& report) {
   report.output.note("tolerance", "flow to 128 and 2048 roundings of the type");
   report_convergence(report);

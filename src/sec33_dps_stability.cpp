@@ -109,18 +109,15 @@ closer to zero than the next one. Only this pair differs in kind. It is real aro
 as the insets show. The error of each exponent is its change from double to extended precision (a mantissa of 64 bits).
 
 ![The bond-centred breather and its spectrum: all exponents are imaginary.](fig:08) */
-constexpr std::pair<Centre, const char*> centres[] = {{Centre::site, "site"},
-                                                      {Centre::bond, "bond"}};
-
 template <class T>
 auto exponents_of(Centre centre, double mu) {
   return exponents(contact_spectrum(stationary<T>(centre, T(mu), sites_of(centre, alpha), alpha)));
 }
 
 void report_spectra(Report& report) {
-  for (const auto& [centre, name] : centres)
+  for (Centre centre : both_centres)
     for (const int mu : {1, 10}) {
-      const std::string which = std::string("_") + name + "_mu" + std::to_string(mu);
+      const std::string which = "_" + name_of(centre) + "_mu" + std::to_string(mu);
       const auto breather = stationary<double>(centre, mu, sites_of(centre, alpha), alpha);
       Table& profile = report.table("profile" + which);
       for (std::size_t i = 0; i < breather.u.size(); ++i)
@@ -162,12 +159,12 @@ double distance(const Quadruple& a, const Quadruple& b) {
 
 void report_convergence(Report& report) {
   Table& table = report.table("convergence");
-  for (const auto& [centre, name] : centres) {
+  for (Centre centre : both_centres) {
     const Quadruple reference = margin<Quadruple>(centre, sites_of(centre, alpha));
     // From the support of the compact approximation on: 9 or 8 sites for spheres
     const std::size_t shortest = 2 * short_chain(alpha) + (centre == Centre::site ? 1 : 0);
     for (std::size_t sites = shortest; sites <= shortest + 8; sites += 2)
-      table.add({{"centre", name},
+      table.add({{"centre", name_of(centre)},
                  {"sites", sites},
                  {"in_double", distance(margin<double>(centre, sites), reference)},
                  {"in_quadruple", distance(margin<Quadruple>(centre, sites), reference)}});
@@ -199,11 +196,13 @@ $\mu^2v_n(\mu t)$. */
 void report_margins(Report& report) {
   const std::vector<double> mus{1e-3, 0.1, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 1e3};
   Table& table = report.table("margins");
-  for (const auto& [centre, name] : centres)
+  for (Centre centre : both_centres)
     for (const double mu : mus) {
       const Margin found = margin_of<Quadruple>(centre, mu, sites_of(centre, alpha), alpha);
-      table.add(
-          {{"centre", name}, {"mu", mu}, {"margin", found.margin}, {"exponent", found.exponent}});
+      table.add({{"centre", name_of(centre)},
+                 {"mu", mu},
+                 {"margin", found.margin},
+                 {"exponent", found.exponent}});
     }
 }
 
@@ -230,10 +229,7 @@ Estimate depinning_push(const PinnedBreather& bond, int halvings) {
   double low = 0.8 * bond.pendulum_push(), high = 1.2 * bond.pendulum_push();
   for (int k = 0; k < halvings; ++k) {
     const double middle = (low + high) / 2;
-    if (depins(middle, loose))
-      high = middle;
-    else
-      low = middle;
+    (depins(middle, loose) ? high : low) = middle;
   }
   if (depins(low, tight) || !depins(high, tight))
     throw Failure("the threshold of the push is not in its last bracket");
@@ -329,11 +325,11 @@ void add_departures(Table& table, const NoiseGroup& group) {
 }
 
 void add_outcomes(Table& outcomes, Table& pushes, const NoiseGroup& group, const Estimate& least) {
-  const double off = off_pendulum(group.runs.fine, least.value);
-  outcomes.add({{"noise", group.noise.name},
-                {"predicted", group.predicted_by(least)},
-                {"off_pendulum",
-                 with_error(off_pendulum(group.runs.coarse, least.value + least.error), off)}});
+  outcomes.add(
+      {{"noise", group.noise.name},
+       {"predicted", group.predicted_by(least)},
+       {"off_pendulum", with_error(off_pendulum(group.runs.coarse, least.value + least.error),
+                                   off_pendulum(group.runs.fine, least.value))}});
   for (std::size_t i = 0; i < group.runs.fine.size(); ++i) {
     const DpsRun& run = group.runs.fine[i];
     pushes.add({{"noise", group.noise.name},
@@ -358,9 +354,8 @@ void reproduce(Report& report) {
       .add({{"push", least}, {"over_pendulum", quotient(least, exact(bond.pendulum_push()))}});
 
   // Under noise
-  Table& departures = report.table("departures");
-  Table& outcomes = report.table("outcomes");
-  Table& pushes = report.table("pushes");
+  Table &departures = report.table("departures"), &outcomes = report.table("outcomes"),
+        &pushes = report.table("pushes");
   for (NoiseGroup& group : all_groups(site, bond)) {
     run_seeds(group, report.quick);
     add_departures(departures, group);

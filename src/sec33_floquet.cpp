@@ -56,6 +56,7 @@ and Cretegny 1998). Its $\kappa$ is now a simple eigenvalue: an error $\eta$ of 
 #include "commands/exchanges.hpp"
 #include "commands/multipliers.hpp"
 #include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/numerics/line_fit.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/standing/spectrum.hpp"
 #include "report/program.hpp"
@@ -343,15 +344,6 @@ Estimate relative_rate(double delta) {
   return {2 * std::asinh(root) * per, kappa.error / root * per};
 }
 
-/// To delta = 0 from the last two of these values; the error from the second and third last.
-Estimate extrapolated_to_zero(const std::vector<Estimate>& x) {
-  const std::size_t n = x.size();
-  const auto line = [](const Estimate& far, const Estimate& near) {
-    return Estimate{2 * near.value - far.value, 2 * near.error + far.error};
-  };
-  return with_error(line(x[n - 3], x[n - 2]), line(x[n - 2], x[n - 1]));
-}
-
 void report_slow(Report& report) {
   // The rate is delta times these, and eps goes like delta^2
   std::vector<Estimate> rates, exponents;
@@ -362,8 +354,8 @@ void report_slow(Report& report) {
         {(1 + std::log2(fall.value)) / 2, fall.error / fall.value / (2 * std::numbers::ln2)});
   }
   report.table("slow_limit")
-      .add({{"exponent", extrapolated_to_zero(exponents)},
-            {"relative_rate", extrapolated_to_zero(rates)},
+      .add({{"exponent", limit_by_halving(exponents)},
+            {"relative_rate", limit_by_halving(rates)},
             {"here", relative_rate(omega_b - 1)},
             {"dps", margin_of<long double>(Centre::site, 1, sites_of(Centre::site)).exponent}});
 }

@@ -13,8 +13,7 @@ frequency $\omega_b = 1.1$ with size $c$ and says that
 - the bond-centred one is depinned above $c_c = 6.19\cdot10^{-6}$, and $c_c^2/2 = 1.92\cdot10^{-11}$ is quite close to
   the barrier of section 3.2 at equal frequency, $E_{PN} = 1.77\cdot10^{-11}$.
 
-![Energy density after a kick of the bond-centred and of the site-centred breather. Drawn by fig14_moving.py: `e` over
-`n` and `t`, from `map_bond` and `map_site`.](fig:14)
+![Energy density after a kick of the bond-centred and of the site-centred breather.](fig:14)
 
 We find the same speeds to 0.02 per cent, but no second pinning, and a lower threshold, $4.45\cdot10^{-6}$. It obeys
 $|\varphi|\,c_c^2/2 = |\tilde E_{PN}|$: only the small fraction $|\varphi|$ of the kick's energy moves the breather, and
@@ -107,8 +106,7 @@ void check_energy(const RestingBreather& at, double c, const KickedPath& path) {
   if (path.drift_margin(c, at.energy) < 100) throw Failure("the energy drifts");
 }
 
-/// A breather, as tables name it, and how it is followed after its kick; `observer` sees the finer
-/// run.
+/// A breather, its name, and how it is followed after its kick; `observer` sees the finer run.
 struct Trial {
   const char* name;
   RestingBreather breather;
@@ -145,10 +143,7 @@ KickLook drawn_in(Table& map) {
 }
 
 Estimate speed_between(const TwoRuns<KickedPath>& runs, double since, double until) {
-  return runs.of([&](const KickedPath& path) {
-    const Estimate v = path.speed_during(since, until);
-    return Estimate{std::abs(v.value), v.error};
-  });
+  return runs.of([&](const KickedPath& path) { return modulus(path.speed_during(since, until)); });
 }
 
 /// The largest change of the speed from site to site, as a fraction of it.
@@ -212,7 +207,7 @@ maximum, passed slowly. If it is pinned at the second site, it must slow down on
 article prints neither the sign nor the phase of its kick, so we try both phases around a bond, and around a site also
 the reversed kick and one along the pinning mode.
 
-![Energy centre after a weak kick. Drawn by fig15_energy_centre.gp: the columns `X_` of `paths` against `t`.](fig:15) */
+![Energy centre after a weak kick.](fig:15) */
 TwoRuns<KickedPath> report_weak(Report& report, const Plan& plan, const Breathers& at) {
   const std::vector<Trial> trials{
       {"site", at.site, plan.weak, plan.watch[0]},
@@ -236,13 +231,12 @@ TwoRuns<KickedPath> report_weak(Report& report, const Plan& plan, const Breather
                   {"X_bond_stretched", centre(stretched, i)},
                   {"X_bond_compressed", centre(compressed, i)}});
   // How far they come
-  const auto farthest = [](const KickedPath& p) { return p.farthest(); };
   const auto came_back = [](const KickedPath& p) { return p.farthest() - std::abs(p.travelled()); };
   Table& table = report.table("weak_kicks");
   for (std::size_t k = 0; k < paths.size(); ++k)
     table.add(Row{{"breather", trials[k].name},
                   {"until", exact(trials[k].time)},
-                  {"farthest", paths[k].of(farthest)},
+                  {"farthest", paths[k].of(&KickedPath::farthest)},
                   {"came_back", paths[k].of(came_back)}});
   if (report.quick) return site;
   // When the breather passes the sites
@@ -400,8 +394,7 @@ energy. With a step of 0.4 the energy drifts by thousands of times as much, yet 
 converges faster than the energy, and the three kicks limit it: their lines disagree by 9 parts in $10^5$, nearly the
 whole of its error. So `check_energy` sees only finer runs, and none that gives $c_c$ or is `unchecked` in `Plan`.
 
-![Change of the threshold and drift of the energy against the step. Drawn by x48_threshold.gp from
-`threshold_steps`.](fig:x48) */
+![Change of the threshold and drift of the energy against the step.](fig:x48) */
 void report_steps(Report& report, const Plan& plan, const Threshold& best) {
   const Estimate& c_c = best.runs.fine.threshold;
   const double coarse = plan.threshold.coarse.step;
@@ -431,8 +424,7 @@ potential, whose squares differ by $(\Omega/\pi)^2$ (`pendulum_speed`). In the c
 from the first and from the second average of $X$. From just above the threshold, where the breather lingers near the
 maximum, to kicks 40 times as strong, chain and pendulum agree to $10^{-4}$, as the lower panel shows.
 
-![Mean speed against kick. Drawn by x15_speed_against_kick.py: `speed` and `pendulum` of `speeds` against `c`, and
-`threshold` of `thresholds`.](fig:x15) */
+![Mean speed against kick.](fig:x15) */
 Estimate speed_over_a_site(const RestingBreather& at, double c, const Method& method) {
   const double until_moved = 1.1, longest = 1e6;
   const KickedPath path = at.after(c, method, longest, [&](const KickedPath& so_far, auto&...) {

@@ -20,9 +20,7 @@ earlier it does not always grow; that at $s=0.005$ any impact will do, as of our
 the acceleration is not almost constant, not even a function of the position, and at 1.9 an uncertainty of $10^{-4}$ of
 $v_0$ makes the position uncertain soon after the first reflection.
 
-![Energy density after impacts with 1.5 and 1.9, a zoom, and the spread of an ensemble. Drawn by
-fig22_turning_maps.py: `e` over `t` and `n` from the table `density_maps`, `mean`, `low` and `high` from `ensemble`, the
-dashed line from `predictable`.](fig:22)
+![Energy density after impacts with 1.5 and 1.9, a zoom, and the spread of an ensemble.](fig:22)
 
 <!-- head -->
 `build/bin/sec34_boomeron` computes this chapter in 5 s on two cores and writes 9 tables to `build/data/sec34_boomeron`.
@@ -56,7 +54,6 @@ one. */
 #include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
 #include "sec34/acceleration.hpp"
-#include "sec34/ensemble.hpp"
 
 using namespace lattice;
 using namespace report;
@@ -174,8 +171,7 @@ often within a tenth of a site of each other, and the farthest counts. Its *time
 over. So times and later motion belong to exactly 1.9. That the packet turns is robust; all but that of 1.86 are
 reflected within our runs.
 
-![Turning point and its time for impacts that round to 1.9. Drawn by x65_turning_scan.gp: `apex_site` and `apex_time`
-against `velocity`, from the table `turns`.](fig:x65)
+![Turning point and its time for impacts that round to 1.9.](fig:x65)
 
 The packet of 1.5, the article's example of slow deceleration, turns in the end too, far outside the figure: at site
 [183](cell:turns/s=1/velocity=1.5/apex_site) and $t =$ [4.36e3 ± 2e1](cell:turns/s=1/velocity=1.5/apex_time). */
@@ -221,8 +217,7 @@ point is known to $2\cdot10^{-7}$ sites and the reflection to $10^{-4}$ units of
 Scientific Library agrees (`make test T=sec34`). So the errors of this turn are those of the smoothing; the ensemble
 below has errors of the step only.
 
-![Error of turning point and reflection against the step, by two schemes. Drawn by x73_turn_convergence.gp from
-`convergence`.](fig:x73) */
+![Error of turning point and reflection against the step, by two schemes.](fig:x73) */
 void report_convergence(Report& report) {
   const auto turn_by = [](const EventCorrected& method) {
     return turn_of(run_of({v0_reversed, 1, 1000}, method).path);
@@ -259,11 +254,46 @@ Long after the first reflection the motion is erratic, as the article says. For 
 [8.9 ± 0.6](cell:predictable/noise=1e-6/late) sites with $10^{-6}$ and [9 ± 3](cell:predictable/noise=1e-4/late) with
 $10^{-4}$, and the upper decile of the centres (figure 22) always farther out than the first turning point.
 
-![Spread of the centres against time for two widths of the interval of impacts. Drawn by x51_spread.gp: `deviation`
-against `t` from the table `ensemble`.](fig:x51) */
+![Spread of the centres against time for two widths of the interval of impacts.](fig:x51) */
 constexpr double compared_every = 10, ensemble_step = 0.1;  // of time; a step twice as long too
 constexpr double unpredictable = 0.5;  // of a site: the standard deviation from which on it is
 constexpr unsigned long seed = 20130501;
+
+/// The centres at one time: mean, standard deviation, lower and upper decile.
+struct Spread {
+  double t, mean, deviation, low, high;
+};
+
+/// The spread of smoothed paths with equal times, at every sample whose number is a multiple of `every`.
+std::vector<Spread> spread_of(const std::vector<Path>& smoothed, std::size_t every) {
+  const std::size_t members = smoothed.size(), tenth = members / 10;
+  std::vector<Spread> out;
+  for (std::size_t k = 0; k < smoothed.at(0).size(); k += every) {
+    std::vector<double> x;
+    double mean = 0, square = 0;
+    for (const Path& p : smoothed) {
+      x.push_back(p.samples.at(k).centre);
+      mean += x.back() / double(members);
+    }
+    for (double c : x) square += (c - mean) * (c - mean) / double(members - 1);
+    std::sort(x.begin(), x.end());
+    out.push_back({smoothed[0][k].t, mean, std::sqrt(square), x[tenth], x[members - 1 - tenth]});
+  }
+  return out;
+}
+
+/// The part of it from one time to another.
+std::vector<Spread> between(std::vector<Spread> all, double from, double to) {
+  std::erase_if(all, [&](const Spread& at) { return at.t < from || at.t > to; });
+  return all;
+}
+
+/// The first time at which the deviation exceeds `sites`.
+double time_to_spread(const std::vector<Spread>& all, double sites) {
+  for (const Spread& at : all)
+    if (at.deviation > sites) return at.t;
+  throw Failure("the packets stay together");
+}
 
 /// Smoothed paths of impacts within a fraction `noise` of 1.9, compared.
 std::vector<Spread> spread_within(double noise, std::size_t members, double step, double time) {
@@ -340,8 +370,7 @@ Is the force almost constant? The mass of a packet is unknown, even in sign; so 
 A parabola, fitted to the smoothed path over 120 units of time around $t$ (a choice that the errors do not contain),
 gives the mean acceleration $\ddot X$ (sec34/acceleration.hpp).
 
-![Acceleration of the packet against its position on the way out and back, for three impacts. Drawn by
-x58_acceleration.gp: `acceleration` against `centre` from the table `acceleration`.](fig:x58)
+![Acceleration of the packet against its position on the way out and back, for three impacts.](fig:x58)
 
 The acceleration depends on more than the position. At $v_0 = 1.9$ the deceleration weakens from the struck end to the
 turning point, where for a while the acceleration is even directed outwards. It is weaker on the way back, and so is the
@@ -402,8 +431,7 @@ quarter of the speed with which it left the end ([0.13](cell:close_to_turning/t=
 from 1.865 to 1.875, which round to the printed one, none stops before
 [3.2e2](cell:turns/s=1/velocity=1.875/stop_time).
 
-![Velocities close to the turning. Drawn by fig23_turning_profiles.gp: `v` against `n` for two `t`, from the table
-`turning_profiles`.](fig:23)
+![Velocities close to the turning.](fig:23)
 
 Why does a packet turn? The article guesses that it is the waves which are confined between the packet and the end. They
 are there: behind the packet beads move with up to [0.27](cell:turning_profiles/t=238/n=15/v), a third of the packet's

@@ -22,8 +22,7 @@ sites are counted by energy. For the second there are limits:
 - *Blow-up.* From a threshold up to the end of the scan every impact ejects a bead, but below it impacts after which a
   bead escapes alternate with others.
 
-![Energy density and speed of the packet against impact velocity. Drawn by fig19_impact_velocity.gp: `peak` and `speed`
-against `velocity`, from the table `velocity_sweep`.](fig:19)
+![Energy density and speed of the packet against impact velocity.](fig:19)
 
 <!-- head -->
 `build/bin/sec34_impact` computes this chapter in 7 s on two cores and writes 12 tables to `build/data/sec34_impact`.
@@ -118,8 +117,7 @@ $\chi$ it is [0.612](cell:velocity_sweep/s=-1/6/velocity=0.02/per_chi) and
 the deficit grows like $\chi^{1.05}$, its power still approaching one. After strong impacts the ratio is up to 2.7 times
 as large, and at equal $\chi$ up to 19 per cent smaller in the softer well, apart from the erratic ends of the curves.
 
-![Energy that a soft well takes from the packet, against the scaled anharmonicity. Drawn by x57_energy_deficit.gp:
-`deficit` against `chi`, from the table `velocity_sweep`.](fig:x57)
+![Energy that a soft well takes from the packet, against the scaled anharmonicity.](fig:x57)
 
 A soft well lowers peak and energy at *every* velocity of the sweep. The speeds are equal within their errors up to $v_0
 = 0.1$ at $s = -0.7$ and up to 0.2 at $s = -\frac16$; from there on every packet is slower than in linear wells. */
@@ -191,8 +189,7 @@ between four and five: less than the method's six, presumably as contact events 
 At the longest step of the tables, 0.2, they are below $10^{-6}$. The errors in the tables are larger: they include
 that of the fitted line, limited by the ripple of $X(t)$, and the distance of the samples.
 
-![Error of speed, energy and peak against the step. Drawn by x50_error_against_step.gp from the table
-`convergence`.](fig:x50)
+![Error of speed, energy and peak against the step.](fig:x50)
 
 A test repeats the impact by a method of order eight from the GNU Scientific Library, which shares only the forces with
 ours, and asks that speed, energy and peak agree to $10^{-6}$ (`make test T=sec34`). */
@@ -227,8 +224,7 @@ Where is the energy that the packet lacks? Figure 20 compares the contact forces
 linear and a very soft well after the same impact, $v_0 = 0.94$, just below the first escape. In linear wells the packet
 leaves waves behind. In the very soft ones the first contacts close again and again.
 
-![Contact forces for a linear and a very soft well. Drawn by fig20_surface_mode.py: `force` over `n` and `t`, from the
-table `surface_mode_forces`.](fig:20) */
+![Contact forces for a linear and a very soft well.](fig:20) */
 Impact impact_of_figure_20(double s) {
   return {.velocity = figure_20, .chain = {80, Quartic{s}}, .time = until_figure_20};
 }
@@ -308,8 +304,7 @@ struct WatchedBeads : ImpactRun {
   }
 };
 
-// Displacements when bead 1 was at rest between two samples, by the trapezoidal rule back from the
-// second one
+// Displacements when bead 1 was at rest between two samples, by the trapezoidal rule
 std::vector<double> at_rest(const State<double>& before, const State<double>& now) {
   const double back = now.v[0] / (now.v[0] - before.v[0]);  // fraction of the interval
   std::vector<double> y = now.y;
@@ -387,7 +382,7 @@ void report_mode(Report& report) {
     return boundary_share(w.density) * total(w.density);
   };
   report.table("surface_orbit")
-      .add({{"energy", modes.of([](const SurfaceMode& m) { return m.energy; })},
+      .add({{"energy", modes.of(&SurfaceMode::energy)},
             {"trapped", runs.of(trapped)},
             {"unstable", modes.fine.unstable},
             {"multiplier", modes.of([](const SurfaceMode& m) { return m.multiplier.real(); })}});
@@ -400,8 +395,7 @@ The article shows surface mode and travelling breather together in the velocitie
 impact of 1.87 at $s = -\frac16$. We call the two *visible* if each rises above all waves between them. Both do: the
 lower of the two is [1.34](cell:snapshot/prominence) times as high as the highest wave there (`prominence`, packet.hpp).
 
-![Surface mode and packet side by side. Drawn by fig21_snapshot.gp: `v` against `n`, from the table
-`surface_mode_snapshot`.](fig:21) */
+![Surface mode and packet side by side.](fig:21) */
 void report_snapshot(Report& report) {
   Table& profile = report.table("surface_mode_snapshot");
   const Impact impact{
@@ -464,9 +458,9 @@ void report_shape(Report& report) {
   for (std::size_t i = 0; i < velocities.size(); ++i) {
     const TwoRuns<Front>& front = fronts[i];
     shape.add({{"velocity", velocities[i]},
-               {"width", front.of([](const Front& f) { return f.width(); })},
-               {"seven", front.of([](const Front& f) { return f.seven(); })},
-               {"tail", front.of([](const Front& f) { return f.tail(); })}});
+               {"width", front.of(&Front::width)},
+               {"seven", front.of(&Front::seven)},
+               {"tail", front.of(&Front::tail)}});
     for (std::size_t k = 1; k <= 6; ++k)
       decay.add({{"velocity", velocities[i]},
                  {"distance", k},

@@ -16,8 +16,7 @@ the height of a well or more. Below this height kinks have about half the speed,
      after        (1) (2) (3) (4) (5)     (6) -->    a kink has passed: all are one well on,
               \_/ \_/ \_/ \_/ \_/ \_/ \_/ \_/         and nothing stops the last one
 
-![What a struck chain of pendulums does, and two examples. Drawn by x01_kink_transition.py: `advanced`, `ejected_near`,
-`ejected_far` over `velocity` from `kink_transition`; `wells` over `n` and `t` from `kink_examples`.](fig:x01)
+![What a struck chain of pendulums does, and two examples.](fig:x01)
 
 <!-- head -->
 `build/bin/sec34_kink` computes this chapter in 4 s on two cores and writes 7 tables to `build/data/sec34_kink`. Its
@@ -268,8 +267,7 @@ Passage passage(const Well& well, double v0, double step) {
 }
 
 /**
-![Speed of the kink on two stretches, and of the pulse that moves beads by as many wells. Drawn by x52_kink_speed.gp:
-`speed_near`, `speed_far` and `pulse_speed` over `velocity` from `kink_shape`.](fig:x52)
+![Speed of the kink on two stretches, and of the pulse that moves beads by as many wells.](fig:x52)
 
 | $v_0$ | $k$ | $V$ | $V$ of the pulse | speed, beads 21-35 | beads 121-135 | of the pulse | length |
 |---|---|---|---|---|---|---|---|
@@ -295,12 +293,12 @@ void report_shape(Report& report) {
   const auto twice = [](const Well& well, double v0) {
     return TwoRuns<Passage>{passage(well, v0, kink_coarse), passage(well, v0, kink_fine)};
   };
-  const auto length = [](const Passage& p) { return p.length; };
   // The constants of the pulse, and the pulse that moves each bead by this displacement
   const TwoRuns<Passage> pulse = twice(NoWell{}, 5);
   const auto d = [](const Passage& p) { return p.shift / std::pow(p.largest, 0.8); };
   const auto b = [](const Passage& p) { return p.speed_far / std::pow(p.largest, 0.2); };
-  report.table("pulse").add({{"d", pulse.of(d)}, {"b", pulse.of(b)}, {"length", pulse.of(length)}});
+  report.table("pulse").add(
+      {{"d", pulse.of(d)}, {"b", pulse.of(b)}, {"length", pulse.of(&Passage::length)}});
 
   // The kinks
   const auto row = [&](double v0) -> Row {
@@ -310,13 +308,13 @@ void report_shape(Report& report) {
     const auto V = [&](const Passage& p) { return std::pow(D / d(p), 1.25); };
     return {{"velocity", v0},
             {"wells", kink.of(wells)},
-            {"largest", kink.of([](const Passage& p) { return p.largest; })},
+            {"largest", kink.of(&Passage::largest)},
             {"pulse_largest", pulse.of(V)},
-            {"speed_near", kink.of([](const Passage& p) { return p.speed_near; })},
-            {"speed_far", kink.of([](const Passage& p) { return p.speed_far; })},
+            {"speed_near", kink.of(&Passage::speed_near)},
+            {"speed_far", kink.of(&Passage::speed_far)},
             {"pulse_speed", pulse.of([&](const Passage& p) { return b(p) * std::pow(V(p), 0.2); })},
-            {"length", kink.of(length)},
-            {"energy", kink.of([](const Passage& p) { return p.energy; })}};
+            {"length", kink.of(&Passage::length)},
+            {"energy", kink.of(&Passage::energy)}};
   };
   const std::vector<double> velocities{4.8, 5, 5.5, 6, 8, 14, 16, 26, 28, 36, 64};
   report.table("kink_shape").fill(velocities, row, "kinks");
@@ -335,8 +333,7 @@ come from single passages. The error of the length falls with the square of the 
 samples are interpolated linearly; in the speed such errors are small. GSL's adaptive method of order eight, without
 event detection, must arrive at our state to $10^{-8}$ at $t=60$ after $v_0=2$ (breather) and $v_0=5$ (kink).
 
-![Error of speed and length of the kink after an impact of 6 against the step. Drawn by x67_kink_convergence.gp, from
-`kink_convergence`.](fig:x67) */
+![Error of speed and length of the kink after an impact of 6 against the step.](fig:x67) */
 struct Excursion {
   double speed = 0, way = 0, drift = 0;  // in units of v0, of v0 t; relative
 };
@@ -358,9 +355,9 @@ void report_checks(Report& report) {
   const auto bounds = [time](double v0) -> Row {
     const TwoRuns<Excursion> runs{excursion(v0, time, 0.1), excursion(v0, time, 0.05)};
     return {{"velocity", v0},
-            {"speed", runs.of([](const Excursion& x) { return x.speed; })},
-            {"way", runs.of([](const Excursion& x) { return x.way; })},
-            {"drift", runs.of([](const Excursion& x) { return x.drift; })}};
+            {"speed", runs.of(&Excursion::speed)},
+            {"way", runs.of(&Excursion::way)},
+            {"drift", runs.of(&Excursion::drift)}};
   };
   report.table("confinement").fill(std::array{2.0, 4.0, 6.0}, bounds, "strong impacts");
 

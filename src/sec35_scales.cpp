@@ -8,8 +8,7 @@ section 3.6. We strike chains with $\lambda^{5/2}$ from $10^{-3}$ to 10 and find
 too high and too fast, for small $\lambda$ by a fraction that grows nearly like the square root of this number. In the
 array the fractions are 0.15 and 0.11.
 
-![Newton's cradle and an array of clamped cantilevers decorated by beads. Drawn by fig01_two_chains.py: the sizes of the
-table `schematic`.](fig:01)
+![Newton's cradle and an array of clamped cantilevers decorated by beads.](fig:01)
 
 <!-- head -->
 `build/bin/sec35_scales` computes this chapter in 2 s on two cores and writes 9 tables to `build/data/sec35_scales`. Its
@@ -40,7 +39,6 @@ $(5/8)^{2/5}\,\delta$. */
 #include "lattice/impact/impact.hpp"
 #include "report/program.hpp"
 #include "sec35/collision.hpp"
-#include "sec35/constants.hpp"
 
 using namespace lattice;
 using namespace report;
@@ -95,8 +93,8 @@ lifetime. It inserts a period of 0.15 ms; ours is $2\pi\tau_c$, 0.158 ms.
 void report_scales(Report& report) {
   const double step = report.quick ? 0.2 : 0.1;
   const TwoRuns<Collision> runs{collide(step), collide(step / 2)};
-  const Estimate time = runs.of([](const Collision&c) { return c.contact_time; }),
-                 compression = runs.of([](const Collision&c) { return c.compression; });
+  const Estimate time = runs.of(&Collision::contact_time),
+                 compression = runs.of(&Collision::compression);
   const Collision known = collision_by_energy();
   if (!(std::hypot(time.value - known.contact_time, compression.value - known.compression) < 1e-7))
     throw Failure("the integrated collision disagrees with the conservation of energy");
@@ -202,8 +200,7 @@ back and raise it, so at the same velocity they are deflected less; and it is a 
 frequency of the pushes (last column) explains about 2/3 of the excess of the deflection, that of the velocity a part of
 the rest. What remains, and why the packet is too fast, we do not know.
 
-![Excess of the DpS equation against the impact. Drawn by x53_dps_excess.gp: `deflection` and `speed` over `impact` from
-`dps_regime` and, filled, `arrays`.](fig:x53)
+![Excess of the DpS equation against the impact.](fig:x53)
 
 The deflection of one bead depends on the phase of its oscillation when the packet is strongest there. So the table also
 has the range over beads 71 to 80: this is how well the excess of the deflection is known. Between the two steps of all
@@ -237,21 +234,21 @@ Compared compared(double impact, const TwoRuns<Packet>& dps, bool quick) {
     return excess(2 * eps, [k](const Packet& p) { return p.deflection[k]; });
   };
   // Over all beads
-  const Estimate speed = excess(std::sqrt(eps), [](const Packet& p) { return p.speed; });
+  const Estimate speed = excess(std::sqrt(eps), &Packet::speed);
   Estimate least = of_bead(0), most = least;
   for (std::size_t k = 1; k < Beads{}.size(); ++k) {
     least = smaller(least, of_bead(k));
     most = larger(most, of_bead(k));
   }
   return {.speed = speed,
-          .push = chain.of([](const Packet& p) { return p.push; }),
-          .share = chain.of([](const Packet& p) { return p.share; }),
+          .push = chain.of(&Packet::push),
+          .share = chain.of(&Packet::share),
           .columns = {{"deflection", of_bead(bead_80 - first_observed)},
                       {"least", least},
                       {"most", most},
                       {"speed", speed},
-                      {"velocity", excess(2 * eps, [](const Packet& p) { return p.velocity; })},
-                      {"frequency", chain.of([](const Packet& p) { return p.frequency; })}}};
+                      {"velocity", excess(2 * eps, &Packet::velocity)},
+                      {"frequency", chain.of(&Packet::frequency)}}};
 }
 
 Row joined(Row row, const Row& more) {
@@ -297,27 +294,108 @@ void report_arrays(Report& report, const TwoRuns<Packet>& dps) {
 /**
 ## What the constants rest on
 
-The article takes the constants of a beam from a textbook; sec35/constants.hpp integrates its equation. It finds a
+The article takes the constants of a beam from a textbook; `ClampedBeam` (cantilever.hpp) integrates its equation. We find a
 stiffness of [192.00](cell:beam/stiffness) $EI/\ell^3$ (article: 192), a frequency of [22.37](cell:beam/frequency)
 $(EI/\rho A)^{1/2}/\ell^2$ (22.4) and an effective mass of [0.3836](cell:beam/mass) masses of the beam (0.38). With
-0.3836, one point mass on a spring has [0.996](cell:beam/model) of the frequency of the beam with its two beads.
+0.3836, one point mass on a spring has [0.996](cell:beam/model) of the frequency of the beam with its two beads. */
+void report_beam(Report& report) {
+  const double root = clamped_root(), shooting = ClampedBeam{}.wavenumber();
+  const auto mass = [](double x) { return 192 / (x * x * x * x); };
+  const double load = 2 * cantilevers.bead_mass() / cantilevers.beam_mass();
+  const auto model_over_beam = [&](std::size_t steps) {  // with two beads
+    const double x = ClampedBeam{steps, load}.wavenumber();
+    return std::sqrt(192 / (mass(root) + load)) / (x * x);
+  };
+  const Estimate stiffness =
+                     with_error(ClampedBeam{200}.stiffness(0), ClampedBeam{400}.stiffness(0)),
+                 model = with_error(model_over_beam(200), model_over_beam(400));
+  report.table("beam").add({{"stiffness", stiffness},
+                            {"frequency", with_error(shooting * shooting, root * root)},
+                            {"mass", with_error(mass(shooting), mass(root))},
+                            {"model", model}});
+}
 
+/**
 The coefficient of a contact is Hertz's, in the article's closed form
 $$\gamma_n = \frac{E_{\text{bead}}\sqrt{2R}}{3(1-\nu^2)}\,
 \Bigl[\frac{2\tilde R_n\tilde R_{n+1}}{\tilde R_n+\tilde R_{n+1}}\Bigr]^{1/2}.$$
-It agrees with the integrated pressure of two spheres for all pairs of four radii (table `hertz`). The article prints
+A pressure $p$ on the surface of a half space presses it in by $\frac{1-\nu^2}{\pi\mathcal E}\int p\,d^2r'/|r-r'|$, with
+the Young modulus $\mathcal E$ and Poisson's ratio $\nu$. Hertz's pressure on a disc of radius $a$, $p_0(1-r^2/a^2)^{1/2}$,
+makes a hollow that is a paraboloid. We integrate along all chords through a point of the disc, on which the pressure is
+half an ellipse. The force agrees with the closed form for all pairs of four radii (table `hertz`). The article prints
 $E$, the modulus of the beams, in the place of $E_{\text{bead}}$. With it $\gamma$ would be
 [132](cell:hertz/first=1/second=1/with_beam) times as large and $\lambda$ 14.6 (command `scales`); but the printed 0.29
 follows from the beads' modulus. We leave out higher modes and torsion of the beams, and all but Hertz's static law. */
+/// How far, in units of a and of p_0 (1 - nu^2)/(pi E).
+double pressed_in(double r, std::size_t points) {
+  const auto weight = std::numbers::pi / double(points);
+  double sum = 0;
+  for (std::size_t i = 0; i < points; ++i)
+    for (std::size_t j = 0; j < points; ++j) {
+      const double across = r * std::sin(weight * double(i)), along = std::cos(weight * double(j));
+      sum += weight * weight * (1 - across * across) * along * along;
+    }
+  return sum;
+}
+
+/// The force between two beads of the array over (their approach)^(3/2), in N/m^(3/2), for a contact disc of 0.1 mm.
+double hertz(double first, double second, std::size_t points) {
+  const CantileverArray& array = cantilevers;
+  const double a = 1e-4, soft = (1 - array.nu * array.nu) / (std::numbers::pi * array.bead_modulus);
+  const double curved = (1 / first + 1 / second) / array.radius, middle = pressed_in(0, points);
+  const auto pressure = [&](double r) {  // with which both hollows make room for both spheres
+    return r * r * a * curved / 2 / (2 * soft * (middle - pressed_in(r, points)));
+  };
+  if (std::abs(pressure(0.25) / pressure(0.75) - 1) > 1e-12)
+    throw Failure("Hertz's pressure does not fit to spheres");
+  const double force = 2 * std::numbers::pi / 3 * a * a * pressure(0.5),
+               approach = 2 * soft * a * pressure(0.5) * middle;
+  return force / (approach * std::sqrt(approach));
+}
+
+/// Table `hertz`: the article's coefficients over the force between two elastic spheres, for pairs of radii.
+void report_hertz(Report& report) {
+  Table& table = report.table("hertz");
+  const double radii[] = {0.5, 1, 1.6, 2.5};  // in units of the usual one
+  for (double first : radii)
+    for (double second : radii) {
+      const Estimate ours = with_error(hertz(first, second, 16), hertz(first, second, 32));
+      const double eta = std::sqrt(2 * first * second / (first + second));
+      const auto over = [&](double modulus) {
+        return quotient(exact(cantilevers.gamma(modulus) * eta), ours);
+      };
+      table.add({{"first", first},
+                 {"second", second},
+                 {"printed", over(cantilevers.bead_modulus)},
+                 {"with_beam", over(cantilevers.beam_modulus)}});
+    }
+}
+
+/// Table `schematic`: what figure 1 needs.
+void report_schematic(Report& report) {
+  Table& drawn = report.table("schematic");
+  const auto add = [&](const char* id, const char* parameter, double value, const char* unit) {
+    drawn.add({{"id", id}, {"parameter", parameter}, {"value", value}, {"unit", unit}});
+  };
+  add("cradle", "string_length", cradle.length, "m");
+  add("cradle", "beads_drawn", 5, "");
+  add("cradle", "bead_radius_drawn", 0.04, "m");
+  for (const auto& [name, unit, value] : given_scales(cantilevers))
+    add("cantilever", name, value, unit);
+  add("cantilever", "beads_per_cantilever", 2, "");
+  add("cantilever", "pitch", cantilevers.thickness + 4 * cantilevers.radius, "m");
+  add("cantilever", "cantilevers_drawn", 5, "");
+}
+
 void reproduce(Report& report) {
   const TwoRuns<Packet> dps{packet_of_dps(1280, 1e-8),
                             packet_of_dps(2560, 1e-10)};  // samples, tolerance
   report_scales(report);
   report_regime(report, dps);
   report_arrays(report, dps);
-  report_beam(report, cantilevers);
-  report_hertz(report, cantilevers);
-  report_schematic(report, cantilevers, cradle.length);
+  report_beam(report);
+  report_hertz(report);
+  report_schematic(report);
 }
 
 /**

@@ -13,8 +13,7 @@ by which the packet oscillates faster. Only at 0.90 to 0.96 radii is over 5 per 
                   |   |   |           |    |    |
                ===+===+===+===========+====+====+===         clamped at both ends
 
-![Contact forces after an impact, with larger beads at n = 100. Drawn by fig24_defect.py: `force` over `n` and `t`,
-from `contact_forces`.](fig:24)
+![Contact forces after an impact, with larger beads at n = 100.](fig:24)
 
 <!-- head -->
 `build/bin/sec36_cantilever_defect` computes this chapter in 6 s on two cores and writes 9 tables to
@@ -155,8 +154,8 @@ double frequency_of(const WatchedRun& run) {  // in units of that of a beam alon
 }
 
 TwoRuns<WatchedRun> watch(const StruckArray& setup, double until, const TwoSteps& steps) {
-  return {pass(setup, watched_site, until, {steps.coarse, steps.coarse}),
-          pass(setup, watched_site, until, {steps.fine, steps.fine})};
+  return {pass(setup, watched_site, until, steps.coarse),
+          pass(setup, watched_site, until, steps.fine)};
 }
 
 void report_packet(Report& report, const TwoRuns<WatchedRun>& runs) {
@@ -215,10 +214,10 @@ Train wave_train(double step) {
 void report_wave_train(Report& report, const TwoSteps& steps) {
   const TwoRuns<Train> both{wave_train(steps.coarse), wave_train(steps.fine)};
   report.table("wave_train")
-      .add({{"sites", both.of([](const Train& t) { return t.sites; })},
-            {"first", both.of([](const Train& t) { return t.first; })},
-            {"share", both.of([](const Train& t) { return t.share; })},
-            {"packet", both.of([](const Train& t) { return t.packet; })}});
+      .add({{"sites", both.of(&Train::sites)},
+            {"first", both.of(&Train::first)},
+            {"share", both.of(&Train::share)},
+            {"packet", both.of(&Train::packet)}});
 }
 
 /**
@@ -231,8 +230,7 @@ with the amplitude, in the packet by 0.10. In the DpS equation (`sec31_dps_limit
 carries energy from beam to beam; a defect adds its detuning $\mu^{-1/2}-1$ as a frequency of its own. If $\mu$ and
 $\eta$ are one in the coupling, only the ratio of the two can then matter, detuning over frequency shift.
 
-![Transmitted energy against the detuning of the defect over the frequency shift of the packet. Drawn by
-x66_detuning_law.gp: `transmitted` over `scaled` from `impacts`.](fig:x66)
+![Transmitted energy against the detuning of the defect over the frequency shift of the packet.](fig:x66)
 
 After impacts of 0.5, 1 and 2 m/s, with radii from 0.8 to 1.2, it is nearly so: light and heavy defects transmit equally
 to 3 per cent up to a ratio of 0.4, where half is transmitted; beyond, light ones up to 30 per cent less. */
@@ -253,13 +251,12 @@ void report_law(Report& report, const TwoRuns<WatchedRun>& of_article, const Two
     if (velocity != article.velocity) packet = watch(setup, packet_passed * slower, full);
     const auto row = [&](double ratio) {
       const double detuning = setup.array.linear_frequency(ratio) - 1;
-      return Row{
-          {"velocity", velocity},
-          {"ratio", ratio},
-          {"scaled",
-           packet.of([&](const WatchedRun& run) { return detuning / (frequency_of(run) - 1); })},
-          {"transmitted",
-           net(defect(ratio), without).of([](const Scattering& s) { return s.transmitted; })}};
+      return Row{{"velocity", velocity},
+                 {"ratio", ratio},
+                 {"scaled", packet.of([&](const WatchedRun& run) {
+                    return detuning / (frequency_of(run) - 1);
+                  })},
+                 {"transmitted", net(defect(ratio), without).of(&Scattering::transmitted)}};
     };
     table.fill(radii, row, "impacts");
   }
@@ -296,8 +293,7 @@ ms more. At 1.6 there is less, 0.00786 on the 21 sites that end at the defect, t
 (computed)
 <!-- /defect.map -->
 
-![Reflected, remaining and transmitted energy against the radius of the defect. Drawn by x09_defect_map.py: the net
-fractions over `ratio`, from `defect_map`.](fig:x09) */
+![Reflected, remaining and transmitted energy against the radius of the defect.](fig:x09) */
 void report_forces(Report& report) {
   Table& table = report.table("contact_forces", {"ratio", "t", "n", "force"});
   const std::size_t contacts = article.array.sites - 1, bins = report.quick ? 50 : 250;
@@ -319,11 +315,11 @@ void report_map(Report& report, const TwoSteps& steps) {
     const TwoRuns<Scattering> at = net(with, without);
     return Row{{"ratio", ratio},
                {"linear_frequency", exact(article.array.linear_frequency(ratio))},
-               {"near", with.of([](const Energies& e) { return e.near; })},
-               {"on_defect", with.of([](const Energies& e) { return e.on_defect; })},
-               {"net_reflected", at.of([](const Scattering& s) { return s.reflected; })},
-               {"net_near", at.of([](const Scattering& s) { return s.near; })},
-               {"net_transmitted", at.of([](const Scattering& s) { return s.transmitted; })}};
+               {"near", with.of(&Energies::near)},
+               {"on_defect", with.of(&Energies::on_defect)},
+               {"net_reflected", at.of(&Scattering::reflected)},
+               {"net_near", at.of(&Scattering::near)},
+               {"net_transmitted", at.of(&Scattering::transmitted)}};
   };
   // Radii in eightieths, fewer of them far from one, and very large ones
   std::vector<double> radii;
@@ -343,7 +339,7 @@ packet? The tail ends in a gap at site 79, emptier than without a defect, and be
 stands where it was. By then the transmitted packet of the other runs would reach the end of the article's array, so
 ours has a hundred beams more here.
 
-![Energy of each site at 1.6 radii and without a defect. Drawn by x69_trapped.gp, from `profiles`.](fig:x69)
+![Energy of each site at 1.6 radii and without a defect.](fig:x69)
 
 | fraction of all energy | article | 75 ms | 100 ms |
 |---|---|---|---|
@@ -414,7 +410,7 @@ void report_trapped(Report& report, const TwoSteps& steps) {
                       {"n", n},
                       {"energy", part(setup, runs.fine.density[k], n, n)}});
     }
-    const Estimate frequency = runs.of([](const Trapped& run) { return run.frequency; });
+    const Estimate frequency = runs.of(&Trapped::frequency);
     if (ratio < 1) frequencies.add({{"ratio", ratio}, {"in_run", frequency}});
   }
 }
@@ -428,7 +424,7 @@ steady order, since contact events fall differently into the steps (`secA_integr
 $10^{-7}$. Of the packet's numbers the duration above 1/2 is the least accurate. None of this moves a printed digit;
 definitions do.
 
-![Error of the results against the step. Drawn by x54_defect_convergence.gp, from `convergence`.](fig:x54)
+![Error of the results against the step.](fig:x54)
 
 GSL's adaptive method of order eight must arrive at the same state to $10^{-8}$ with a heavy defect near the impact, or
 the program stops. What is left is the model: one point mass for a beam with its beads (`sec35_scales`), without
@@ -545,12 +541,10 @@ Table OneDefect::table() const {
   const TwoRuns<Scattering> at = net(with, without);
   const char *all = "of all energy, on the defect itself", *arriving = "of the arriving energy";
   Answers q;
-  q.add_small("on_defect", with.of([](const Energies& e) { return e.on_defect; }), "fraction", all);
-  q.add_small("net_reflected", at.of([](const Scattering& s) { return s.reflected; }), "fraction",
-              arriving);
-  q.add_small("net_near", at.of([](const Scattering& s) { return s.near; }), "fraction", arriving);
-  q.add_small("net_transmitted", at.of([](const Scattering& s) { return s.transmitted; }),
-              "fraction", arriving);
+  q.add_small("on_defect", with.of(&Energies::on_defect), "fraction", all);
+  q.add_small("net_reflected", at.of(&Scattering::reflected), "fraction", arriving);
+  q.add_small("net_near", at.of(&Scattering::near), "fraction", arriving);
+  q.add_small("net_transmitted", at.of(&Scattering::transmitted), "fraction", arriving);
   return q.table;
 }
 

@@ -95,8 +95,7 @@ struct Ring {
 };
 constexpr double figure_26 = 6619;  // its time
 
-// How a ring is followed: until this time, or this multiple of the time at which the energy
-// localizes
+// How a ring is followed: until this time, or this multiple of the time of localization
 struct RingRun {
   Ring ring;
   double time, multiple = INFINITY;
@@ -104,8 +103,7 @@ struct RingRun {
   double step = 0.8;    // in the coarser one of two runs
   bool splits = false;  // whether we ask how its pulse splits
 };
-// The most unstable wavenumbers on the ring; another one; half the amplitude. `report_rings` adds
-// other ones to `hard`
+// The most unstable wavenumbers (others in hard wells: `report_rings`); 31; half the amplitude
 const RingRun soft{.ring = {}, .time = 14000, .quick = 7000, .step = 0.4, .splits = true},
     linear{.ring = {.s = 0, .waves = 24}, .time = 150000, .multiple = 1.2},
     narrow{.ring = {.s = 0, .waves = 31}, .time = 60000, .multiple = 1.5},
@@ -134,8 +132,7 @@ const std::vector<Strike> strikes{
     {.s = 1, .compression = 0.05, .time = 2000, .quick = 300, .step = 0.07}};
 constexpr double closed_step = 0.4;  // while no contact opens, in the coarser run
 constexpr double averaged = 20;      // time over which a number of sites is averaged
-// Largest relative change of the energy where contacts open, where none does, and on the article's
-// ring
+// Largest relative change of the energy: where contacts open, where none does, on the ring
 constexpr double drift_open = 1e-6, drift_closed = 1e-8, drift_ring = 1e-9;
 
 struct Motion {
@@ -309,8 +306,8 @@ void report_modulated_ring(Report& report) {
   const TwoRuns<Sech> sech{coarse.sech, fine.sech};
   report.table("ring_breather")
       .add({{"speed", packet_of(runs[0]).speed},
-            {"sech_width", sech.of([](const Sech& fit) { return fit.width; })},
-            {"sech_misfit", sech.of([](const Sech& fit) { return fit.residual; })},
+            {"sech_width", sech.of(&Sech::width)},
+            {"sech_misfit", sech.of(&Sech::residual)},
             {"apart", with_error(0.0, distance(coarse.state, fine.state))}});
 }
 
@@ -356,8 +353,7 @@ two runs with different steps stays below 0.1 to $t =$ [14000](cell:breathers/s=
 sees the pulse split at the end of a long transient and prints no time. */
 void report_rings(Report& report) {
   std::vector<RingRun> all{linear, narrow, soft, soft_half, hard_half};
-  // In hard wells all unstable wavenumbers (quick: one in 8) whose time by the NLS equation is
-  // within the run
+  // In hard wells all (quick: one in 8) that are unstable and by the NLS equation not too late
   const int every = report.quick ? 8 : 1;
   for (int waves = int(hard.ring.N) / 2 - every; waves > 0; waves -= every) {
     RingRun run = hard;
@@ -444,9 +440,9 @@ void report_traits(Report& report, const std::vector<Struck>& all) {
     table.add({{"s", strike.s},
                {"compression", strike.compression},
                {"velocity", strike.velocity},
-               {"share_exponent", of([](const Traits& its) { return its.share_exponent; })},
-               {"boundary_exponent", of([](const Traits& its) { return its.boundary_exponent; })},
-               {"steadiness", of([](const Traits& its) { return its.steadiness; })}});
+               {"share_exponent", of(&Traits::share_exponent)},
+               {"boundary_exponent", of(&Traits::boundary_exponent)},
+               {"steadiness", of(&Traits::steadiness)}});
   }
 }
 void report_trains(Report& report, const std::vector<Struck>& all) {
@@ -505,8 +501,7 @@ void report_breather(Report& report, const std::vector<Struck>& all) {
     const auto& [coarse, fine] = runs;
     for (std::size_t k = 0; k < fine.shown.size(); ++k) {
       const TwoRuns<Snapshot> shot{coarse.shown[k], fine.shown[k]};
-      // The carrier makes the number of sites oscillate; what half of the time would give is part
-      // of its error
+      // The carrier makes this number oscillate; what half of the time would give is its error
       const auto over = [&](double time) {
         return runs.of(
             [&](const Motion& run) { return mean_sites(run.samples, strike.figures[k], time); });
@@ -520,7 +515,7 @@ void report_breather(Report& report, const std::vector<Struck>& all) {
         return shot.of([side](const Snapshot& at) { return tail_amplitude(at, side); });
       };
       fits.add({{"t", strike.figures[k]},
-                {"reach", shot.of([](const Snapshot& at) { return at.reach(); })},
+                {"reach", shot.of(&Snapshot::reach)},
                 {"residual", shot.of([](const Snapshot& at) { return at.sech.residual; })},
                 {"train", shot.of(train_amplitude)},
                 {"behind", tail(-1)},
@@ -612,9 +607,7 @@ this one only. The criterion for localization is `is_localized`, the exponents a
    `build/bin/sec4_precompression_mi band --d 4 --s 0` gives `unstable_to_2` = 1.424. Hint: where does $\beta$ vanish?
 2. *Harder.* Does the packet still turn round by $t = 2000$ at $d = 0.03$?
    `build/bin/sec4_precompression_mi impact --d 0.03 --time 2000` gives `centre` = 85.4, and with `--time 1500` it is
-   76.1. Hint: a packet that turns was farther before.
-
-`impact` strikes a chain, `coefficients` and `band` evaluate formulas. */
+   76.1. Hint: a packet that turns was farther before. */
 int main(int argc, char** argv) {
   return run({"sec4_precompression_mi", "4", "Precompression: modulation and impact (section 4)",
               reproduce, commands<OneWavenumber, Band, CompressedImpact>()},

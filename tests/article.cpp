@@ -116,21 +116,6 @@ Verdict stands(const std::string& statement, const Bounds& all) {
   return {holds(all), out.str()};
 }
 
-/// The size of a number whose sign the article does not print.
-Estimate size_of(const Estimate& e) {
-  return e.is_exact ? exact(std::abs(e.value)) : Estimate{std::abs(e.value), e.error};
-}
-
-/// Both breathers of a frequency, with what their comparison gives at two tolerances.
-BreatherPair pair_at(double omega, double s) {
-  BreatherPair pair{s, omega};
-  for (std::size_t k : {0U, 1U})
-    pair.orbit[k] = find_breather(problem_of(both_centres[k], omega, s));
-  measure_in<double>(pair);
-  if (!settled(pair.equal_frequency) || !settled(pair.equal_action)) measure_in<Wide>(pair);
-  return pair;
-}
-
 /// All pairs at omega_b = 1.1, and kappa of the pinning pair, from two tolerances.
 Spectrum spectrum_at(Centre centre, double s) {
   const auto problem = problem_at(centre, {1.1, s});
@@ -152,46 +137,24 @@ TwoRuns<ImpactRun> struck_at(double velocity, double s, double time) {
 
 TEST_CASE("a number agrees with the print, differs from it, or is not known well enough",
           "[unit]") {
-  CHECK(agrees({1.62, 0.01}, 1.6, Abs{0.05}));
-  CHECK_FALSE(agrees({1.62, 0.04}, 1.6, Abs{0.05}));
-  CHECK_FALSE(differs({1.62, 0.04}, 1.6, Abs{0.05}, ""));
-  CHECK_FALSE(differs({1.66, 0.02}, 1.6, Abs{0.05}, ""));
-  CHECK(differs({1.66, 0.005}, 1.6, Abs{0.05}, ""));
-  CHECK(agrees({-1.01, 1e-3}, -1, Rel{0.02}));
-  CHECK_FALSE(agrees({1.01, 1e-3}, -1, Rel{0.02}));
-  CHECK(agrees({0.3, 0.1}, 1, AtMost{}));
-  CHECK_FALSE(agrees({3e-5, 1e-7}, 1, Factor{10}));
-  for (const Estimate& unknown : {Estimate{1, std::nan("")}, {std::nan(""), 1}}) {
-    CHECK_FALSE(agrees(unknown, 1, Abs{0.1}));
-    CHECK_FALSE(differs(unknown, 2, Abs{0.1}, ""));
-  }
+  for (const auto& [error, agree] : {std::pair{0.01, true}, {0.04, false}})
+    CHECK(agrees({1.62, error}, 1.6, Abs{0.05}).good == agree);
+  for (const auto& [error, differ] : {std::pair{0.005, true}, {0.02, false}})
+    CHECK(differs({1.66, error}, 1.6, Abs{0.05}, "").good == differ);
+  for (const Estimate& unknown : {Estimate{1, std::nan("")}, {std::nan(""), 1}})
+    CHECK_FALSE((agrees(unknown, 1, Abs{0.1}) || differs(unknown, 2, Abs{0.1}, "")));
   CHECK(agrees({2.5, 0.5}, 1, Rel{0.01}).text == "printed 1 (0.99 to 1.01), ours 2.5 +- 0.5");
   // Conditions count their errors too
   CHECK((above("x", {1.2, 0.1}, 1).holds() && !above("x", {1.05, 0.1}, 1).holds()));
   CHECK((below("x", {0.8, 0.1}, 1).holds() && !below("x", {0.95, 0.1}, 1).holds()));
-  CHECK_FALSE(below("x", {1.2, 0.1}, 1).holds());
-  CHECK_FALSE(below("x", {std::nan(""), 0.1}, 1).holds());
-  CHECK_FALSE(above("x", {2, std::nan("")}, 1).holds());
-  CHECK_FALSE(holds({}));
+  CHECK_FALSE((below("x", {std::nan(""), 0.1}, 1).holds() || holds({})));
   CHECK_FALSE(holds({above("x", exact(2), 1), below("y", exact(2), 1)}));
 }
 
 // ## 3.1 The DpS equation
 
-TEST_CASE("3.1: the time constant tau_0 is 1.545, in closed form and from the push of a contact",
-          "[article][dps.tau0]") {
-  // 1 / tau_0 is what a push has at the frequency of the wells; trapezoids over the half period of the push
-  const auto by_quadrature = [](int n) {
-    double sum = 0;
-    for (int k = 1 - n; k < n; ++k) {
-      const double c = std::cos(M_PI / 2 * k / n);
-      sum += Hertz{}.force(-2 * c) * c;
-    }
-    return 4 * n / sum;
-  };
+TEST_CASE("3.1: the time constant tau_0 is 1.545", "[article][dps.tau0]") {
   CHECK(agrees(exact(tau_0()), 1.545, Abs{5e-4}));
-  CHECK(agrees(with_error(by_quadrature(1000), by_quadrature(2000)), 1.545, Abs{5e-4}));
-  check_close(by_quadrature(2000), tau_0(), 1e-9);
 }
 
 TEST_CASE("3.1: the DpS approximation of an impact errs by the order 3/2 in epsilon",
@@ -226,14 +189,7 @@ TEST_CASE("3.2: a stationary DpS breather grows as mu^2 and keeps its width",
 
 TEST_CASE("3.2: the quasi-continuum profile obeys its equation and ends at 3 pi / 2",
           "[article][dps.qc_support]") {
-  // Where the library's profile becomes zero, by bisection
-  double inside = 0, outside = 10;
-  for (int k = 0; k < 100; ++k) {
-    const double x = (inside + outside) / 2;
-    (quasi_continuum_envelope(x) > 0 ? inside : outside) = x;
-  }
-  CHECK(agrees({inside, 1e-15 + outside - inside}, 3 * M_PI / 2, Rel{1e-12}));
-  // Where the solution of F'' = -4 F + F^(2/3) from rest at F = 27/1000 does: its sixth root falls linearly
+  // The solution of F'' = -4 F + F^(2/3) from rest at F = 27/1000: its sixth root falls linearly at the end
   const auto end = [](double from) {
     const auto equation = [](double, const double* f, double* df) {
       df[0] = f[1], df[1] = std::cbrt(f[0] * f[0]) - 4 * f[0];
@@ -321,11 +277,11 @@ TEST_CASE("3.2: the tail falls super-exponentially, with the exponent 3/2 from s
 TEST_CASE("3.2: the energies of both centres are indistinguishable, their amplitudes are not",
           "[article][newton.energy_equal][newton.amplitude_differs][newton.amplitude_minor]") {
   for (double omega : {1.01, 1.3, 2.0}) {
-    const BreatherPair pair = pair_at(omega, 0);
+    const BreatherPair pair = barriers_at(omega, 0);
     const Estimate energies = relative_distance(pair.energy[0], pair.energy[1].value),
                    amplitudes = relative_distance(pair.amplitude[0], pair.amplitude[1].value);
-    CHECK(stands("indistinguishable", {below("energies", size_of(energies), 2e-6)}));
-    CHECK(stands("differ visibly but little", within(size_of(amplitudes), 0.05, 0.15)));
+    CHECK(stands("indistinguishable", {below("energies", modulus(energies), 2e-6)}));
+    CHECK(stands("differ visibly but little", within(modulus(amplitudes), 0.05, 0.15)));
   }
 }
 
@@ -333,7 +289,7 @@ TEST_CASE(
     "3.2: E_PN at omega_b = 1.1 and s = 0 is 1.624e-11, not the printed 1.77e-11, "
     "but the printed residual covers the difference",
     "[article][pn.omega11]") {
-  const Estimate barrier = size_of(pair_at(1.1, 0).equal_frequency);
+  const Estimate barrier = modulus(barriers_at(1.1, 0).equal_frequency);
   CHECK(differs(barrier, 1.77e-11, Rel{5e-3}, "8 per cent, in all precisions"));
   CHECK(remains(barrier, 1.62422e-11, Rel{1e-4}));
   // A residual of 1.5e-9 cannot be told from a change d of the frequency: a breather that returns earlier by
@@ -354,14 +310,15 @@ TEST_CASE(
 TEST_CASE("3.2: E_PN at omega_b = 1.01 is of the order 1e-14 to 1e-15 in all three wells",
           "[article][pn.small]") {
   for (double s : {-1.0 / 6, 0.0, 1.0})
-    CHECK(agrees(size_of(pair_at(1.01, s).equal_frequency), std::sqrt(1e-14 * 1e-15), Factor{10}));
+    CHECK(agrees(modulus(barriers_at(1.01, s).equal_frequency), std::sqrt(1e-14 * 1e-15),
+                 Factor{10}));
 }
 
 TEST_CASE("3.2: E_PN at omega_b = 1.5 is the printed 1e-4 for s = 1 and not for s = -1/6",
           "[article][pn.omega15]") {
-  const Estimate soft = size_of(pair_at(1.5, -1.0 / 6).equal_frequency);
+  const Estimate soft = modulus(barriers_at(1.5, -1.0 / 6).equal_frequency);
   CHECK(differs(soft, 1e-4, Factor{10}, "7.6e-8; s = 1 gives the print"));
-  CHECK(agrees(size_of(pair_at(1.5, 1).equal_frequency), 1e-4, Rel{0.2}));
+  CHECK(agrees(modulus(barriers_at(1.5, 1).equal_frequency), 1e-4, Rel{0.2}));
 }
 
 // ## 3.3 Stability and mobility
@@ -461,7 +418,7 @@ TEST_CASE(
   const auto speed = [](const RestingBreather& at) {
     const TwoRuns<KickedPath> runs{at.after(2e-4, EventCorrected{0.2}, 16000),
                                    at.after(2e-4, EventCorrected{0.1}, 16000)};
-    return runs.of([](const auto& path) { return size_of(path.speed_during(1000, 16000)); });
+    return runs.of([](const auto& path) { return modulus(path.speed_during(1000, 16000)); });
   };
   double energy = 0;
   for (double v : kicked(site.rest, 2e-4).v) energy += v * v / 2;
@@ -476,7 +433,7 @@ TEST_CASE(
     "from which 1.92e-11 follows",
     "[article][moving.c_threshold][moving.pn_dynamic]") {
   const RestingBreather at = resting_breather(Centre::bond, Phase::stretched, 1.1, 22);
-  const Prediction guess = predict_threshold(at, pair_at(1.1, 0).equal_action);
+  const Prediction guess = predict_threshold(at, barriers_at(1.1, 0).equal_action);
   CHECK(remains(guess.threshold, 4.452e-6, Rel{1e-3}));
   // One kick below is turned back, one above gets over; the energy must drift by far less than the kick gives
   const std::array c{4.4e-6, 4.5e-6};
@@ -568,11 +525,11 @@ TEST_CASE(
     return 2 * eps * packet_amplitude(out.path).value;
   };
 
-  Estimate amplitude = chain.of([](const Packet& p) { return p.amplitude; });
+  Estimate amplitude = chain.of(&Packet::amplitude);
   amplitude.error += amplitude.value * 0.1 * 0.1 / 8;  // the top between two samples
   CHECK(remains(amplitude, 9.18e-4, Rel{5e-3}));
   CHECK(remains(dps.of(dps_amplitude), 9.5e-4, Rel{5e-3}));
-  CHECK(remains(chain.of([](const Packet& p) { return p.height; }), 1.0001e-3, Rel{1e-3}));
+  CHECK(remains(chain.of(&Packet::height), 1.0001e-3, Rel{1e-3}));
   const auto dps_height = [&](const DpsOutcome& out) {
     return height(dps_state(out.end, eps, time).y);
   };
@@ -752,43 +709,23 @@ TEST_CASE(
     "[cantilever.period][cantilever.duration][cantilever.frequency][outlook.travel_10ms][outlook."
     "periods_10ms]") {
   const StruckArray blow{};
-  const TwoRuns<WatchedRun> runs{pass(blow, 80, 60, {0.2, 0.1}), pass(blow, 80, 60, {0.1, 0.05})};
+  const TwoRuns<WatchedRun> runs{pass(blow, 80, 60, 0.2), pass(blow, 80, 60, 0.1)};
   const auto pulse = [&](double Pulse::*of, double unit) {
     return runs.of([&](const WatchedRun& run) { return pulse_of(run.at, blow.scales).*of * unit; });
-  };
-  const auto speed = [&](double from, double to) {
-    return runs.of([&](const WatchedRun& run) {
-      return run.path.line(from, to)->slope / blow.scales.tau_c();
-    });
   };
   CHECK(agrees(pulse(&Pulse::velocity, 1), 0.5, Abs{5e-2}));
   CHECK(agrees(pulse(&Pulse::deflection, 1e6), 11, Abs{0.5}));
   CHECK(agrees(pulse(&Pulse::force, 1), 2.8, Abs{0.1}));
   CHECK(agrees(pulse(&Pulse::period, 1e3), 0.14, Abs{1e-2}));
   CHECK(agrees(pulse(&Pulse::period, 1 / (2 * M_PI * blow.scales.tau_c())), 1 / 1.1, Abs{0.03}));
-  // The way over the time of the largest force at n = 80; nothing is printed, 79 sites miss it by a little, and least
-  // squares give as much between sites 20 and 40, but less farther on
-  const auto mean = [&](std::size_t sites) {
-    return runs.of([&](const WatchedRun& run) { return mean_speed(run, blow, sites); });
-  };
-  CHECK(agrees(mean(80), 2030, Rel{1e-2}));
-  CHECK(differs(mean(79), 2030, Rel{1e-2}, "from the struck beam on"));
-  CHECK(agrees(speed(20, 40), 2030, Rel{1e-2}));
-  CHECK(stands("slower farther on", {below("20 to 60", speed(20, 60), 2010)}));
-  CHECK(differs(speed(75, 85), 2030, Rel{1e-2}, "the speed at n = 80 itself"));
-  // Above a thousandth of the largest force, a hundredth of the largest compression; the threshold is not printed, and
-  // at half of it the pulse is short
-  const auto duration = [&](double threshold) {
-    return runs.of([&](const WatchedRun& run) { return duration_above(run, blow, threshold); });
-  };
-  CHECK(agrees(duration(1e-3), 3.8, Abs{0.1}));
-  CHECK(stands("shorter above half", {below("duration", duration(0.5), 1.3)}));
-  const auto on = [&](const WatchedRun& run) {
-    return run.path.travelled(80, blow.scales.time(10));
-  };
-  const Estimate way = mean(80);  // as the speed is measured
-  CHECK(agrees({10e-3 * way.value, 10e-3 * way.error}, 20, Abs{1}));
-  CHECK(stands("less on the way behind", {below("from 80 on", runs.of(on), 10e-3 * way.value)}));
+  // The way over the time of the largest force at n = 80; no definition is printed, and others give less
+  const Estimate speed = runs.of([&](const WatchedRun& run) { return mean_speed(run, blow, 80); });
+  CHECK(agrees(speed, 2030, Rel{1e-2}));
+  // Above a thousandth of the largest force, a hundredth of the largest compression; the threshold is not printed
+  const Estimate duration =
+      runs.of([&](const WatchedRun& run) { return duration_above(run, blow, 1e-3); });
+  CHECK(agrees(duration, 3.8, Abs{0.1}));
+  CHECK(agrees({10e-3 * speed.value, 10e-3 * speed.error}, 20, Abs{1}));
   const Estimate turns = quotient(exact(10), pulse(&Pulse::period, 1e3));
   CHECK(agrees({turns.value, turns.error}, 70, Rel{0.05}));
 }

@@ -1,13 +1,11 @@
-// Kicks, the breather that drifts, and what linear theory says of both; pairs near an exchange, and noise that moves.
+// Kicks, the breather that drifts, and what linear theory says of both; exchanges of stability.
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <utility>
 #include <vector>
 
 #include "commands/exchanges.hpp"
-#include "sec3/dps_motion.hpp"
 #include "sec3/exchange.hpp"
 #include "sec3/kick_threshold.hpp"
 #include "support/check.hpp"
@@ -35,14 +33,6 @@ KickedPath path_of(const std::vector<double>& X, std::vector<double> t = {}) {
   t.resize(X.size());
   for (std::size_t k = 0; k < X.size(); ++k) path.add(t[k], X[k]);
   return path;
-}
-
-/// The pairs on 31 sites: that of `second` beside the pinning pair, all others at the edge.
-std::vector<MultiplierPair> pairs_with(std::complex<double> second) {
-  const double edge = -std::pow(std::sin(M_PI / 1.1), 2);
-  std::vector<MultiplierPair> all{{1e-8, 1e-12}, {second, 1e-12}};
-  while (all.size() + 1 < 31) all.push_back({edge, 1e-12});
-  return all;
 }
 
 }  // namespace
@@ -79,20 +69,6 @@ TEST_CASE("a breather that is not kicked stays, and opposite kicks are mirror im
   CHECK(right.travelled() < 0);  // against the kick: the mass is negative
 }
 
-TEST_CASE("the share of a kick tends to that of the DpS equation", "[convergence][kick]") {
-  for (Centre centre : both_centres) {
-    double last = 1;
-    for (const double omega : {1.04, 1.02, 1.01}) {
-      const double share = pinning_of(breather(centre, omega)).phi;
-      const double miss = std::abs(-3 * share / (omega - 1) - 1);
-      CAPTURE(centre, omega, share);
-      CHECK(miss < 0.7 * last);
-      last = miss;
-    }
-    CHECK(last < 0.05);
-  }
-}
-
 TEST_CASE("hill and trough have opposite curvatures of one size", "[property][kick]") {
   const Pinning hill = pinning_of(breather(Centre::site, 1.1)),
                 trough = pinning_of(breather(Centre::bond, 1.1)),
@@ -103,21 +79,6 @@ TEST_CASE("hill and trough have opposite curvatures of one size", "[property][ki
   // By the integrator of tests/second
   check_close(trough.phi, -0.02521309492, 0, 1e-6);
   check_close(later.phi, -0.02374023066, 0, 1e-6);
-}
-
-TEST_CASE("the pinning mode is of length one and close to the discrete gradient",
-          "[published][kick]") {
-  // The cosines by a fixed step of order six and differences of neighbouring orbits
-  const std::array<std::pair<RestingBreather, double>, 3> all{
-      {{breather(Centre::site, 1.1), 0.98738926},
-       {breather(Centre::bond, 1.1), 0.97974135},
-       {breather(Centre::bond, 1.1, Phase::stretched), 0.99644120}}};
-  for (const auto& [at, cosine] : all) {
-    const std::vector<double> shift = pinning_of(at).shift, g = kick_direction(at.rest.y);
-    REQUIRE(shift.size() == g.size());
-    check_close(std::inner_product(shift.begin(), shift.end(), shift.begin(), 0.0), 1, 1e-12);
-    check_close(std::inner_product(shift.begin(), shift.end(), g.begin(), 0.0), cosine, 1e-5);
-  }
 }
 
 TEST_CASE("a breather swings at the frequency of linear theory", "[published][kick]") {
@@ -170,23 +131,6 @@ TEST_CASE("three free breathers know the kick that frees", "[property][kick]") {
   CHECK(reversed(at).g[3] == -at.g[3]);
 }
 
-TEST_CASE("four multipliers near one, and pairs that leave the circle", "[unit]") {
-  CHECK(at_edge(pairs_with(-0.013), 1.1) == 56);
-  CHECK(excess(pairs_with(-0.013), 1).value < 1e-15);
-  CHECK(excess(pairs_with(-1.013), 1).value > 0.1);  // beyond -1
-  CHECK(distance_from_one(pairs_with(-0.013)[1]).value > 0.1);
-  CHECK(distance_from_one(pairs_with(-1e-4)[1]).value < 0.1);
-  // The larger multiplier counts, beyond +1 as beyond -1 and off the axis
-  const std::vector<MultiplierPair> pairs{
-      {0.25, 1e-12}, {-1.25, 1e-12}, {{-0.5, 0.1}, 1e-12}, {-0.5, 1e-12}};
-  check_close(excess(pairs).value, 0.5 + std::sqrt(1.25), 1e-14);
-  check_close(excess({pairs[0]}).value, 0.5 + std::sqrt(1.25), 1e-14);
-  check_close(excess(pairs, 1).value, 0.5 + std::sqrt(1.25), 1e-14);
-  CHECK(excess(pairs, 2).value > 0.1);
-  CHECK(excess(pairs, 3).value < 1e-15);
-  check_close(distance_from_one(pairs[0]).value, 0.5 + std::sqrt(1.25), 1e-14);
-}
-
 TEST_CASE("a kick and the path after it by hand", "[unit][kick]") {
   CHECK_THROWS_AS(kick_direction(std::vector<double>(5, 0.0)), std::invalid_argument);
   const auto g = kick_direction({1, 4, 2, -3});
@@ -214,30 +158,6 @@ TEST_CASE("a kick and the path after it by hand", "[unit][kick]") {
   CHECK_THROWS_AS(path.mean_speed(1.81), std::runtime_error);
   path.run.energy_drift = 1e-8;
   check_close(path.drift_margin(3, 5), 9 / 10.0 / 1e-8, 0, 1e-13);
-}
-
-TEST_CASE("what is read from runs of a DpS breather", "[unit][dps]") {
-  DpsRuns runs(4);
-  for (std::size_t k = 0; k < 4; ++k) {
-    runs[k].X = {0, -0.25, k < 3 ? -0.5 - 1e-12 : -0.4, 0.1};
-    runs[k].participation = {3, 3 + double(k), 3};
-  }
-  check_close(runs[3].farthest(), 0.4, 1e-15);
-  CHECK(passing(runs, 0.5) == 3);
-  CHECK(largest_spread(runs) == 2);
-  runs[3].push = 0.5;
-  check_close(off_pendulum({runs[3]}, 1), 0.4 - 1.0 / 6, 1e-15);
-  const PinnedBreather bond(stationary<double>(Centre::bond, 10, 32));
-  NoiseGroup group{.noise = {"main", 0.01}, .start = "control", .breather = bond, .time = 1};
-  check_close(std::abs(bond.pair.of(group.perturbed(1)).imag()), 0, 1e-14);
-  // Of pushes 0 and 2 beside a threshold of one the second breather passes, at both tolerances
-  group.runs = {DpsRuns(2), DpsRuns(2)};
-  group.runs.fine[1].push = 2;
-  group.runs.coarse[1].X = group.runs.fine[1].X = {0, 1.1};
-  CHECK(group.predicted_by({1, 0.1}) == 2);
-  CHECK(group.predicted_by({1, 1.1}) == 0);
-  group.runs.coarse[1].X[1] = 0.9;
-  CHECK(group.predicted_by({1, 0.1}) == 1);
 }
 
 TEST_CASE("an exchange is found between two frequencies and nowhere else", "[property][floquet]") {

@@ -1,4 +1,4 @@
-// What is measured of packets after an impact: energy, width, tail, acceleration.
+// What is measured of packets after an impact: energy, height, acceleration.
 
 #include <complex>
 
@@ -8,29 +8,11 @@
 #include "lattice/impact/impact.hpp"
 #include "sec34/acceleration.hpp"
 #include "sec34/dps_comparison.hpp"
-#include "sec34/ensemble.hpp"
 #include "sec34/packet.hpp"
 #include "support/check.hpp"
 
 using namespace lattice;
 using namespace report;
-
-namespace {
-
-/// A front whose amplitude is that of a compact packet of `width` sites, with a tail ahead.
-Front compact(double width) {
-  std::vector<double> e(40, 0.0);
-  for (int k = -10; k <= 10; ++k) {
-    const double x = 2 * k / (width + 1);
-    const double a = std::abs(x) < 1 ? std::pow(std::cos(M_PI * x / 2), 2) : 0;
-    e[std::size_t(20 + k)] = a * a + 1e-7;
-  }
-  Front front;
-  front.add(e, 20);
-  return front;
-}
-
-}  // namespace
 
 TEST_CASE("the front of a linear wave is no travelling breather", "[property]") {
   const Dps linear{140, Ends::free, 1, 0.5};
@@ -41,15 +23,6 @@ TEST_CASE("the front of a linear wave is no travelling breather", "[property]") 
   CHECK(energy_change(front) < -0.1);
 }
 
-TEST_CASE("a packet's width is not any number", "[unit]") {
-  for (std::size_t width : {3, 5, 7, 9}) {
-    CAPTURE(width);
-    const Front front = compact(double(width));
-    CHECK(front.width() == width);
-    check_close(front.tail(), std::sqrt(1e-7), 0, 1e-6);
-  }
-}
-
 TEST_CASE("the approximation of an impact starts with other velocities", "[unit][dps]") {
   for (double eps : {1e-5, 1e-2}) {
     const ApproximateStart start = approximate_start(20, eps);
@@ -58,14 +31,6 @@ TEST_CASE("the approximation of an impact starts with other velocities", "[unit]
     check_close(start.second, -change, 0, 1e-9);
     CHECK((start.place == 0 && start.others == 0));
   }
-}
-
-TEST_CASE("the height of a packet is from crest to trough about its peak", "[unit]") {
-  State<double> state(30);
-  state.y[3] = -9, state.y[14] = 2, state.y[16] = -3;
-  check_close(amplitude(state, 15).height, 5, 1e-14);
-  check_close(amplitude(state, 15).displacement, 3, 1e-14);
-  check_close(amplitude(state, 1).displacement, 9, 1e-14);
 }
 
 TEST_CASE("only what rises above the waves between is visible", "[property]") {
@@ -110,19 +75,6 @@ TEST_CASE("a parabola that is fitted to a path has its acceleration", "[unit][bo
   CHECK(all.deviation < 1e-11);
   // The wedge |u|, u from -1 to 1, has the variance 1/12; its part along P_2 is 5/8 P_2, whose square has the mean 5/64
   check_close(fit_parabola(wedge, 0, 200).deviation, std::sqrt(1.0 / 12 - 5.0 / 64), 2e-3);
-}
-
-TEST_CASE("runs decorrelate the later the less they differ", "[unit][boomeron]") {
-  const Chain chain{60, Quartic{1}};
-  const EventCorrected method{0.1};
-  const auto time = [&](double delta) {
-    return decorrelation_time(method, struck(60, 1.9), method, struck(60, 1.9 * (1 + delta)), chain,
-                              300);
-  };
-  CHECK(std::isinf(time(0)));
-  CHECK(time(1) == 0);
-  CHECK(time(3e-2) < time(3e-3));
-  CHECK(time(3e-3) < 300);
 }
 
 // In chains of a length of their own; the times of parting are those of an extrapolating integrator elsewhere, which
@@ -190,17 +142,4 @@ TEST_CASE("a free bead in a soft well is the slower the farther it moves", "[uni
          [&](const State<double>& now) { seen.add(now.t, now.y[0], now.v[0]); });
   check_close(seen.frequency(), free_frequency(-0.7, 0.9), 0, 1e-4);
   check_close(seen.amplitude(), 0.9, 0, 1e-6);
-}
-
-TEST_CASE("the spread of paths is that of their centres", "[unit][boomeron]") {
-  std::vector<Path> paths(3);
-  for (int i = 0; i < 100; ++i)
-    for (int k = 0; k < 3; ++k) paths[std::size_t(k)].add(i, 5 + 0.01 * i * (k - 1));
-  const std::vector<Spread> all = spread_of(paths, 10);
-  REQUIRE(all.size() == 10);
-  check_close(all[3].mean, 5, 1e-12);
-  check_close(all[3].deviation, 0.3, 1e-12);
-  CHECK(time_to_spread(all, 0.45) == 50);
-  CHECK_THROWS_AS(time_to_spread(all, 10), std::runtime_error);
-  CHECK(between(all, 20, 40).size() == 3);
 }

@@ -1,4 +1,4 @@
-// Sections 3.5 and 3.6: two beads that collide, the cradle, and the table of all scales of the cantilevers' array.
+// Sections 3.5 and 3.6: the table of all scales of the cantilevers' array.
 
 #include <map>
 
@@ -8,21 +8,6 @@
 
 using namespace lattice;
 using namespace report;
-
-TEST_CASE("two beads collide, and a cradle's ratio", "[unit][cantilever]") {
-  const Collision by_energy = collision_by_energy();
-  // The integral of ds / sqrt(1 - s^(5/2)) with 1 - s = u^2
-  const double x = std::pow(5 / 8.0, 2 / 5.0);
-  double time = 0;
-  for (int k = 0; k < 4000; ++k) {
-    const double u = (k + 0.5) / 4000, s = 1 - u * u;
-    time += 2 * u / std::sqrt(1 - s * s * std::sqrt(s)) / 4000;
-  }
-  check_close(by_energy.compression, x, 1e-14);
-  check_close(by_energy.contact_time, 2 * x * time, 1e-6);
-  check_close(Cradle{}.lambda_5_2(9.81, 2.43),
-              std::pow(0.5 / 9.81, 2.5) * std::pow(2.43 / 0.077e-3, 5), 0, 1e-12);
-}
 
 TEST_CASE("the table of scales has its closed forms", "[unit][cantilever]") {
   const Table table = AllScales{.velocity = 2}.table();

@@ -1,19 +1,20 @@
 #include "sec3/array_impact.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace lattice {
 
 Pulse pulse_of(const Watched& w, const Scales& s) {
   const auto push = strongest_push(w.t, w.force);
-  if (!push) throw NoPacket("the packet did not pass the observed site");
+  if (!push) throw std::runtime_error("the packet did not pass the observed site");
   return {push->t * s.tau_c(), push->force * s.unit_force(),
           largest_modulus(w.t, w.v) * s.unit_velocity(), largest_modulus(w.t, w.y) * s.xi(),
           push->period * s.tau_c()};
 }
 
-WatchedRun pass(const StruckArray& struck, std::size_t n, double until, const RunResolution& r) {
-  const Impact impact = struck.impact({.until = until, .sample = r.sample});
+WatchedRun pass(const StruckArray& struck, std::size_t n, double until, double step) {
+  const Impact impact = struck.impact({.until = until, .sample = step});
   Watched at;
   const auto watch = [&](const State<double>& now, const auto&) {
     at.t.push_back(now.t);
@@ -21,7 +22,7 @@ WatchedRun pass(const StruckArray& struck, std::size_t n, double until, const Ru
     at.v.push_back(now.v[n - 1]);
     at.y.push_back(now.y[n - 1]);
   };
-  return {strike(EventCorrected{r.step}, impact, watch), std::move(at)};
+  return {strike(EventCorrected{step}, impact, watch), std::move(at)};
 }
 
 double mean_speed(const WatchedRun& run, const StruckArray& struck, std::size_t n) {

@@ -7,7 +7,6 @@ that of the dimensionless chain (cantilever.hpp, impact.hpp); this file translat
 packet pass a given cantilever. */
 
 #include <cstddef>
-#include <stdexcept>
 #include <vector>
 
 #include "lattice/cantilever/cantilever.hpp"
@@ -15,11 +14,6 @@ packet pass a given cantilever. */
 #include "lattice/impact/impact.hpp"
 
 namespace lattice {
-
-/// Thrown if the packet did not do what its measurement needs.
-struct NoPacket : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// One run of a struck array, whose hundredth beam or another one may carry beads of another radius.
 struct ArrayRun {
@@ -46,11 +40,6 @@ struct StruckArray {
   }
 };
 
-/// Largest step and sampling interval of a run, in units of tau_c.
-struct RunResolution {
-  double step, sample;
-};
-
 /// The motion of one cantilever and the push of the contact to its right, in units of xi and tau_c.
 struct Watched {
   std::vector<double> t, force, v, y;
@@ -62,7 +51,7 @@ struct Pulse {
   double arrival, force, velocity, deflection, period;  ///< s, N, m/s, m, s
 };
 
-/// The pulse at a watched cantilever; throws NoPacket if the packet did not pass it.
+/// The pulse at a watched cantilever; throws std::runtime_error if the packet did not pass it.
 Pulse pulse_of(const Watched& w, const Scales& s);
 
 /// How the packet moves, and every sample of one cantilever.
@@ -70,9 +59,8 @@ struct WatchedRun : ImpactRun {
   Watched at{};
 };
 
-/// The run of the homogeneous array up to `until` ms, with steps and samples of `r`, watched at site `n`, counted from
-/// one. Throws FarEndReached like every impact.
-WatchedRun pass(const StruckArray& struck, std::size_t n, double until, const RunResolution& r);
+/// The run of the homogeneous array up to `until` ms, a sample each `step` (in units of tau_c), watched at site `n`.
+WatchedRun pass(const StruckArray& struck, std::size_t n, double until, double step);
 
 /// Sites per second: `n` over the time at which the packet is strongest at site `n`, where the run was watched.
 double mean_speed(const WatchedRun& run, const StruckArray& struck, std::size_t n);

@@ -5,12 +5,18 @@
 The article's figures of breathers show 31 sites around a site, or 32 around a bond. */
 
 #include <cstddef>
+#include <string>
 
 #include "lattice/model/sites.hpp"
 #include "lattice/orbits/breather.hpp"
 #include "lattice/standing/stationary.hpp"
 
 namespace lattice {
+
+/// As tables name it: site or bond.
+inline std::string name_of(Centre centre) {
+  return centre == Centre::bond ? "bond" : "site";
+}
 
 /// Default lengths of a chain: that of the article's figures; the shortest that holds a tail down to rounding up to
 /// omega_b = 2; and one that is a little longer, for breathers that are kicked.

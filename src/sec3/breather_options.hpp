@@ -79,8 +79,7 @@ struct ChosenBreather {
   }
 };
 
-/// `make()`; throws UsageError for a length of the wrong parity or too short for the tail, and for a frequency in the
-/// band of the chain.
+/// `make()`; throws UsageError for a length of the wrong parity or too short for the tail, or a frequency in the band.
 template <class Make>
 auto on_chosen_chain(const ChosenBreather& chosen, Make make) {
   const std::string sites = "--sites: " + std::to_string(chosen.sites);
@@ -98,8 +97,7 @@ auto on_chosen_chain(const ChosenBreather& chosen, Make make) {
   }
 }
 
-/// The breather that was chosen, on a chain of about the article's length that holds its tail down to
-/// `precision`. Throws UsageError, NewtonFailed.
+/// On a chain of about the article's length that holds its tail down to `precision`. Throws UsageError, NewtonFailed.
 inline Fitted find_chosen(const ChosenBreather& chosen, double precision) {
   Chain like = chosen.like;
   like.well = chosen.well;

@@ -60,12 +60,28 @@ static void set_errors(BreatherPair& pair, const Measured<T>& coarse, const Meas
   };
   pair.slope_action =
       with_flow_error(slope_action(coarse), slope_action(fine), fine.orbit[1].energy_omega);
-  pair.wide = sizeof(T) > sizeof(double);
 }
 
 template <class T>
 void measure_in(BreatherPair& pair) {
   set_errors<T>(pair, measured<T>(pair, Resolution::coarse), measured<T>(pair, Resolution::fine));
+}
+
+/// Whether a value is known to three parts in a thousand.
+static bool settled(const Estimate& e) {
+  return e.error <= 3e-3 * std::abs(e.value);
+}
+
+void measure(BreatherPair& pair) {
+  measure_in<double>(pair);
+  if (!settled(pair.equal_frequency) || !settled(pair.equal_action)) measure_in<Wide>(pair);
+}
+
+BreatherPair barriers_at(double omega_b, double s) {
+  BreatherPair pair{s, omega_b};
+  for (int k : {0, 1}) pair.orbit[k] = find_breather(pair.problem(k));
+  measure(pair);
+  return pair;
 }
 
 /// At one tolerance, for a step of a search; the errors are those of rounding alone.
@@ -131,23 +147,21 @@ static BreatherPair pair_between(const BreatherPair& left, const BreatherPair& r
 /// The last two steps to a zero near `omega`: one at each tolerance. The second, which is what the two tolerances and
 /// the curvature make of the zero, is its error, with that of the barrier there over its slope.
 template <class T>
-static Estimate last_steps(const BreatherPair& low, const BreatherPair& high, double omega,
-                           Equal equal) {
+static Estimate last_steps(const BreatherPair& low, const BreatherPair& high, double omega) {
   double step = 0, error = 0;
   for (const Resolution resolution : {Resolution::coarse, Resolution::fine}) {
     BreatherPair at = pair_between(low, high, omega);
     measure_once<T>(at, resolution);
-    const Sloped gap = at.gap(equal);
-    step = gap.barrier.value / gap.slope.value;
-    error = std::abs(gap.barrier.error / gap.slope.value);
+    step = at.equal_frequency.value / at.slope.value;
+    error = std::abs(at.equal_frequency.error / at.slope.value);
     omega -= step;
   }
   return {omega, error + std::abs(step) + 1e-15};
 }
 
 // Newton's method for a vanishing barrier, with bisection if it would leave the bracket
-Estimate frequency_of_zero(const BreatherPair& left, const BreatherPair& right, Equal equal) {
-  const double below = left.gap(equal).barrier.value, above = right.gap(equal).barrier.value,
+Estimate frequency_of_zero(const BreatherPair& left, const BreatherPair& right) {
+  const double below = left.equal_frequency.value, above = right.equal_frequency.value,
                width = right.omega - left.omega;
   BreatherPair low = left, high = right;
   double omega = left.omega - below * width / (above - below);
@@ -155,16 +169,16 @@ Estimate frequency_of_zero(const BreatherPair& left, const BreatherPair& right, 
   for (int k = 0; k < 40; ++k) {
     BreatherPair at = pair_between(low, high, omega);
     measure_once<double>(at, Resolution::fine);
-    const auto [now, slope] = at.gap(equal);
-    const double step = now.value / slope.value, next = omega - step;
+    const Estimate now = at.equal_frequency;
+    const double step = now.value / at.slope.value, next = omega - step;
     ((now.value > 0) == (above > 0) ? high : low) = std::move(at);
     omega = low.omega < next && next < high.omega ? next : (low.omega + high.omega) / 2;
     if (std::abs(step) < 1e-4 * width || std::abs(now.value) < 4 * now.error) break;
   }
 
   // If that does not give eight digits, extended precision does
-  Estimate zero = last_steps<double>(low, high, omega, equal);
-  if (!(zero.error < 1e-8)) zero = last_steps<Wide>(low, high, omega, equal);
+  Estimate zero = last_steps<double>(low, high, omega);
+  if (!(zero.error < 1e-8)) zero = last_steps<Wide>(low, high, omega);
   if (!(zero.error < 1e-3 * width))
     throw std::runtime_error("no zero of the barrier is found near " + std::to_string(omega));
   return zero;

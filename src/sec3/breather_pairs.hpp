@@ -17,14 +17,6 @@ Site-centred and bond-centred breathers of one frequency, and the small differen
 
 namespace lattice {
 
-/// In what two breathers agree when their energies are compared: frequency, or action.
-enum class Equal { frequency, action };
-
-/// A barrier and its derivative with respect to the frequency.
-struct Sloped {
-  Estimate barrier, slope;
-};
-
 /// Two breathers of one frequency, site-centred first, and what was measured on them.
 struct BreatherPair {
   double s = 0, omega = 0;               ///< anharmonicity of the wells, frequency of both
@@ -32,23 +24,21 @@ struct BreatherPair {
   std::array<Estimate, 2> energy{}, amplitude{};
   Estimate equal_frequency{}, equal_action{};  ///< the two barriers, E_site - E_bond
   Estimate slope{}, slope_action{};            ///< their derivatives with respect to omega
-  bool wide = false;                           ///< whether extended precision was needed
   std::vector<Shooting<double>> others{};      ///< both problems, if not those of `problem_of`
 
   /// The problem of one of the two.
   Shooting<double> problem(int k) const {
     return others.empty() ? problem_of(both_centres[k], omega, s) : others[std::size_t(k)];
   }
-  /// One of the two barriers.
-  Sloped gap(Equal equal) const {
-    if (equal == Equal::frequency) return {equal_frequency, slope};
-    return {equal_action, slope_action};
-  }
 };
 
 /// Measures at both tolerances in type T. Throws NewtonFailed.
 template <class T>
 void measure_in(BreatherPair& pair);
+/// The same, with 64 bits where double precision does not give one of the barriers to 3 parts in a thousand.
+void measure(BreatherPair& pair);
+/// Both breathers of this frequency on the article's chains, measured so.
+BreatherPair barriers_at(double omega_b, double s = 0);
 
 /// Pairs at increasing frequencies.
 using BreatherPairs = std::vector<BreatherPair>;
@@ -63,9 +53,9 @@ BreatherPairs breather_pairs_at(double s, const std::array<Shooting<double>, 2>&
                                 const std::vector<double>& omegas,
                                 const std::function<void(BreatherPair&)>& measure_pair);
 
-/// The frequency between two pairs of opposite sign at which the barrier vanishes: Newton's method in double precision,
-/// then two steps, one at each tolerance, that give its error; in extended precision if that is above $10^{-8}$. Throws
-/// std::runtime_error if it is not known to a thousandth of the bracket.
-Estimate frequency_of_zero(const BreatherPair& left, const BreatherPair& right, Equal equal);
+/// The frequency between two pairs of opposite sign at which the barrier at equal frequency vanishes: Newton's method in
+/// double precision, then two steps, one at each tolerance, that give its error; in extended precision if that is above
+/// $10^{-8}$. Throws std::runtime_error if it is not known to a thousandth of the bracket.
+Estimate frequency_of_zero(const BreatherPair& left, const BreatherPair& right);
 
 }  // namespace lattice

@@ -49,10 +49,7 @@ int at_edge(const std::vector<MultiplierPair>& pairs, double omega_b) {
 }
 
 Orbit<double> lengthened(const Shooting<double>& longer, const Orbit<double>& orbit) {
-  const std::size_t more = longer.chain.sites - orbit.start.y.size();
-  State<double> start(longer.chain.sites);
-  std::copy(orbit.start.y.begin(), orbit.start.y.end(), start.y.begin() + long(more / 2));
-  return newton(longer, longer.reduce(start));
+  return newton(longer, longer.reduce(resized(orbit.start, longer.chain.sites)));
 }
 
 Estimate distance_from_one(const MultiplierPair& pair) {

@@ -55,11 +55,6 @@ Spectrum spectrum(const Shooting<double>& problem, const Orbit<double>& orbit);
 template <class T>
 Spectrum spectrum(const Shooting<T>& problem, const Orbit<double>& orbit, double rank);
 
-/// As tables name it: site or bond.
-inline std::string name_of(Centre centre) {
-  return centre == Centre::bond ? "bond" : "site";
-}
-
 /// How many multipliers but the first two lie within 1e-4 in kappa of their accumulation, exp(+-2 pi i / omega_b).
 int at_edge(const std::vector<MultiplierPair>& pairs, double omega_b);
 

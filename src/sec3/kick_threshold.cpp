@@ -24,8 +24,7 @@ static Vector<double> eigenvector_near(const Matrix<double>& m, double value,
   return guess;
 }
 
-// How positions follow from positions and velocities: around a bond after a period, around a site after half of one and
-// the reflection
+// How positions follow from positions and velocities: after a period, or around a site half of one and the reflection
 static Matrix<double> period_map(const RestingBreather& at, const EventTolerance<double>& rule) {
   const auto n = Eigen::Index(at.chain.sites);
   const bool site = at.centre == Centre::site;
@@ -135,31 +134,19 @@ EventCorrected fourteen_stages(double step) {
   return {step, nystrom(blanes_moan_6_14())};
 }
 
-// Both barriers, and the prediction
-BreatherPair barriers_at(double omega_b, double s) {
-  BreatherPair pair{s, omega_b};
-  for (int k : {0, 1}) pair.orbit[k] = find_breather(problem_of(both_centres[k], omega_b, s));
-  measure_in<double>(pair);
-  return pair;
-}
-
 Prediction predict_threshold(const RestingBreather& at, const Estimate& barrier) {
-  std::array<Pinning, 2> found;
-  for (std::size_t i = 0; i < 2; ++i) {
-    EventTolerance<double> rule;
-    if (i == 0) rule.tolerance *= 16;
-    found[i] = pinning_of(at, rule);
-  }
-  const auto pair = [&](auto of) { return with_error(of(found[0]), of(found[1])); };
+  EventTolerance<double> coarse;
+  coarse.tolerance *= 16;
+  const TwoRuns<Pinning> found{pinning_of(at, coarse), pinning_of(at)};
   Prediction out;
-  out.phi = pair([](const Pinning& p) { return p.phi; });
-  out.along = pair([](const Pinning& p) { return p.along; });
+  out.phi = found.of(&Pinning::phi);
+  out.along = found.of(&Pinning::along);
   out.barrier = barrier;
-  if (!(found[1].frequency2 > 0)) return out;
-  out.frequency = pair([](const Pinning& p) { return std::sqrt(p.frequency2); });
+  if (!(found.fine.frequency2 > 0)) return out;
+  out.frequency = found.of([](const Pinning& p) { return std::sqrt(p.frequency2); });
   // The threshold goes as the root of the barrier, so the barrier's relative error counts half
   out.threshold =
-      pair([&](const Pinning& p) { return std::sqrt(2 * std::abs(barrier.value / p.phi)); });
+      found.of([&](const Pinning& p) { return std::sqrt(2 * std::abs(barrier.value / p.phi)); });
   out.threshold.error += 0.5 * out.threshold.value * std::abs(barrier.error / barrier.value);
   return out;
 }

@@ -44,9 +44,6 @@ RestingBreather reversed(RestingBreather at);
 /// Event-corrected steps of this length by the method of order six with fourteen stages.
 EventCorrected fourteen_stages(double step);
 
-/// Both breathers of this frequency, with their barriers at equal frequency and at equal action.
-BreatherPair barriers_at(double omega_b, double s = 0);
-
 /**
 ## The slow plane
 

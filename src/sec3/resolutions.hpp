@@ -4,7 +4,6 @@
 
 What is read from a periodic orbit gets its error from the same orbit found twice, with two tolerances of the flow. */
 
-#include <cmath>
 #include <limits>
 
 #include "lattice/numerics/estimate.hpp"
@@ -46,11 +45,6 @@ template <class T>
 Estimate with_flow_error(const T& coarse, const T& fine, const T& size) {
   const T least = T(2048) * std::numeric_limits<T>::epsilon() * magnitude(size);
   return {double(fine), double(magnitude<T>(fine - coarse) + least)};
-}
-
-/// Whether a value is known to three parts in a thousand.
-inline bool settled(const Estimate& e) {
-  return e.error <= 3e-3 * std::abs(e.value);
 }
 
 }  // namespace lattice

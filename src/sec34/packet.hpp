@@ -8,6 +8,8 @@ around it. */
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
+#include <stdexcept>
 #include <vector>
 
 #include "lattice/diagnostics/path.hpp"
@@ -17,13 +19,31 @@ namespace lattice {
 
 /// Relative change of the mean of `series`, one entry a sample, from the first half of the packet's way to the second;
 /// the means remove its pulsation. Throws std::runtime_error if fewer than six samples lie beyond `fit_from`.
-double change_between_halves(const Path& path, const std::vector<double>& series);
+inline double change_between_halves(const Path& path, const std::vector<double>& series) {
+  const std::size_t end = path.size();
+  std::size_t begin = 0;
+  while (begin < end && path[begin].centre < fit_from) ++begin;
+  if (end < begin + 6) throw std::runtime_error("no packet passes site 20");
+  const std::size_t half = (begin + end) / 2;
+  const auto mean = [&](std::size_t from, std::size_t until) {
+    double sum = 0;
+    for (std::size_t i = from; i < until; ++i) sum += series[i];
+    return sum / double(until - from);
+  };
+  return mean(half, end) / mean(begin, half) - 1;
+}
 /// That of the packet's energy.
-double energy_change(const Path& path);
+inline double energy_change(const Path& path) {
+  return change_between_halves(path, path.all(&PathSample::energy));
+}
 
-/// The largest energy in a window behind the packet, at least one width clear of it, over that of the packet around
-/// `peak`.
-double residue(const std::vector<double>& e, std::size_t peak);
+/// The largest energy in a window behind the packet, at least one width clear of it, over that around `peak`.
+inline double residue(const std::vector<double>& e, std::size_t peak) {
+  const std::size_t m = packet_half_width;
+  double most = 0;
+  for (std::size_t n = m; n + 4 * m < peak; ++n) most = std::max(most, window_sum(e, n));
+  return most / window_sum(e, peak);
+}
 
 /**
 Ahead of a compact packet nothing has moved yet, and the amplitude falls super-exponentially. We look at the *largest*
@@ -72,13 +92,20 @@ class Front {
   double behind_ = 0, seven_ = 1;
 };
 
-/// The oscillation of one bead, sample by sample: the times at which it passes zero upwards, and its largest
-/// displacement.
+/// The oscillation of one bead: the times at which it passes zero upwards, and its largest displacement.
 class Oscillation {
  public:
-  void add(double t, double y, double v);
+  void add(double t, double y, double v) {
+    if (y >= 0 && last_ < 0) passages_.push_back(t - y / v);  // at zero the time y/v ago
+    amplitude_ = std::max(amplitude_, std::abs(y));
+    last_ = y;
+  }
   /// Mean frequency between the first and the last passage. Throws std::runtime_error if there are less than two.
-  double frequency() const;
+  double frequency() const {
+    if (passages_.size() < 2) throw std::runtime_error("a bead that does not oscillate");
+    const double periods = double(passages_.size()) - 1;
+    return 2 * std::numbers::pi * periods / (passages_.back() - passages_.front());
+  }
   double amplitude() const { return amplitude_; }
 
  private:
@@ -88,10 +115,23 @@ class Oscillation {
 
 /// Frequency of a free bead in the well y^2/2 + s y^4/4, s <= 0, that oscillates between -A and A: with the complete
 /// elliptic integral K, it is pi q / (2 K(k)), where q^2 = 1 + s A^2/2 and k^2 = -s A^2/(2 q^2).
-double free_frequency(double s, double A);
+inline double free_frequency(double s, double A) {
+  const double q = std::sqrt(1 + s * A * A / 2), k = std::sqrt(-s / 2) * A / q;
+  return std::numbers::pi * q / (2 * std::comp_ellint_1(k));
+}
 
 /// The height of the lower of two excitations, on the first five sites and about `peak`, over the highest wave in
 /// between: both are visible if it exceeds one.
-double prominence(const std::vector<double>& v, std::size_t peak);
+inline double prominence(const std::vector<double>& v, std::size_t peak) {
+  const auto height = [&](std::size_t from, std::size_t to) {
+    double most = 0;
+    for (std::size_t n = from; n < std::min(to, v.size()); ++n)
+      most = std::max(most, std::abs(v[n]));
+    return most;
+  };
+  const std::size_t near = 5, m = packet_half_width, behind = peak > m ? peak - m : 0;
+  const double between = height(near + m, behind), packet = height(behind, peak + m + 1);
+  return std::min(height(0, near), packet) / between;
+}
 
 }  // namespace lattice

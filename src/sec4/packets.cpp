@@ -293,7 +293,7 @@ RingPair side_by_side(const Chain& ring, const State<double>& start, double step
 
 // What is read from a pair
 Estimate RingPair::width() const {
-  Estimate least = none;
+  Estimate least = undefined;
   for (const auto& [coarse, fine] : samples)
     if (fine.t >= localized.value && fine.t <= 1.5 * localized.value &&
         !(fine.width >= least.value))

@@ -12,11 +12,10 @@ one another hold the most energy. */
 #include <vector>
 
 #include "lattice/integrators/integrate.hpp"
-#include "lattice/numerics/estimate.hpp"
+#include "report/program.hpp"
 
 namespace lattice {
-
-inline const Estimate none{std::nan(""), std::nan("")};  ///< no such quantity
+using report::undefined;
 
 /// Sites on either side of a packet's centre that belong to it, and of those to which its envelope is fitted.
 inline constexpr std::size_t compressed_half_width = 20, envelope_half_width = 10;
@@ -48,8 +47,7 @@ struct Envelope {
 /// Frequency of the carrier in `range` and amplitudes of all sites.
 Envelope envelope(const Chain& chain, const State<double>& state, Window range);
 
-/// The envelope of a soliton, Eq. (38); sites are counted from one, `residual` is the root mean square misfit over
-/// the height.
+/// The envelope of a soliton, Eq. (38), sites from one; `residual` is the root mean square misfit over the height.
 struct Sech {
   double height = 0, centre = 0, width = 0, residual = 0;
   /// Its value at site n.
@@ -73,8 +71,7 @@ struct Snapshot {
   double reach() const { return std::max(std::abs(sech.centre - centre), sech.width); }
 };
 Snapshot snapshot(const Chain& chain, const State<double>& state);
-/// Root mean square of the envelope from 40 to 80 sites behind (`side` = -1) or ahead (+1) of the packet, over the
-/// sech's height: nothing is left of the sech there.
+/// Root mean square of the envelope from 40 to 80 sites behind (`side` = -1) or ahead (+1) of the packet, over the height.
 double tail_amplitude(const Snapshot& shot, int side);
 /// The highest wave more than 30 sites behind the packet, over the sech's height.
 double train_amplitude(const Snapshot& shot);
@@ -108,7 +105,8 @@ WatchedRing watch_packet(const Method& method, const Chain& ring, State<double> 
 /// The packet of two such runs: largest density over the mean, fraction of the sites that share the energy, speed of the
 /// centre with the error of its fit, width.
 struct Packet {
-  Estimate peak_over_mean = none, share_of_sites = none, speed = none, width = none;
+  Estimate peak_over_mean = undefined, share_of_sites = undefined, speed = undefined,
+           width = undefined;
 };
 Packet packet_of(const TwoRuns<WatchedRing>& runs);
 
@@ -125,10 +123,10 @@ struct WatchedSplitting {
 /// Two runs with two steps side by side, the finer one second, sampled every 50 units of time.
 struct RingPair {
   std::vector<std::array<RingSample, 2>> samples{};
-  Estimate agree{};              ///< how long they agree; exact if they have not parted
-  Estimate stretch{};            ///< the largest stretch of a contact until then, after any step
-  Estimate localized = none;     ///< when the energy has localized in both,
-  TwoRuns<WatchedRing> later{};  ///< and both a little later
+  Estimate agree{};                ///< how long they agree; exact if they have not parted
+  Estimate stretch{};              ///< the largest stretch of a contact until then, after any step
+  Estimate localized = undefined;  ///< when the energy has localized in both,
+  TwoRuns<WatchedRing> later{};    ///< and both a little later
 
   /// The packet then, if the energy has localized.
   Packet packet() const { return localized.value > 0 ? packet_of(later) : Packet{}; }
@@ -144,7 +142,7 @@ RingPair side_by_side(const Chain& ring, const State<double>& start, double step
 /// localization, the largest height of a second one over the first, and the largest that it keeps while a phonon goes
 /// `round` the ring. All nan if it never is.
 struct PulseSplits {
-  Estimate one_pulse_for = none, second = none, kept = none;
+  Estimate one_pulse_for = undefined, second = undefined, kept = undefined;
 };
 PulseSplits pulse_splits(const RingPair& pair, double round);
 

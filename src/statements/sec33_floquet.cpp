@@ -32,7 +32,7 @@ STATEMENT("floquet.s0_site") {
 STATEMENT("floquet.collision") {
   const Data near_one = table("spectra").where("omega", 1.1);
   const double side[] = {-1,
-                         1};  // on which the pair is real: below around a site, above around a bond
+                         1};  // where the pair is real: below around a site, above around a bond
   for (const char* centre : {"site", "bond"}) {
     const bool is_bond = std::string(centre) == "bond";
     const double s_0 = table("exchange")[centre].value;

@@ -74,8 +74,7 @@ STATEMENT("impact.trapped") {
 /// On the grid of a scan; an impact whose outcome depends on the time step is ignored.
 struct Band {
   double first_escape = HUGE_VAL, last_survivor = 0;
-  double survivors_above = 0,
-         changes = 0;  // survivors among stronger impacts than the first escape
+  double survivors_above = 0, changes = 0;  // the former of stronger impacts than the first escape
   Estimate disputed{};
 };
 static Band band(const Data& scan) {

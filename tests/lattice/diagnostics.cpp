@@ -93,12 +93,6 @@ TEST_CASE("a path is read between its samples", "[unit][observe]") {
   check_close(path.energy_at(13), 5 - 2.0 / 3, 1e-14);
   check_close(path.energy_at(20), 2 + 6 / 5.0, 1e-14);
   for (double beside : {9.0, 24.0}) CHECK_THROWS_AS(path.energy_at(beside), std::runtime_error);
-  // Passes 13 at 8/3; 3 later, at 17/3, it is at 15 + 4 * 5/6
-  check_close(path.travelled(13, 3), 15 + 10 / 3.0 - 13, 1e-13);
-  check_close(path.travelled(12, 8), 22 - 12, 1e-13);
-  CHECK_THROWS_AS(path.travelled(13, 7.4), std::runtime_error);
-  CHECK_THROWS_AS(path.travelled(9, 2), std::runtime_error);
-  CHECK_THROWS_AS(path.travelled(24, 2), std::runtime_error);
 }
 
 TEST_CASE("the largest peak is found between samples", "[unit][observe]") {

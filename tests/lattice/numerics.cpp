@@ -36,6 +36,12 @@ TEST_CASE("estimates are never without an error unless they are exact", "[unit][
   CHECK((exact(3).error == 0 && quotient(exact(3), exact(4)).is_exact));
 }
 
+TEST_CASE("the larger and the smaller of two count their error bars", "[unit][accuracy]") {
+  const Estimate wide{1.0, 0.3}, sharp{1.1, 0.05}, narrow{1.0, 0.05}, blurred{1.1, 0.3};
+  CHECK((larger(wide, sharp).value == 1.0 && larger(sharp, narrow).value == 1.1));
+  CHECK((smaller(narrow, blurred).value == 1.1 && smaller(narrow, sharp).value == 1.0));
+}
+
 TEST_CASE("two resolutions that agree by chance have the error of the step before",
           "[unit][accuracy]") {
   const Estimate before = with_error(1.0, 1.064), last = with_error(1.064, 1.064 + 1e-9);

@@ -20,29 +20,12 @@ Estimate Path::speed_during(double from, double to) const {
   return fit_line(ts, xs).estimate();
 }
 
-// The first sample beyond x, and the share of the interval before it after which the centre passes x
-static std::pair<std::size_t, double> passage(const Path& path, double x) {
-  const std::size_t i = path.count_before(x);
-  if (i == 0 || i == path.size()) throw std::runtime_error("no packet passes the site asked for");
-  return {i, (x - path[i - 1].centre) / (path[i].centre - path[i - 1].centre)};
-}
-
 double Path::energy_at(double site) const {
-  const auto [i, part] = passage(*this, site);
-  const double before = samples[i - 1].energy;
-  return before + part * (samples[i].energy - before);
-}
-
-double Path::travelled(double site, double duration) const {
-  // Both ends lie between two samples
-  const auto [i, part] = passage(*this, site);
-  const double end = samples[i - 1].t + part * (samples[i].t - samples[i - 1].t) + duration;
-  const auto last = std::lower_bound(samples.begin(), samples.end(), end,
-                                     [](const PathSample& at, double t) { return at.t < t; });
-  if (last == samples.end()) throw std::runtime_error("the packet is not followed long enough");
-  const PathSample &after = *last, &before = *(last - 1);
-  const double rest = (end - before.t) / (after.t - before.t);
-  return before.centre + rest * (after.centre - before.centre) - site;
+  const std::size_t i = count_before(site);
+  if (i == 0 || i == size()) throw std::runtime_error("no packet passes the site asked for");
+  const PathSample &before = samples[i - 1], &after = samples[i];
+  const double part = (site - before.centre) / (after.centre - before.centre);
+  return before.energy + part * (after.energy - before.energy);
 }
 
 /**

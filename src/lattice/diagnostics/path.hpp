@@ -80,9 +80,6 @@ struct Path {
   /// Energy of the packet at the instant when the centre first passes `site`, between two samples. Throws
   /// std::runtime_error if it never does.
   double energy_at(double site) const;
-  /// Sites by which the centre moves on in `duration` after it has passed `site`. Throws
-  /// std::runtime_error if the path ends before.
-  double travelled(double site, double duration) const;
   /// Largest maximum in time of the packet's energy density while its centre is between `from` and `to`, with the error
   /// that samples leave; nan if it has none there.
   Estimate largest_peak(double from, double to) const;

@@ -83,8 +83,9 @@ struct Refined : TwoRuns<Result> {
   template <class Number>
   Estimate of(Number number) const {
     const Estimate last = TwoRuns<Result>::of(number);
-    return coarsest ? after_halving(with_error(number(*coarsest), number(this->coarse)), last, gain)
-                    : last;
+    if (!coarsest) return last;
+    const TwoRuns<const Result&> before{*coarsest, this->coarse};
+    return after_halving(before.of(number), last, gain);
   }
   /// The same of what is read from the end states. Where these differ two runs may agree on a number by chance; the finer
   /// one is better by a factor of twenty.

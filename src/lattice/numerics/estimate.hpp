@@ -8,6 +8,7 @@ called exact is an omission. */
 
 #include <algorithm>
 #include <concepts>
+#include <functional>
 #include <limits>
 
 #include "lattice/numerics/ieee.hpp"
@@ -65,12 +66,18 @@ template <class Result>
 struct TwoRuns {
   Result coarse, fine;
 
-  /// What `number` reads from the finer one, with its difference from the coarser one.
+  /// What `number`, a function or a member, reads from the finer one, with its difference from the coarser one.
   template <class Number>
   Estimate of(Number number) const {
-    return with_error(number(coarse), number(fine));
+    return with_error(std::invoke(number, coarse), std::invoke(number, fine));
   }
 };
+
+/// The modulus, where a sign means nothing.
+inline Estimate modulus(Estimate e) {
+  e.value = e.value < 0 ? -e.value : e.value;
+  return e;
+}
 
 /// a / b with the errors of both.
 Estimate quotient(const Estimate& a, const Estimate& b);

@@ -45,4 +45,12 @@ Estimate order_between(double large, const Estimate& a, double small, const Esti
   return {std::log(a.value / b.value) / ratio, (a.error / a.value + b.error / b.value) / ratio};
 }
 
+Estimate limit_by_halving(const std::vector<Estimate>& values) {
+  const auto from = [&](std::size_t last) {
+    const Estimate &a = values[last - 1], &b = values[last];
+    return Estimate{2 * b.value - a.value, 2 * b.error + a.error};
+  };
+  return with_error(from(values.size() - 2), from(values.size() - 1));
+}
+
 }  // namespace lattice

@@ -33,6 +33,10 @@ Estimate bend(const std::vector<double>& t, const std::vector<double>& x);
 /// errors of both added.
 Estimate order_between(double large, const Estimate& a, double small, const Estimate& b);
 
+/// The limit of at least three values whose distance from it is halved from each to the next, by the last two; its error is
+/// the change without the last one, and what the errors of the values contribute.
+Estimate limit_by_halving(const std::vector<Estimate>& values);
+
 /// The parabola through three values at -1, 0 and 1, in units of the distance between samples.
 struct Parabola {
   double middle;  ///< value at 0

@@ -437,19 +437,16 @@ TEST_CASE("barriers of other wells and contacts", "[property][chains]") {
 
 TEST_CASE("a zero of the barrier does not depend on the pairs around it",
           "[convergence][periodic]") {
-  const auto zero = [](double from, double to, Equal equal) {
+  const auto zero = [](double from, double to) {
     BreatherPair pairs[] = {{0, from}, {0, to}};
     for (BreatherPair& r : pairs) {
       for (int k : {0, 1}) r.orbit[k] = find_breather(problem_of(both_centres[k], r.omega));
       measure_in<Wide>(r);
     }
-    return frequency_of_zero(pairs[0], pairs[1], equal);
+    return frequency_of_zero(pairs[0], pairs[1]);
   };
-  const auto agree = [](const Estimate& a, const Estimate& b) {
-    CAPTURE(a.value, a.error, b.value, b.error);
-    CHECK(std::abs(a.value - b.value) <= a.error + b.error);
-    CHECK(a.error < 1e-8);
-  };
-  agree(zero(1.05, 1.075, Equal::frequency), zero(1.06, 1.065, Equal::frequency));
-  agree(zero(1.01, 1.025, Equal::action), zero(1.016, 1.02, Equal::action));
+  const Estimate a = zero(1.05, 1.075), b = zero(1.06, 1.065);
+  CAPTURE(a.value, a.error, b.value, b.error);
+  CHECK(std::abs(a.value - b.value) <= a.error + b.error);
+  CHECK(a.error < 1e-8);
 }
