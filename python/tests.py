@@ -475,7 +475,7 @@ class Documentation(unittest.TestCase):
 class Notebooks(unittest.TestCase):
     def test_they_say_what_they_hold(self):
         paths = sorted(HERE.glob("*.ipynb"))
-        self.assertGreaterEqual(len(paths), 3)
+        self.assertTrue(paths)
         for path in paths:
             self.assertEqual(notebooks.run(path), [])
 
