@@ -85,10 +85,10 @@ class Book:
     def read_sources(self):
         """The chapters under the parts of book/contents.txt, all other sources by folder, and what headers define."""
         self.parts, part = {}, "Chapters"
-        for line in filter(None, map(str.strip, ecsv.text_of(self.root / "book/contents.txt").splitlines())):
+        for line in ecsv.lines_of(self.root / "book/contents.txt"):
             if line.startswith("="):
                 part = line[1:].strip()
-            elif not line.startswith("#"):
+            else:
                 self.parts.setdefault(part, []).append(line)
         order = [name for names in self.parts.values() for name in names]
         self.chapters, self.rest = sources_of(self.root, self.volumes, order)
@@ -417,7 +417,8 @@ class Book:
         heads = dict(zip(LISTS[1:], re.split(r"\n(?=# )", ecsv.text_of(HERE / "lists.md"))))
         heads["published"] = ecsv.text_of(HERE / "published.md")
         lists = {name: heads.get(name, "") + getattr(self, f"{name}_page")() for name in LISTS}
-        lists |= {"symbols": ecsv.text_of(HERE / "symbols.md"), "data": self.data_page(), "machines": self.machines_page()}
+        lists |= {"symbols": ecsv.text_of(HERE / "symbols.md"), "python": ecsv.text_of(HERE.parent / "python/own_chain.md"),
+                  "data": self.data_page(), "machines": self.machines_page()}
         lists |= {name: ecsv.text_of(folder / f"{name}.md") + live.SCRIPT for folder, name in self.lives}
         for name, text in (pages | lists | {"index": self.start_page(lists)}).items():
             (self.pages / f"{name}.md").write_text(text, encoding="utf-8")

@@ -49,12 +49,11 @@ def command_of(figure):
 
 def read_commands(root):
     """Commands that compute one number alone, and what they call it, by its name: book/commands.txt."""
-    out, path = {}, Path(root) / "book/commands.txt"
-    for line in ecsv.text_of(path).splitlines() if path.exists() else ():
-        if line.strip() and not line.startswith("#"):
-            id, _, command = line.strip().partition(" ")
-            command, _, quantity = command.partition("#")
-            out[id] = command.strip(), quantity.strip()
+    out = {}
+    for line in ecsv.lines_of(Path(root) / "book/commands.txt"):
+        id, _, command = line.partition(" ")
+        command, _, quantity = command.partition("#")
+        out[id] = command.strip(), quantity.strip()
     return out
 
 
