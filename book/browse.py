@@ -1,8 +1,7 @@
 """Opens every page of the book in a headless Chromium, as wide as a phone: `python3 book/browse.py build/book`.
 
-A page fails if it logs an error, asks for what is not in its folder, or must be scrolled sideways, or a chapter if its code
-is cut in a window of 1280 pixels. A number shows its error on focus, the search finds a chapter, and each live page that
-is there is run. Links and pictures that lead nowhere end the making of the book (literate.py)."""
+A page fails if it logs an error, asks for what is not in its folder, or must be scrolled sideways. A number shows
+its error on focus, the search finds a chapter, and each live page that is there is run. Links and pictures that lead nowhere end the making of the book (literate.py)."""
 
 import csv
 import json
@@ -46,10 +45,7 @@ class Browser:
         options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
         self.driver = webdriver.Chrome(options=options, service=Service(shutil.which("chromedriver")))
         self.run = self.driver.execute_script
-        self.resize(375)
-
-    def resize(self, width):
-        size = {"width": width, "height": 800, "deviceScaleFactor": 1, "mobile": False}
+        size = {"width": 375, "height": 800, "deviceScaleFactor": 1, "mobile": False}
         self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
 
     def open(self, page):
@@ -82,16 +78,6 @@ def check_use(browser):
     browser.open("search.html?q=boomeron")
     if not browser.wait("document.querySelector('#search-results a[href*=sec34_boomeron]')"):
         yield "search.html: does not find the boomeron"
-
-
-def check_code(browser, pages):
-    """In a window of 1280 pixels no line of a chapter's code is cut."""
-    browser.resize(1280)
-    for page in (page for page in pages if page.startswith("sec")):
-        browser.open(page)
-        if cut := browser.run("return [...document.querySelectorAll('.highlight')].filter((e) => e.scrollWidth > e.clientWidth + 1).length"):
-            yield f"{page}: {cut} listings are wider than the page"
-    browser.resize(375)
 
 
 def check_live(browser, pages):
@@ -129,7 +115,7 @@ def main(folder):
         for page in pages:
             browser.open(page)
             out += [f"{page}: {complaint}" for complaint in dict.fromkeys(browser.run(LOOK) + browser.complaints())]
-        out += [*check_use(browser), *check_code(browser, pages), *check_live(browser, pages)]
+        out += [*check_use(browser), *check_live(browser, pages)]
     finally:
         browser.driver.quit()
         shutil.rmtree(browser.profile, ignore_errors=True)

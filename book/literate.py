@@ -10,7 +10,6 @@ from tables. While Sphinx reads them, what prose mentions is bound to what made 
 Nothing is judged here: verdicts are those of build/report/claims.ecsv. What cannot be bound is a warning, and with -W
 the end of the build."""
 
-import base64
 import json
 import math
 import re
@@ -86,10 +85,10 @@ class Book:
     def read_sources(self):
         """The chapters under the parts of book/contents.txt, all other sources by folder, and what headers define."""
         self.parts, part = {}, "Chapters"
-        for line in filter(None, map(str.strip, ecsv.text_of(self.root / "book/contents.txt").splitlines())):
+        for line in ecsv.lines_of(self.root / "book/contents.txt"):
             if line.startswith("="):
                 part = line[1:].strip()
-            elif not line.startswith("#"):
+            else:
                 self.parts.setdefault(part, []).append(line)
         order = [name for names in self.parts.values() for name in names]
         self.chapters, self.rest = sources_of(self.root, self.volumes, order)
@@ -393,23 +392,6 @@ class Book:
             out.append(f"\n## {module}\n\n{ideas.get(module, 'What one section needs')}.\n\n{'; '.join(files)}\n")
         return "".join(out)
 
-    def notebook_page(self, path):
-        """A notebook for Python, with the outputs that it holds, which the tests of the module compare."""
-        out = []
-        for i, cell in enumerate(json.loads(ecsv.text_of(path))["cells"]):
-            text = "".join(cell["source"])
-            out.append(self.woven(text) + "\n" if cell["cell_type"] == "markdown" else md.listing(text, "python"))
-            for k, output in enumerate(cell.get("outputs", ())):
-                if picture := output.get("data", {}).get("image/png"):
-                    name = f"{path.stem}-{i}-{k}.png"
-                    (self.pages / name).write_bytes(base64.b64decode(picture))
-                    out.append(f"\n![What the cell above draws.]({name})\n")
-                else:
-                    out.append(md.listing("".join(output.get("text") or output["data"]["text/plain"]).rstrip(), "none"))
-        if not out[0].startswith("# "):
-            raise ecsv.Fault(f"{path}: no title (a line '# ...' in its first cell)")
-        return "\n".join(out) + f"\n\nThis notebook is `python/{path.name}`.\n"
-
     def start_page(self, lists):
         """The words of start.md, what comes out, and the contents."""
         counts = Counter(self.verdicts[id]["verdict"] for id in self.claims)
@@ -435,10 +417,9 @@ class Book:
         heads = dict(zip(LISTS[1:], re.split(r"\n(?=# )", ecsv.text_of(HERE / "lists.md"))))
         heads["published"] = ecsv.text_of(HERE / "published.md")
         lists = {name: heads.get(name, "") + getattr(self, f"{name}_page")() for name in LISTS}
-        lists |= {"symbols": ecsv.text_of(HERE / "symbols.md"), "data": self.data_page(), "machines": self.machines_page()}
+        lists |= {"symbols": ecsv.text_of(HERE / "symbols.md"), "python": ecsv.text_of(HERE.parent / "python/own_chain.md"),
+                  "data": self.data_page(), "machines": self.machines_page()}
         lists |= {name: ecsv.text_of(folder / f"{name}.md") + live.SCRIPT for folder, name in self.lives}
-        notebooks = sorted((self.root / "python").glob("*.ipynb"))
-        lists |= {f"notebook-{path.stem.replace('_', '-')}": self.notebook_page(path) for path in notebooks}
         for name, text in (pages | lists | {"index": self.start_page(lists)}).items():
             (self.pages / f"{name}.md").write_text(text, encoding="utf-8")
         (self.pages / "figures").mkdir(exist_ok=True)

@@ -4,18 +4,13 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "commands/multipliers.hpp"
-#include "lattice/algebra/eigenvalues.hpp"
 #include "lattice/events/overlap.hpp"
 #include "lattice/numerics/progress.hpp"
-#include "lattice/orbits/floquet.hpp"
 #include "sec3/resolutions.hpp"
 
 namespace lattice {
 using namespace report;
 namespace {
-
-using Multiplier = std::complex<double>;
 
 /// Singular values below this part of the largest one belong to directions in which the orbit may be moved: a shift in
 /// time, and one of a chain without wells.
@@ -23,8 +18,8 @@ constexpr double free_below = 1e-9;
 
 /// The rule for orbits of which the equations determine all but such a shift.
 template <class T>
-NewtonRule<T> shortest_step(Resolution resolution = Resolution::fine) {
-  NewtonRule<T> how = rule<T>(resolution);
+NewtonRule<T> shortest_step() {
+  NewtonRule<T> how = rule<T>(Resolution::fine);
   how.rank = free_below, how.scale = 1;
   return how;
 }
@@ -38,9 +33,9 @@ void refuse_equilibrium(const Shooting<double>& problem, const State<double>& st
     throw std::invalid_argument("y: nothing moves, and an equilibrium is no periodic orbit");
 }
 
-/// The orbit of this symmetry near `guess`, with steps that are halved until they help.
-Fitted near_guess(const Chain& chain, Symmetry symmetry, const State<double>& guess,
-                  double period) {
+/// The orbit near `guess`, with steps that are halved until they help.
+Fitted near_guess(const Chain& chain, const State<double>& guess, double period) {
+  Symmetry symmetry = even_in_time(chain.sites);
   symmetry.decays = false;  // nothing is known of its tail, if it has one
   Shooting<double> problem{chain, std::move(symmetry), 2 * pi<double>() / period};
   refuse_equilibrium(problem, guess);
@@ -98,72 +93,10 @@ int repeats_of(const Chain& chain, const State<double>& start, double period, do
   return repeats;
 }
 
-/**
-A shift in time is an eigenvector of the monodromy matrix $M$ with eigenvalue one, and the gradient of the energy is one
-of its transpose. Vectors that are perpendicular to both are mapped, but for multiples of the shift, among themselves, and
-the eigenvalues there are all but those of the phase. */
-template <class T>
-std::vector<Multiplier> beside_phase(const Chain& chain, const State<T>& start, const T& period,
-                                     const EventTolerance<T>& how) {
-  const auto n = Eigen::Index(chain.sites);
-  const std::vector<T> a = accelerations(chain, start.y);
-  Vector<T> shift(2 * n), gradient(2 * n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const auto site = std::size_t(i);
-    const T mass(chain.mass_of(site));
-    shift[i] = start.v[site], shift[n + i] = a[site];
-    gradient[i] = -mass * a[site], gradient[n + i] = mass * start.v[site];
-  }
-  const Matrix<T> without_shift = perpendicular_to(shift);
-  const Vector<T> rest = without_shift.transpose() * gradient;
-  const Matrix<T> basis = without_shift * perpendicular_to(rest);
-  std::vector<Multiplier> out;
-  for (const auto& z :
-       eigenvalues_of<T>(basis.transpose() * monodromy(chain, start, period, how) * basis))
-    out.emplace_back(double(z.real()), double(z.imag()));
-  std::stable_sort(out.begin(), out.end(), [](const Multiplier& x, const Multiplier& y) {
-    return std::abs(x - 1.0) < std::abs(y - 1.0);
-  });
-  return out;
-}
-
-/// The multipliers of an orbit that is nowhere at rest: the error of each is its distance from that in less precision.
-OrbitMultipliers in_motion(const Fitted& found, double period) {
-  const NewtonRule<Wide> how = shortest_step<Wide>();
-  const Orbit<Wide> wide = newton(with_period(found.problem, period), found.orbit, how);
-  std::vector<Multiplier> coarse =
-      beside_phase(found.problem.chain, found.orbit.start, found.orbit.period(),
-                   rule<double>(Resolution::fine).events);
-  OrbitMultipliers out{{{1, 0}, {1, 0}}, exact(1)};
-  double most = 1, least = 1, surely = 1;
-  for (const Multiplier& z :
-       beside_phase(found.problem.chain, wide.start, wide.period(), how.events)) {
-    const auto nearest = std::min_element(
-        coarse.begin(), coarse.end(),
-        [&](const auto& x, const auto& y) { return std::abs(x - z) < std::abs(y - z); });
-    const double error =
-        std::abs(*nearest - z) + std::numeric_limits<double>::epsilon() * std::abs(z);
-    coarse.erase(nearest);
-    out.all.emplace_back(z, error);
-    most = std::max(most, std::abs(z));
-    least = std::max(least, std::abs(z) - error), surely = std::max(surely, std::abs(z) + error);
-  }
-  out.largest_modulus = {most, std::max(most - least, surely - most)};
-  return out;
-}
-
-/// Throws std::invalid_argument if `share` of the amplitude is too much.
-void refuse_beyond(double most, double share, const char* what) {
-  if (share < most) return;
-  throw std::invalid_argument(
-      number_label(std::string("y, v and period: no periodic orbit; ") + what, share) +
-      number_label(" of the amplitude (allowed:", most) + ")");
-}
-
 }  // namespace
 
 RestingOrbit orbit_from_rest(const Chain& chain, const State<double>& guess, double period) {
-  const Fitted found = near_guess(chain, even_in_time(chain.sites), guess, period);
+  const Fitted found = near_guess(chain, guess, period);
   const auto& [problem, orbit] = found;
   const Shooting<Wide> wider = with_period(problem, period);
   RestingOrbit out{{found, newton(wider, orbit, shortest_step<Wide>()), {}}, {}, 1};
@@ -188,30 +121,17 @@ Table RestingOrbit::quantities() const {
   return q.table;
 }
 
-// Half a period is enough, and tells more digits, where the orbit begins at rest
-OrbitMultipliers multipliers_through(const Chain& chain, const State<double>& start,
-                                     double period) {
-  const auto moves = [](double v) { return v != 0; };
-  const bool rests = std::none_of(start.v.begin(), start.v.end(), moves);
-  const bool ring = chain.ends == Ends::periodic;
-  const Symmetry symmetry = rests ? even_in_time(chain.sites) : travelling(chain.sites, 0, ring);
-  // Distances are relative to the motion
-  refuse_equilibrium({chain, symmetry, 2 * pi<double>() / period}, start);
-  State<double> end = start;
-  if (!is_accurate(try_flow(chain, end, period), {}))
+Spectrum multipliers_from_rest(const Chain& chain, const State<double>& start, double period) {
+  const Fitted found = near_guess(chain, start, period);
+  const double apart = largest_difference(found.orbit.start, start) /
+                       half_range(chain, found.orbit.start, period / 2, 64);
+  if (!(apart < 1e-3))
     throw std::invalid_argument(
-        "y, v and period: no periodic orbit; the motion from there cannot be followed");
-  const double range = half_range(chain, start, period, 64);
-  double size = range;
-  for (double v : start.v) size = std::max(size, std::abs(v));
-  refuse_beyond(0.1, largest_difference(end, start) / size,
-                "after one period it misses its start by");
-  const Fitted found = near_guess(chain, symmetry, start, period);
-  const double apart = largest_difference(found.orbit.start, start) / size;
-  refuse_beyond(1e-3, apart, "the nearest one found begins at a distance of");
-  if (!rests) return in_motion(found, period);
-  const Spectrum all = spectrum<Wide>(with_period(found.problem, period), found.orbit, free_below);
-  return {multipliers_of(all), all.largest_modulus()};
+        number_label(
+            "y and period: no periodic orbit; the nearest one found begins at a distance of",
+            apart) +
+        " of the amplitude (allowed: 0.001)");
+  return spectrum<Wide>(with_period(found.problem, period), found.orbit, free_below);
 }
 
 }  // namespace lattice

@@ -3,13 +3,9 @@
 # Any periodic orbit of any chain
 
 From a guess Newton's method finds an orbit that begins at rest, in a chain with masses, contacts, wells and ends of the
-reader's own, and of every orbit, at rest or not, the multipliers tell how stable it is. In Python these are `Chain.orbit`
-and `Chain.multipliers`. */
+reader's own, and its multipliers tell how stable it is. In Python these are `Chain.orbit` and `Chain.multipliers`. */
 
-#include <complex>
-#include <utility>
-#include <vector>
-
+#include "commands/multipliers.hpp"
 #include "commands/one_breather.hpp"
 
 namespace lattice {
@@ -29,14 +25,8 @@ struct RestingOrbit : FoundOrbit {
 /// std::invalid_argument if nothing moves.
 RestingOrbit orbit_from_rest(const Chain& chain, const State<double>& guess, double period);
 
-/// All multipliers with their errors, the two of the time-translation pair first, then by their distance from +1.
-struct OrbitMultipliers {
-  std::vector<std::pair<std::complex<double>, double>> all;
-  Estimate largest_modulus;
-};
-
-/// The multipliers of the orbit nearest to `start`, in two precisions. Throws std::invalid_argument where none passes
-/// within a thousandth of the amplitude or nothing moves, NewtonFailed.
-OrbitMultipliers multipliers_through(const Chain& chain, const State<double>& start, double period);
+/// The multipliers of the orbit nearest to these positions at rest, in two precisions. Throws std::invalid_argument where none
+/// begins within a thousandth of the amplitude or nothing moves, NewtonFailed.
+Spectrum multipliers_from_rest(const Chain& chain, const State<double>& start, double period);
 
 }  // namespace lattice

@@ -186,10 +186,13 @@ py::tuple evolve_chain(const Chain& chain, const Numbers& y, const Numbers& v, d
 
 /**
 A chain of one's own has periodic orbits of its own. */
+State<double> at_rest(const Chain& chain, const Numbers& y) {
+  return state_of(chain, y.data(), std::vector<double>(chain.sites).data());
+}
+
 py::tuple orbit_of(const Chain& chain, const Numbers& y, double period) {
-  const State<double> guess = state_of(chain, y.data(), std::vector<double>(chain.sites).data());
   const auto [table, positions] = at_work([&] {
-    const RestingOrbit found = orbit_from_rest(chain, guess, period);
+    const RestingOrbit found = orbit_from_rest(chain, at_rest(chain, y), period);
     return std::pair{found.quantities(), found.y};
   });
   std::vector<double> places, errors;
@@ -197,11 +200,11 @@ py::tuple orbit_of(const Chain& chain, const Numbers& y, double period) {
   return py::make_tuple(to_python(table), array_of(places), array_of(errors));
 }
 
-py::tuple multipliers_of_orbit(const Chain& chain, const Numbers& y, const Numbers& v,
-                               double period) {
-  const State<double> start = state_of(chain, y.data(), v.data());
-  const auto found = at_work([&] { return multipliers_through(chain, start, period); });
-  return py::make_tuple(found.largest_modulus.value, found.largest_modulus.error, found.all);
+py::tuple multipliers_of_orbit(const Chain& chain, const Numbers& y, double period) {
+  const auto found =
+      at_work([&] { return multipliers_from_rest(chain, at_rest(chain, y), period); });
+  const Estimate largest = found.largest_modulus();
+  return py::make_tuple(largest.value, largest.error, multipliers_of(found));
 }
 
 // A chain answers with a copy of its masses: who writes into that has changed nothing, and shall know.

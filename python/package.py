@@ -360,11 +360,11 @@ class Chain(_lattice.Chain):
                  "energy_drift": Estimate(drift, 0, "relative", meaning="largest deviation of the energy, Eq. (6)")}
         return Result(known, t=t, y=y, v=v)
 
-    def _orbit(self, period, **arrays):
+    def _orbit(self, y, period):
         """What begins an orbit: one number a site, and a period."""
         if self.sites > 1000:
             raise ValueError(f"the chain has {self.sites} sites (allowed: at most 1000)")
-        return *self._rows(samples=False, **arrays), _within("period", period, 1e-3, 1e5)
+        return *self._rows(samples=False, y=y), _within("period", period, 1e-3, 1e5)
 
     def orbit(self, y, period):
         """A periodic orbit of the given period, even in time, near a guess of your own: at t = 0 at rest at the positions `y`
@@ -379,21 +379,21 @@ class Chain(_lattice.Chain):
 
         ValueError: nothing moves. RuntimeError: Newton's method fails (the message has its history), shrinks to rest, or
         leaves the guess far behind."""
-        found, y, y_error = super().orbit(*self._orbit(period, y=y))
+        found, y, y_error = super().orbit(*self._orbit(y, period))
         return Result(_estimates(found), y=y, y_error=y_error)
 
-    def multipliers(self, y, v, period):
-        """All Floquet multipliers of the periodic orbit that begins at the positions `y` and velocities `v` (arrays of `sites`
-        numbers) and returns after `period`. An orbit at rest at t = 0 is computed over half a period, with more digits.
+    def multipliers(self, y, period):
+        """All Floquet multipliers of a periodic orbit, as `orbit` finds it, that begins at rest at the positions `y` (an array of
+        `sites` numbers) and returns after `period`.
 
         Returns a Result with the quantity largest_modulus (the orbit is unstable if it exceeds one by more than its error)
         and the arrays multiplier (complex) and multiplier_error, two entries per bead, as `lattice.multipliers` does: the
         first two are the time-translation pair, exactly +1, followed by those next to +1. Errors are differences of two
-        tolerances or precisions.
+        precisions.
 
-        ValueError: no periodic orbit passes within a thousandth of the amplitude, or nothing moves. RuntimeError: Newton's
+        ValueError: no periodic orbit begins within a thousandth of the amplitude, or nothing moves. RuntimeError: Newton's
         method fails."""
-        modulus, error, found = super().multipliers(*self._orbit(period, y=y, v=v))
+        modulus, error, found = super().multipliers(*self._orbit(y, period))
         numbers, errors = zip(*found)
         known = {"largest_modulus": Estimate(modulus, error, meaning="largest modulus of all multipliers; the orbit is "
                                                                      "unstable if it exceeds 1 by more than its error")}

@@ -1,13 +1,12 @@
 """Tests of the second half of the Python module. Argument: the folder of the programs."""
 
-import importlib.util
+import doctest
 import math
 import sys
 import unittest
 from pathlib import Path
 
 import lattice
-import notebooks
 import numpy as np
 import tests
 
@@ -58,12 +57,9 @@ class Drive(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "free ends"):
             lattice.drive(lattice.Chain(4, ends="fixed"), 0 * v, v, 1, force=1)
 
-
-@unittest.skipUnless(importlib.util.find_spec("matplotlib"), "there is no matplotlib")
-class Notebooks(unittest.TestCase):
-    def test_they_say_what_they_hold(self):
-        for path in Path(__file__).parent.glob("*.ipynb"):
-            self.assertEqual(notebooks.run(path), [])
+    def test_what_the_page_shows_comes_out(self):
+        page = Path(__file__).parent / "driven_end.md"
+        self.assertEqual(doctest.testfile(str(page), module_relative=False).failed, 0)
 
 
 if __name__ == "__main__":

@@ -1,11 +1,10 @@
 // A breather: how Newton's method ends, its profile, its multipliers on the circle, and what a kick does.
 (() => {
   "use strict";
-  const { Panel, Plot, make, rounded, withError } = Live;
+  const { Panel, Plot, make, rounded } = Live;
   const BLUE = "#0072b2", ORANGE = "#d55e00";
 
   Live.kinds.breather = class extends Panel {
-    page() { return "breather"; }
     verb() { return "Find"; }
     fields() {
       return [["omega", "frequency", 1.1, 1.001, 3, "ω_b"], ["s", "anharmonicity", 0, -10, 10, "s"],
@@ -26,15 +25,10 @@
       return out.join("\n");
     }
 
-    furnish() {
-      this.profile = make("canvas", { role: "img" });
-      this.circle = make("canvas", { role: "img" });
-      this.path = make("canvas", { role: "img" });
-      this.history = make("p");
-      this.shows.append(this.profile, this.history, this.circle, this.path);
-    }
+    canvases() { return ["profile", "circle", "path"]; }
 
     begin() {
+      if (!this.history) this.profile.after(this.history = make("p"));
       this.history.textContent = "";
       for (const canvas of [this.profile, this.circle]) canvas.hidden = true;
       this.path.hidden = this.ask.kick === 0;

@@ -1,22 +1,15 @@
 // A defect: a packet meets beads of another radius, and its energy is divided.
 (() => {
   "use strict";
-  const { Panel, drawMap, make } = Live;
+  const { Panel, drawMap } = Live;
 
   Live.kinds.defect = class extends Panel {
-    page() { return "defect"; }
     verb() { return "Strike"; }
     fields() {
       return [["radius", "radius of the defect's beads over the others'", 1.6, 0.3, 3, "R₁₀₀/R"], ["velocity", "impact velocity in m/s", 1, 0.01, 10, "V"]];
     }
-    choices() { return []; }
     request() { return [this.ask.radius, this.ask.velocity, 300]; }
     commands() { return `build/bin/sec36_cantilever_defect run --ratio ${this.ask.radius} --velocity ${this.ask.velocity}`; }
-
-    furnish() {
-      this.map = make("canvas", { role: "img" });
-      this.shows.append(this.map);
-    }
 
     progress(t) { this.say(t < 74.9 ? `computing: ${t.toFixed(0)} of 75 ms` : "the map is drawn; computing the fractions at two steps …"); }
 

@@ -78,14 +78,17 @@ window.Live = (() => {
   // Parameters are given as [name, words, value, least, most, symbol], choices as [name, words, options, chosen], where
   // the first is chosen if none is.
   class Panel {
-    constructor(place, given) {
-      this.place = place;
+    constructor(name, place, given) {
+      Object.assign(this, { name, place });
       this.ask = Object.fromEntries([...this.fields().map(([name, , value]) => [name, value]),
         ...this.choices().map(([name, , options, chosen]) => [name, chosen ?? options[0][0]])]);
       for (const [name, value] of new URLSearchParams(given)) this.take(name, value);
       this.build();
       this.start();
     }
+
+    choices() { return []; }
+    canvases() { return ["map"]; }
 
     take(name, value) {
       if (this.fields().some(([known]) => known === name) && Number.isFinite(parsed(value))) this.ask[name] = parsed(value);
@@ -122,7 +125,7 @@ window.Live = (() => {
         event.preventDefault();
         if (this.place.dataset.state === "running") this.stop(); else this.start();
       });
-      this.furnish();
+      for (const name of this.canvases()) this.shows.append(this[name] = make("canvas", { role: "img" }));
       document.addEventListener("theme", () => this.draw());
       new ResizeObserver(() => this.draw()).observe(this.shows);
     }
@@ -166,12 +169,12 @@ window.Live = (() => {
       this.worker?.terminate();
       this.rows = []; this.finer = []; this.level = 0; this.lists = {}; this.facts = null;
       this.command.textContent = this.commands();
-      this.link.href = `${this.page()}.html?${new URLSearchParams(Object.entries(this.ask).map(([k, v]) => [k, shown(v)]))}`;
+      this.link.href = `${this.name}.html?${new URLSearchParams(Object.entries(this.ask).map(([k, v]) => [k, shown(v)]))}`;
       this.table.replaceChildren();
       this.begin?.();
       this.become("running");
       this.say("computing …");
-      const bytes = await load(this.page());
+      const bytes = await load(this.name);
       if (this.address) URL.revokeObjectURL(this.address);
       this.address = URL.createObjectURL(new Blob([`(${worker})();`], { type: "text/javascript" }));
       this.worker = new Worker(this.address);
@@ -327,7 +330,7 @@ window.Live = (() => {
   const begin = () => {
     for (const [page, kind] of Object.entries(kinds)) {
       const own = document.getElementById(`live-${page}`);
-      if (own) new kind(own, location.search);
+      if (own) new kind(page, own, location.search);
     }
     for (const link of document.querySelectorAll("a.live")) {
       link.setAttribute("role", "button");
@@ -337,12 +340,13 @@ window.Live = (() => {
         figure.querySelector(".panel")?.remove();
         const place = make("div", { class: "panel" });
         figure.append(place);
-        new kinds[link.pathname.split("/").pop().replace(".html", "")](place, link.search);
+        const page = link.pathname.split("/").pop().replace(".html", "");
+        new kinds[page](page, place, link.search);
       });
     }
   };
   document.addEventListener("DOMContentLoaded", begin);
   // furo says in this attribute which theme is shown.
   new MutationObserver(() => document.dispatchEvent(new Event("theme"))).observe(document.body, { attributeFilter: ["data-theme"] });
-  return { Panel, Plot, drawMap, make, rounded, withError, kinds };
+  return { Panel, Plot, drawMap, make, rounded, kinds };
 })();

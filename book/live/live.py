@@ -23,11 +23,10 @@ def found(volumes, compiled):
 def read_buttons(path):
     """Figures that can be computed in the page: [(words, address)] by id."""
     out = {}
-    for line in ecsv.text_of(path).splitlines():
-        if line.strip() and not line.startswith("#"):
-            id, _, rest = line.strip().partition(" ")
-            words, page, parameters = rest.split("|")
-            out.setdefault(id, []).append((words, f"{page}.html?{parameters}"))
+    for line in ecsv.lines_of(path):
+        id, _, rest = line.partition(" ")
+        words, page, parameters = rest.split("|")
+        out.setdefault(id, []).append((words, f"{page}.html?{parameters}"))
     return out
 
 

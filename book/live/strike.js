@@ -1,10 +1,9 @@
 // Strike the chain: a map that grows while it is computed, and the velocities at the end.
 (() => {
   "use strict";
-  const { Panel, Plot, drawMap, make } = Live;
+  const { Panel, Plot, drawMap } = Live;
 
   Live.kinds.strike = class extends Panel {
-    page() { return "strike"; }
     verb() { return "Strike"; }
     fields() {
       return [["velocity", "impact velocity", 1.87, 1e-6, 100, "v₀"], ["s", "anharmonicity", -1 / 6, -10, 10, "s"],
@@ -28,11 +27,7 @@
         + ` --well ${a.well}` + (this.hasS() ? ` --s ${a.s}` : "") + (a.precompression ? ` --precompression ${a.precompression}` : "");
     }
 
-    furnish() {
-      this.map = make("canvas", { role: "img" });
-      this.profile = make("canvas", { role: "img" });
-      this.shows.append(this.map, this.profile);
-    }
+    canvases() { return ["map", "profile"]; }
 
     begin() { this.inputs.s.disabled = !this.hasS(); }
 

@@ -2,7 +2,6 @@
 
 import filecmp
 import importlib.util
-import json
 import os
 import shutil
 import subprocess
@@ -72,9 +71,6 @@ class Repository(Scratch):
         self.write("book/start.md", "# Start\n\nTake [](statement:a.one).\n")
         self.write("book/commands.txt", "a.one build/bin/sec1_demo one --exactly # one\n")
         self.write("src/modules.ecsv", table(["folder", "idea"], [["src/lattice/numbers", "what numbers are"]]))
-        cells = [{"cell_type": "markdown", "source": ["# In Python\n", "\n", "By Eq. (9), $x^2$; [](statement:a.one)."]},
-                 {"cell_type": "code", "source": ["x = 1  # one"], "outputs": [{"output_type": "stream", "text": ["a < b\n"]}]}]
-        self.write("python/a_b.ipynb", json.dumps({"cells": cells}))
         self.program()
         self.judged()
 
@@ -99,7 +95,7 @@ class Repository(Scratch):
                                       'id="sec1_demo/speeds/n=1/value"', 'sec1_demo.html#L-19">Results, line 19 of'],
                 "fig-01": ["(a–c) At", "a line", "what name is"], "numbers-demo-cpp": ["A header: how", "declared in"],
                 "commands": ['id="sec1_demo-one"', "how fast it is, in sites (default: 0.5)", "[1e-06, 1] m/s"],
-                "notebook-a-b": ["equations.html#eq-9", "a &lt; b"], "library": ["what numbers are"], "data": ["numbers-sec1_demo.html"]}.items():
+                "library": ["what numbers are"], "data": ["numbers-sec1_demo.html"]}.items():
             for piece in pieces:
                 self.assertIn(piece, self.read(f"build/book/{name}.html"))
 

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from . import ecsv
 from .claims import QUOTED, programs_of
+from .inventory import description
 from .values import with_digits
 from .volumes import article
 
@@ -48,35 +49,27 @@ def command_of(figure):
 
 def read_commands(root):
     """Commands that compute one number alone, and what they call it, by its name: book/commands.txt."""
-    out, path = {}, Path(root) / "book/commands.txt"
-    for line in ecsv.text_of(path).splitlines() if path.exists() else ():
-        if line.strip() and not line.startswith("#"):
-            id, _, command = line.strip().partition(" ")
-            command, _, quantity = command.partition("#")
-            out[id] = command.strip(), quantity.strip()
+    out = {}
+    for line in ecsv.lines_of(Path(root) / "book/commands.txt"):
+        id, _, command = line.partition(" ")
+        command, _, quantity = command.partition("#")
+        out[id] = command.strip(), quantity.strip()
     return out
 
 
-def own_commands(root, program):
-    """The commands of a program and what they are about, by the structs that its `main` lists."""
-    text = ecsv.text_of(Path(root) / f"src/{program}.cpp")
-    listed = re.search(r"commands<([^>]*)>\(\)", text)
-    where = [text, *(ecsv.text_of(path) for path in sorted(Path(root).glob("src/commands/*.hpp")))]
-    titles = {name: (command, "".join(re.findall(r'"([^"]*)"', words))) for source in where for name, command, words in re.findall(
-        r'struct (\w+)[^;{]*\{(?:(?!\nstruct ).)*?Title title\{\s*"(\w+)",\s*((?:"[^"]*"\s*)+)', source, re.S)}
-    bases = dict(re.findall(r"struct (\w+) : (\w+)", text))
-    return [titles[name if name in titles else bases[name]] for name in re.findall(r"\w+", listed[1])] if listed else []
-
-
 def head_lines(root, program, figures, costs):
-    """What stands at the head of a chapter: its command, what that costs and writes, its figures, its other commands."""
+    """What stands at the head of a chapter: its command, what that costs and writes, its figures, its other commands; None
+    where the program is not there to say these."""
+    if not (there := article(root) / run_of(program)).exists():
+        return None
+    own = [f"`{row['command']}`, {row['meaning']}" for row in description(there) if row["command"] and not row["option"]]
     tables = sum(name.startswith(program + "/") for name in ecsv.sums_of(Path(root) / "paper/full.sha256"))
     seconds = costs.get(program, math.nan)
     drawn = [command_of(id) for id, row in figures.items() if row["program"] == program]
     said = [f"`{run_of(program)}` computes this chapter in {'less than 1' if seconds < 1 else shown_cost(seconds)} s on two cores "
             f"and writes {tables} tables to `build/data/{program}`."]
     said += [f"Its figures: {', '.join(f'`{command}`' for command in drawn)}."] * bool(drawn)
-    said += [f"With your parameters: {'; '.join(f'`{name}`, {words}' for name, words in own_commands(root, program))}."] * bool(own_commands(root, program))
+    said += [f"With your parameters: {'; '.join(own)}."] * bool(own)
     return textwrap.wrap(" ".join(said), 120, break_long_words=False, break_on_hyphens=False)
 
 

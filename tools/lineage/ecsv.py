@@ -72,6 +72,12 @@ def text_of(path):
         raise Fault(f"{path}: cannot be read ({getattr(error, 'strerror', None) or 'not UTF-8'})") from None
 
 
+def lines_of(path):
+    """The lines of a list that is no table, without remarks; none without the list."""
+    lines = map(str.strip, text_of(path).splitlines() if Path(path).exists() else ())
+    return [line for line in lines if line and not line.startswith("#")]
+
+
 def value_of(text, column):
     """A cell as its column promises it; an empty number is nan. Raises ValueError."""
     if column.kind == "float64":

@@ -100,8 +100,7 @@ def question_of(text):
 
 def index_rows(root, figures):
     """Every chapter, in the order in which the book is read, with its question and the figures of the article that it has."""
-    contents = Path(root) / "book/contents.txt"
-    rows, order = [], ecsv.text_of(contents).split("\n") if contents.exists() else []
+    rows, order = [], ecsv.lines_of(Path(root) / "book/contents.txt")
     for program in programs_of(root):
         text = ecsv.text_of(Path(root) / f"src/{program}.cpp")
         section, title = re.match(r"/\*\*\n# (\w[\w.]*):? (.*)", text).groups()

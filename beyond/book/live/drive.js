@@ -1,10 +1,9 @@
 // A driven end: nothing below a threshold, breathers above it.
 (() => {
   "use strict";
-  const { Panel, drawMap, make } = Live;
+  const { Panel, drawMap } = Live;
 
   Live.kinds.drive = class extends Panel {
-    page() { return "drive"; }
     verb() { return "Drive"; }
     fields() {
       return [["frequency", "drive frequency in Hz", 7000, 500, 20000, "f"], ["amplitude", "drive amplitude in micrometres", 5, 0, 200, "a"],
@@ -15,11 +14,6 @@
     commands() {
       const a = this.ask;
       return `build/bin/sec5_experiment drive --frequency ${a.frequency} --amplitude ${a.amplitude} --by ${a.by} --lifetime ${a.lifetime} --time ${a.time}`;
-    }
-
-    furnish() {
-      this.map = make("canvas", { role: "img" });
-      this.shows.append(this.map);
     }
 
     progress(t) {

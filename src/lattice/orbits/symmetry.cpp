@@ -48,21 +48,4 @@ Symmetry centred(Centre centre, std::size_t sites) {
   return centre == Centre::bond ? bond_centred(sites) : site_centred(sites);
 }
 
-// A state that returns after the period, moved along by `shift` sites
-Symmetry travelling(std::size_t sites, std::size_t shift, bool ring) {
-  Symmetry s{.name = shift == 0 ? "periodic" : "travelling", .decays = !ring};
-  for (std::size_t i = 0; i < 2 * sites; ++i) {
-    const std::size_t half = i / sites * sites, n = i - half;
-    s.unknowns.push_back({{i, 1}});
-    Equation equation{{{i, 1}}, {}};
-    // What enters on the left has come round the ring; on an open chain there is rest
-    if (n >= shift)
-      equation.start = {{half + n - shift, -1}};
-    else if (ring)
-      equation.start = {{half + n + sites - shift, -1}};
-    s.equations.push_back(equation);
-  }
-  return s;
-}
-
 }  // namespace lattice

@@ -72,14 +72,4 @@ Symmetry returning(std::size_t sites);
 /// That of a static breather with the given centre.
 Symmetry centred(Centre centre, std::size_t sites);
 
-/**
-## Travelling orbits
-
-A motion that repeats itself $m$ sites further on (`shift`) after the time $T$ obeys
-$y_n(t+T) = y_{n-m}(t)$. All positions and velocities are unknown. On a ring the sites are counted
-modulo $N$; in an open chain what comes from beyond its end is at rest. The equations still allow a shift
-in time, so Newton's step is the shortest one that solves them (newton.hpp). With $m = 0$ this is a
-periodic orbit without any symmetry. */
-Symmetry travelling(std::size_t sites, std::size_t shift, bool ring);
-
 }  // namespace lattice

@@ -128,28 +128,6 @@ TEST_CASE("every site of the tail is known to relative accuracy", "[convergence]
   CHECK(std::abs(a.start.y[28]) > 0);
 }
 
-TEST_CASE("a wave on a ring travels one site in the time it is asked to", "[property][orbits]") {
-  // A wave of wave number 2 pi / 8 and amplitude 0.01; the linear frequency is one.
-  const std::size_t sites = 8;
-  const double q = 2 * pi<double>() / double(sites);
-  Problem problem;
-  problem.chain.sites = sites;
-  problem.chain.ends = Ends::periodic;
-  problem.chain.contact = Hertz{.negligible = 0};
-  problem.symmetry = travelling(sites, 1, true);
-  State<double> guess(sites);
-  for (std::size_t n = 0; n < sites; ++n) {
-    guess.y[n] = 0.02 * std::cos(q * double(n));
-    guess.v[n] = 0.02 * std::sin(q * double(n));
-  }
-  problem.omega = 2 * pi<double>() / (q / 1.03);  // a period is the time of one shift
-  NewtonRule<double> rule;
-  rule.rank = 1e-9;
-  const Orbit<double> orbit = newton(problem, problem.reduce(guess), rule);
-  CHECK(return_error(problem, orbit, 1) < 1e-12);
-  CHECK(orbit.amplitude > 1e-3);
-}
-
 TEST_CASE("an orbit is refused where its flow is not accurate", "[unit][orbits]") {
   const Problem good = problem_of(Centre::site, 1.1);
   const Orbit<double> orbit = find_breather(good);
