@@ -45,9 +45,7 @@ Table table_of(const Cases& rows) {
          {"comparisons", "how many there are", std::int64_t(found.comparisons.size())},
          {"failures", "how many of them fail", std::int64_t(found.failures())},
          {"verdict", "verdict, as explained in paper/verdicts.ecsv", verdict(one, rows)},
-         {"found", "the value, or the comparisons, of many the closest one", found.text()},
-         {"short", "the value, or up to three comparisons, of more the closest one",
-          found.short_text()},
+         {"found", "the value, or up to three comparisons, of more the closest one", found.text()},
          {"state", "judged here; not run: the recorded verdict; quick: from coarse tables",
           !found.not_run.empty() ? "not run"
           : found.is_quick       ? "quick"
