@@ -7,13 +7,9 @@ option, the value and what is allowed. Numbers are read in one way everywhere: i
 31), whole ones also as `1e+06`, and all of them as fractions (`-1/6`). Help shows every default, and the header of a
 table records every parameter with the value that was used.
 
-A command declares each parameter with a name, the variable that takes the value, a meaning and what is allowed; what the
-variable holds before the line is read is the default. A default that is no plain value stands at the end of the meaning.
-
-    void parameters(Parameters& p) {
-      p.add("velocity", velocity, "impact velocity", {1e-6, 100});
-      p.add("sites", sites, "chain length (default: as long as needed)", {2, 1e6});
-    } */
+A command declares each parameter with a name, the variable that takes the value, a meaning and what is allowed,
+`p.add("velocity", velocity, "impact velocity", {1e-6, 100})`; what the variable holds before the line is read is the
+default. A default that is no plain value stands at the end of the meaning, `(default: as long as needed)`. */
 
 #include <concepts>
 #include <cstddef>
