@@ -100,8 +100,7 @@ py::list options() {
   const Spoken<Command> spoken;
   py::list out;
   for (const Option& p : spoken.offers.back().parameters.all())
-    out.append(py::make_tuple(p.name, p.takes == Option::Takes::flag, p.check.allowed, p.meaning,
-                              p.standard));
+    out.append(py::make_tuple(p.name, p.is_flag(), p.check.allowed, p.meaning, p.standard));
   return out;
 }
 

@@ -295,13 +295,15 @@ ms more. At 1.6 there is less, 0.00786 on the 21 sites that end at the defect, t
 
 ![Reflected, remaining and transmitted energy against the radius of the defect.](fig:x09) */
 void report_forces(Report& report) {
-  Table& table = report.table("contact_forces", {"ratio", "t", "n", "force"});
+  Table& table = report.table("contact_forces");
   const std::size_t contacts = article.array.sites - 1, bins = report.quick ? 50 : 250;
   for (double ratio : {1.6, 1.1}) {
     const std::vector<double> map = strongest_forces(article, ratio, run_end, bins);
     for (std::size_t k = 0; k < map.size(); ++k)
-      table.add({ratio, (double(k / contacts) + 0.5) * run_end / double(bins), k % contacts + 1,
-                 0.0 - map[k]});  // not the negative zero of an open contact
+      table.add({{"ratio", ratio},
+                 {"t", (double(k / contacts) + 0.5) * run_end / double(bins)},
+                 {"n", k % contacts + 1},
+                 {"force", 0.0 - map[k]}});  // not the negative zero of an open contact
   }
 }
 

@@ -19,14 +19,6 @@ In Python this is `lattice.multipliers`. */
 namespace lattice {
 using namespace report;
 
-/// Real and imaginary part, modulus, argument (rad), error: the headings of the chapter too.
-inline Columns multiplier_columns() {
-  return {number("real", "real part"), number("imag", "imaginary part"),
-          number("modulus", "modulus of the multiplier"),
-          number("argument", "argument of the multiplier", "rad"),
-          number("error", "error of the multiplier, from two tolerances")};
-}
-
 /// Every multiplier with its error, the two of the time-translation pair first.
 inline std::vector<std::pair<std::complex<double>, double>> multipliers_of(const Spectrum& all) {
   std::vector<std::pair<std::complex<double>, double>> out{{1, 0}, {1, 0}};
@@ -69,9 +61,13 @@ struct Multipliers : ChosenBreather {
   }
   /// Every multiplier.
   Table profile(const Spectrum& found) const {
-    Table out{multiplier_columns()};
+    Table out;
     for (const auto& [z, error] : multipliers_of(found))
-      out.add({z.real(), z.imag(), std::abs(z), std::arg(z), error});
+      out.add({{"real", "real part", z.real()},
+               {"imag", "imaginary part", z.imag()},
+               {"modulus", "modulus of the multiplier", std::abs(z)},
+               {"argument", "argument of the multiplier", std::arg(z), "rad"},
+               {"error", "error of the multiplier, from two tolerances", error}});
     return out;
   }
   Table table() const { return profile(find()); }

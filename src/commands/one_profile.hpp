@@ -7,7 +7,6 @@ bond-centred breather needs an even number of sites, a site-centred one an odd n
 contacts grows with the square of the overlap. */
 
 #include <cmath>
-#include <string>
 
 #include "lattice/standing/stationary.hpp"
 #include "report/program.hpp"
@@ -32,11 +31,8 @@ struct OneProfile : ChosenBreather {
   }
   Table table() const {
     const std::size_t length = sites ? sites : sites_of(centre, alpha);
-    if (!fits(centre, length))
-      throw UsageError("--sites: '" + std::to_string(length) +
-                       "' does not fit this centre (allowed: " +
-                       (centre == Centre::bond ? "even" : "odd") + " numbers)");
-    const auto state = stationary<double>(centre, mu, length, alpha);
+    const auto state =
+        on_chosen_chain(*this, [&] { return stationary<double>(centre, mu, length, alpha); });
     const bool spheres = alpha == 1.5;
     const double size = spheres ? mu * mu : std::pow(mu, 1 / (alpha - 1));
     Table out{count("n", "site", "site"), number("u", "stationary DpS breather"),

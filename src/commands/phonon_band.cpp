@@ -23,10 +23,9 @@ static void add_edges_of_instability(Answers& q, double d, double s) {
         },
         d, s);
   };
-  const Estimate none{std::nan(""), std::nan("")};
   if (narrow.empty())
     for (const char* name : {"unstable_from", "unstable_to"})
-      q.add(name, none, "1/site", "edge of the unstable wavenumbers; no phonon is unstable",
+      q.add(name, undefined, "1/site", "edge of the unstable wavenumbers; no phonon is unstable",
             "all phonons are stable: Phi is nowhere positive");
 
   // From each interval its two ends

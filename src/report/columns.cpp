@@ -8,10 +8,10 @@
 
 namespace report {
 
-static const char* list = nullptr;  // of this program
+static const char* list = "";  // of this program
 
-ColumnList::ColumnList(const char* ecsv) {
-  list = ecsv;
+ColumnList::ColumnList(const char* csv) {
+  list = csv;
 }
 
 namespace {
@@ -23,15 +23,15 @@ using Meanings = std::map<std::pair<std::string, std::string>, Meaning>;  // by 
 
 Meanings read_meanings() {
   Meanings out;
-  if (!list) return out;
   std::istringstream text(list);
-  const Table table = from_text(text);
-  const auto tables = table.texts("table"), columns = table.texts("column"),
-             units = table.texts("unit"), descriptions = table.texts("description"),
-             errors = table.texts("error");
-  for (std::size_t i = 0; i < tables.size(); ++i)
-    out[{tables[i], columns[i]}] = {
-        units[i], descriptions[i], errors[i].empty() ? "difference of two resolutions" : errors[i]};
+  std::string line;
+  std::getline(text, line);  // the names of its columns
+  while (std::getline(text, line)) {
+    const auto cells = ecsv::fields(line);
+    const std::string& error = cells.at(4);
+    out[{cells[0], cells[1]}] = {cells[2], cells[3],
+                                 error.empty() ? "difference of two resolutions" : error};
+  }
   return out;
 }
 
@@ -46,20 +46,14 @@ const Meaning* find(const Meanings& known, const std::string& table, const std::
 
 void describe(const std::string& name, Table& table) {
   const Meanings known = read_meanings();
-  const std::string error = "_error";
   for (Column& column : table.columns) {
     if (!column.description.empty()) continue;
-    if (const Meaning* own = find(known, name, column.name)) {
-      column.unit = own->unit;
-      column.description = own->description;
-      continue;
-    }
-    if (!column.name.ends_with(error)) continue;
-    const std::string of = column.name.substr(0, column.name.size() - error.size());
-    if (const Meaning* whole = find(known, name, of)) {
-      column.unit = whole->unit;
-      column.description = whole->error;
-    }
+    const Meaning* meaning = find(known, name, column.name);
+    const bool is_error = !meaning && column.name.ends_with("_error");
+    if (is_error) meaning = find(known, name, column.name.substr(0, column.name.rfind('_')));
+    if (!meaning) continue;
+    column.unit = meaning->unit;
+    column.description = is_error ? meaning->error : meaning->description;
   }
 }
 

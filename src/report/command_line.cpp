@@ -1,15 +1,13 @@
 /**
 # The words of a line
 
-A line is read in two passes: first every word finds its place, then the values are checked and taken, so that nothing has
-happened when a line is refused. */
+A line is read in two passes: first every word finds its place, then the values are checked and taken. */
 
 #include "report/command_line.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 #include <sstream>
 #include <utility>
@@ -89,7 +87,7 @@ struct Reader {
   std::deque<Offer>& offers;
   const std::vector<std::string>& words;
   Offer* at = &offers.front();
-  std::vector<std::pair<std::string, Option*>> given{};  ///< under the names that were typed
+  std::vector<Option*> given{};  ///< in the order of the line
 
   /// The command of this name; null if there is none.
   Offer* command(const std::string& word) const {
@@ -118,10 +116,10 @@ struct Reader {
   void place_option(std::size_t& k) {
     const auto equals = words[k].find('=');
     const bool joined = equals != std::string::npos;
-    const std::string typed = words[k].substr(0, equals), name = typed.substr(2);
-    Option& found = option(name);
+    const std::string typed = words[k].substr(0, equals);
+    Option& found = option(typed.substr(2));
     std::string value = joined ? words[k].substr(equals + 1) : "";
-    if (found.takes == Option::Takes::flag) {
+    if (found.is_flag()) {
       if (joined) refuse(typed, "takes no value, but got '" + value + "'", typed + " alone");
     } else {
       const bool next = !joined && k + 1 < words.size();
@@ -134,7 +132,7 @@ struct Reader {
         refuse(typed, "given twice, '" + *found.typed + "' and '" + value + "'", "once");
     }
     found.typed = value;
-    given.emplace_back(name, &found);
+    given.push_back(&found);
   }
 
   /// A word that is no option is the command, or one too many.
@@ -144,7 +142,7 @@ struct Reader {
     if (found && inside.empty()) {
       at = found;
       if (!given.empty())
-        refuse("--" + given.front().first, "belongs to a full run, without " + quoted,
+        refuse("--" + given.front()->name, "belongs to a full run, without " + quoted,
                at->parameters.names());
       return;
     }
@@ -160,18 +158,16 @@ struct Reader {
            at->parameters.names());
   }
 
-  /// All values are checked before one is taken. A complaint names the option as it was typed, also where it has another
-  /// name today.
   void take() const {
-    for (const auto& [name, option] : given) {
-      const std::string &value = *option->typed, typed = "--" + name;
+    for (const Option* option : given) {
+      const std::string &value = *option->typed, typed = "--" + option->name;
       const std::string wrong = option->check.complaint ? option->check.complaint(value) : "";
       if (!wrong.empty()) throw UsageError(typed + ": " + wrong);
       for (const std::string& rival : option->rivals)
         if (at->parameters.find(rival)->given())
           refuse(typed, "'" + value + "' cannot be combined with --" + rival, "one of the two");
+      option->take(value);
     }
-    for (const auto& [name, option] : given) option->take(*option->typed);
     at->parameters.finish();
   }
 };
@@ -229,10 +225,9 @@ std::string help_text(const std::string& program, const std::deque<Offer>& offer
     out += entry(std::string("--") + word, meaning);
   bool numbers = false;
   for (const Option& p : of.parameters.all()) {
-    const bool flag = p.takes == Option::Takes::flag;
-    numbers = numbers || (p.takes == Option::Takes::number && p.name != "threads");
-    out += entry("--" + p.name + (flag ? "" : " " + p.check.shown()),
-                 p.meaning + (flag || p.standard.empty() ? "" : " (default: " + p.standard + ")"));
+    numbers = numbers || (p.check.range && p.name != "threads");
+    out += entry("--" + p.name + (p.is_flag() ? "" : " " + p.check.shown()),
+                 p.meaning + (p.standard.empty() ? "" : " (default: " + p.standard + ")"));
   }
   if (commands) out += "\nCommands, each with its own --help:\n";
   for (const Offer& offer : offers)
@@ -244,7 +239,7 @@ std::string help_text(const std::string& program, const std::deque<Offer>& offer
 /**
 The same as a table. */
 static std::string kind_of(const Option& p) {
-  if (p.takes == Option::Takes::flag) return "flag";
+  if (p.is_flag()) return "flag";
   if (p.check.range) return p.check.whole ? "whole number" : "number";
   return p.check.names.empty() ? "text" : "name";
 }
@@ -279,24 +274,15 @@ Table description(const std::string& program, const std::deque<Offer>& offers) {
 /**
 ## The line in a header
 
-An argument with blanks, quotes or control characters is quoted as a shell would want it: a line feed in a name would
-otherwise break the header. */
+An argument that a shell would not take as it is stands between quotes. */
 static std::string shell_quoted(const std::string& argument) {
   const auto plain = [](unsigned char c) {
     return std::isalnum(c) != 0 || std::string("-_=+./,:@%").find(char(c)) != std::string::npos;
   };
   if (!argument.empty() && std::all_of(argument.begin(), argument.end(), plain)) return argument;
-  std::string escaped;
-  bool strange = false;  // plain quotes do not hold it
-  for (unsigned char c : argument) {
-    const bool control = c < 32 || c == 127;
-    char code[8];
-    std::snprintf(code, sizeof code, "\\x%02x", unsigned(c));
-    if (c == '\'' || c == '\\') escaped += '\\';
-    escaped += control ? code : std::string(1, char(c));
-    strange = strange || control || c == '\'';
-  }
-  return strange ? "$'" + escaped + "'" : "'" + argument + "'";
+  std::string out = "'";
+  for (const char c : argument) out += c == '\'' ? "'\\''" : std::string(1, c);
+  return out + "'";
 }
 
 std::string command_text(const std::string& program, int argc, const char* const* argv) {

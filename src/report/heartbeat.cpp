@@ -7,7 +7,6 @@
 #include <condition_variable>
 #include <cstdio>
 #include <mutex>
-#include <system_error>
 
 namespace report {
 
@@ -54,12 +53,7 @@ static void show(const std::string& label, const std::stop_token& over) {
 }
 
 Heartbeat::Heartbeat(const std::string& label) : watched_(isatty(STDERR_FILENO) != 0) {
-  if (!watched_) return;
-  try {
-    thread_ = std::jthread([label](const std::stop_token& over) { show(label, over); });
-  } catch (const std::system_error&) {
-    // No thread can start, and no line is shown
-  }
+  if (watched_) thread_ = std::jthread([label](const std::stop_token& over) { show(label, over); });
 }
 
 Heartbeat::~Heartbeat() {

@@ -89,7 +89,6 @@ void add_potential(Parameters& p, const std::string& option, const std::string& 
 // What programs call
 void add_well(Parameters& p, Well& well, const Ranges& own) {
   add_potential(p, "well", "on-site potential (well) of every bead", well, own);
-  p.find("well")->formerly("onsite");
 }
 
 void add_contact(Parameters& p, Contact& contact, const Ranges& own) {

@@ -42,8 +42,11 @@ static Check in_range(const Allowed& range, bool whole) {
 }
 
 Check not_empty() {
-  return {[](const std::string& value) { return value.empty() ? "the name is empty" : ""; },
-          "a name"};
+  const auto complaint = [](const std::string& value) {
+    if (value.find_first_of("\n\r") != std::string::npos) return "the name has a line break";
+    return value.empty() ? "the name is empty" : "";
+  };
+  return {complaint, "a name"};
 }
 
 Check one_of(const std::vector<std::string>& names) {
@@ -91,28 +94,26 @@ std::string why_not_writable(const std::filesystem::path& folder, const std::str
 }
 
 std::string Option::used() const {
-  if (takes == Takes::flag) return given() ? "yes" : "no";
+  if (is_flag()) return given() ? "yes" : "no";
   if (!given()) return standard;
-  return takes == Takes::number ? short_text(*typed_number(*typed)) : *typed;
+  return check.range ? short_text(*typed_number(*typed)) : *typed;
 }
 
 // Each kind of variable has its own way to take what was typed, which is good when it arrives there
 Option& Parameters::add_number(const std::string& name, const std::string& meaning,
                                const std::string& standard, const Allowed& range, bool whole,
                                std::function<void(double)> take) {
-  return keep({name, meaning, standard, Option::Takes::number, in_range(range, whole),
+  return keep({name, meaning, standard, in_range(range, whole),
                [take](const std::string& typed) { take(*typed_number(typed)); }});
 }
 
 Option& Parameters::add(const std::string& name, std::string& value, const std::string& meaning,
                         const Check& check) {
-  return keep({name, meaning, value, Option::Takes::text, check,
-               [&value](const std::string& typed) { value = typed; }});
+  return keep({name, meaning, value, check, [&value](const std::string& typed) { value = typed; }});
 }
 
 Option& Parameters::add(const std::string& name, bool& value, const std::string& meaning) {
-  return keep(
-      {name, meaning, "", Option::Takes::flag, {}, [&value](const std::string&) { value = true; }});
+  return keep({name, meaning, "", {}, [&value](const std::string&) { value = true; }});
 }
 
 /// Keeps an option, whose default may be given at the end of its meaning.
@@ -128,7 +129,7 @@ Option& Parameters::keep(Option parameter) {
 
 Option* Parameters::find(const std::string& name) {
   for (Option& p : all_)
-    if (p.name == name || std::count(p.old_names.begin(), p.old_names.end(), name)) return &p;
+    if (p.name == name) return &p;
   return nullptr;
 }
 

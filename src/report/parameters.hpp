@@ -7,13 +7,9 @@ option, the value and what is allowed. Numbers are read in one way everywhere: i
 31), whole ones also as `1e+06`, and all of them as fractions (`-1/6`). Help shows every default, and the header of a
 table records every parameter with the value that was used.
 
-A command declares each parameter with a name, the variable that takes the value, a meaning and what is allowed; what the
-variable holds before the line is read is the default. A default that is no plain value stands at the end of the meaning.
-
-    void parameters(Parameters& p) {
-      p.add("velocity", velocity, "impact velocity", {1e-6, 100});
-      p.add("sites", sites, "chain length (default: as long as needed)", {2, 1e6});
-    } */
+A command declares each parameter with a name, the variable that takes the value, a meaning and what is allowed,
+`p.add("velocity", velocity, "impact velocity", {1e-6, 100})`; what the variable holds before the line is read is the
+default. A default that is no plain value stands at the end of the meaning, `(default: as long as needed)`. */
 
 #include <concepts>
 #include <cstddef>
@@ -71,26 +67,20 @@ std::string why_not_writable(const std::filesystem::path& folder, const std::str
 
 /// What help, complaints and headers know of a parameter.
 struct Option {
-  enum class Takes { flag, number, text };
-
   std::string name, meaning, standard;  ///< `standard` is the default as help and header show it
-  Takes takes = Takes::text;
-  Check check{};
+  Check check{};                        ///< none of a flag
   std::function<void(const std::string&)> take{};  ///< hands a checked value to the variable
-  std::vector<std::string> old_names{}, rivals{};  ///< see `formerly` and `excludes`
+  std::vector<std::string> rivals{};               ///< see `excludes`
   std::string chosen_by{};                         ///< see `only_with`
   std::vector<std::string> choices{};              ///< the same
   std::optional<std::string> typed{};              ///< the value as it was typed; empty for a flag
 
+  /// Whether it is off unless it is typed, and takes no value.
+  bool is_flag() const { return !check.complaint; }
   /// Whether it was typed.
   bool given() const { return typed.has_value(); }
   /// The value that was used, as a header records it.
   std::string used() const;
-  /// An earlier name that is still accepted, and shown nowhere.
-  Option& formerly(const std::string& old_name) {
-    old_names.push_back(old_name);
-    return *this;
-  }
   /// Typing both is refused.
   Option& excludes(const Option& other) {
     rivals.push_back(other.name);
@@ -150,7 +140,7 @@ class Parameters {
       for (const auto& [word, choice] : choices)
         if (word == typed) value = choice;
     };
-    return keep({name, meaning, standard, Option::Takes::text, one_of(names), take});
+    return keep({name, meaning, standard, one_of(names), take});
   }
 
   /// Calls `then` when the whole line has been read; it may throw UsageError.
@@ -160,7 +150,7 @@ class Parameters {
     for (const auto& then : then_) then();
   }
 
-  /// The option of this name, present or earlier; null if there is none.
+  /// The option of this name; null if there is none.
   Option* find(const std::string& name);
   /// The options in the order in which they were added.
   const std::deque<Option>& all() const { return all_; }

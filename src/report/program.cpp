@@ -25,10 +25,6 @@ namespace report {
 
 /**
 ## Numbers */
-static std::string kind_of(const Estimate& e) {
-  return e.is_exact ? "exact" : "estimate";
-}
-
 Columns quantity_columns() {
   return {label("quantity", "name of the quantity"), number("value", "converged value"),
           number("error", "absolute error, estimated from two resolutions"),
@@ -60,7 +56,8 @@ void Answers::add_small(const std::string& quantity, const Estimate& e, const st
     if (std::isnan(e.value)) throw std::logic_error(quantity + ": is nan without a reason");
     why = "only the finer of two runs has a value";
   }
-  table.add({quantity, none ? undefined : e, unit, kind_of(e), meaning, why});
+  const char* kind = e.is_exact ? "exact" : "estimate";
+  table.add({quantity, none ? undefined : e, unit, kind, meaning, why});
 }
 
 /**

@@ -108,19 +108,9 @@ struct Report {
 /**
 ## Commands
 
-A command is a struct that has a title, declares its parameters (parameters.hpp) and computes a `table()`
-from them:
-
-    struct OneRun {
-      static constexpr Title title{"run", "one impact: how fast the packet is"};
-      double velocity = 1;
-
-      void parameters(Parameters& p) { p.add("velocity", velocity, "impact velocity", {1e-6, 100}); }
-      Table table() const;
-    };
-
-`commands<OneRun, ...>()` is what a program offers of such structs. One that Python calls too has `find()`, and two tables
-of what it found: `quantities` and `profile`. */
+A command is a struct that has a title, declares its parameters (parameters.hpp) and computes a `table()` from them, as in
+CONTRIBUTING.md. `commands<OneRun, ...>()` is what a program offers of such structs. One that Python calls too has `find()`,
+and two tables of what it found: `quantities` and `profile`. */
 struct Title {
   const char *name, *meaning;
   /// The last line of its help: what is not obvious about its answers.

@@ -43,16 +43,12 @@ Estimate abs(const Estimate& a) {
 ## Tables
 
 A program has run if it has listed its tables, and only these count, with the bytes that it wrote. */
-bool Tables::has_run(const std::string& program) const {
-  return std::filesystem::exists(folder_ / program / "SHA256SUMS");
-}
-
 const Table& Tables::of(const std::string& program, const std::string& name) {
   const auto known = read_.find({program, name});
   if (known != read_.end()) return known->second;
-  if (!has_run(program)) throw NotRun{program};
   const auto path = folder_ / program / (name + ".ecsv");
   const Sums sums = sums_in(folder_ / program);
+  if (sums.empty()) throw NotRun{program};
   const auto listed = sums.find(name + ".ecsv");
   if (listed == sums.end()) throw Unresolved{program + " has no table '" + name + "'"};
   if (listed->second != sha256_of(path))
@@ -189,12 +185,6 @@ double Data::Row::operator()(const std::string& column) const {
   return number_in(cell(column), column);
 }
 
-std::string Data::Row::text(const std::string& column) const {
-  const auto* text = std::get_if<std::string>(&cell(column));
-  if (!text) throw Unresolved{"the column '" + column + "' holds numbers"};
-  return *text;
-}
-
 // The number and its error, after the change that a test makes
 Quantity Data::Row::operator[](const std::string& column) const {
   const auto& [table, program, name, reading] = *source;
@@ -237,13 +227,6 @@ Estimate least_of(const std::vector<Estimate>& all) {
 
 Estimate largest_of(const std::vector<Estimate>& all) {
   return extreme(all, -1);
-}
-
-Estimate mean_of(const std::vector<Estimate>& all) {
-  if (all.empty()) throw Unresolved{"nothing to average"};
-  Estimate sum = exact(0);
-  for (const Estimate& e : all) sum = sum + e;
-  return sum / exact(double(all.size()));
 }
 
 /**
@@ -327,16 +310,9 @@ const Comparison* Judged::closest() const {
   return at == comparisons.end() ? nullptr : &*at;
 }
 
-std::string Judged::short_text() const {
-  if (outcome_of(comparisons) == Outcome::in_part || lost_control()) return text();
-
-  if (comparisons.size() < 4 || !lost.empty() || !not_run.empty()) return text();
-  return closest()->text() + " (the closest of " + std::to_string(comparisons.size()) + ")";
-}
-
 std::string Judged::text() const {
   if (!lost.empty()) return lost;
-  if (!not_run.empty()) return "not run";
+  if (!not_run.empty()) return not_run + " has not run";
   if (lost_control()) return "a control fails: " + lost_control()->text();
   if (answer) return text_of(*answer) + (answer->unit.empty() ? "" : " " + answer->unit);
   const auto failed = std::ranges::find_if(comparisons, &Comparison::fails);
@@ -347,9 +323,8 @@ std::string Judged::text() const {
     return "fails " + std::to_string(failures()) + " of " + std::to_string(comparisons.size()) +
            " comparisons; first " + failed->text() +
            (failed == worst ? "" : "; by most " + worst->text());
-  if (comparisons.size() > 8)
-    return closest()->text() + " (the closest of " + std::to_string(comparisons.size()) +
-           " comparisons)";
+  if (comparisons.size() > 3)
+    return closest()->text() + " (the closest of " + std::to_string(comparisons.size()) + ")";
   std::string out;
   for (const Comparison& c : comparisons) out += (out.empty() ? "" : "; ") + c.text();
   return out;
@@ -428,19 +403,12 @@ void Statement::control(const std::function<void()>& compare) {
   std::ranges::move(apart(compare), std::back_inserter(judged_.controls));
 }
 
-void Statement::add(OtherReading other) {
-  const auto is_same_name = [&](const OtherReading& r) { return r.name == other.name; };
-  if (std::ranges::any_of(judged_.readings, is_same_name))
-    throw std::logic_error("a statement has two readings '" + other.name + "'");
-  judged_.readings.push_back(std::move(other));
-}
-
 void Statement::reading(const std::string& name, const std::function<void()>& compare) {
-  add({name, {}, outcome_of(apart(compare))});
+  judged_.readings.push_back({name, {}, outcome_of(apart(compare))});
 }
 
 void Statement::reading(const std::string& name, const Quantity& value) {
-  add({name, value, {}});
+  judged_.readings.push_back({name, value, {}});
   reading_.latest.clear();
 }
 
@@ -518,20 +486,17 @@ bool all_hold(const std::filesystem::path& folder) {
     const Judged found = statement.judge(tables);
     const bool holds = found.lost.empty() && found.not_run.empty() && !found.lost_control() &&
                        outcome_of(found.comparisons) == Outcome::holds;
-    std::cout << id << (holds ? " holds: " : " FAILS: ")
-              << (found.not_run.empty() ? found.lost + found.text()
-                                        : found.not_run + " has not run")
-              << '\n';
+    std::cout << id << (holds ? " holds: " : " FAILS: ") << found.text() << '\n';
     all = all && holds;
   }
   return all;
 }
 
-Register::Register(const std::string& id, const char* file, int line,
-                   Judged (*run)(Tables&, const std::string&)) {
+Register::Register(const std::string& id, const char* file,
+                   Judged (*judge)(Tables&, const std::string&)) {
   const std::string program = std::filesystem::path(file).stem().string();
   const bool is_new =
-      registered().insert({id, {program, line, [=](Tables& t) { return run(t, program); }}}).second;
+      registered().insert({id, {program, [=](Tables& t) { return judge(t, program); }}}).second;
   if (!is_new) throw std::logic_error("the statement " + id + " is judged twice");
 }
 

@@ -94,7 +94,6 @@ class Tables {
 
   /// Throws NotRun if the program has not finished, Unresolved if it has no such table.
   const Table& of(const std::string& program, const std::string& name);
-  bool has_run(const std::string& program) const;
   double changed(const CellRead& cell, double value) const;
 
   std::optional<Change> change{};
@@ -145,7 +144,6 @@ class Data {
     std::size_t at;
 
     double operator()(const std::string& column) const;
-    std::string text(const std::string& column) const;
     Quantity operator[](const std::string& column) const;
     const Cell& cell(const std::string& column) const;
   };
@@ -186,7 +184,6 @@ class Data {
 Errors count: the least of some numbers may be as small as the least of their lower ends. */
 Estimate least_of(const std::vector<Estimate>& all);
 Estimate largest_of(const std::vector<Estimate>& all);
-Estimate mean_of(const std::vector<Estimate>& all);
 
 /// `of(row)` of every row; a name stands for what is in this column.
 template <class Of>
@@ -207,10 +204,6 @@ Estimate least(const Data& rows, Of of) {
 template <class Of>
 Estimate largest(const Data& rows, Of of) {
   return largest_of(each(rows, of));
-}
-template <class Of>
-Estimate mean(const Data& rows, Of of) {
-  return mean_of(each(rows, of));
 }
 
 /**
@@ -245,8 +238,7 @@ struct OtherReading {
 
 /// What a statement found.
 struct Judged {
-  std::string program{},
-      place{};  ///< the program whose tables decide, and where the statement stands
+  std::string program{};  ///< whose tables decide
   std::vector<Comparison> comparisons{},
       controls{};  ///< of the measure: where one fails there is no verdict
   std::vector<OtherReading> readings{};
@@ -265,10 +257,8 @@ struct Judged {
   const Comparison* lost_control() const;
   /// The comparison with the smallest margin.
   const Comparison* closest() const;
-  /// What was found, in a line: the answer, or the comparisons, of many only the closest one.
+  /// What was found, in a line: the answer, or the comparisons, of more than three only the closest one.
   std::string text() const;
-  /// The same, of more than three comparisons only the closest one.
-  std::string short_text() const;
 };
 
 /// What the body of a statement may call.
@@ -313,7 +303,6 @@ class Statement {
  private:
   using Place = std::pair<unsigned, unsigned>;  // line and column
   void note(const Estimate& a, const Estimate& b, bool may_be_equal);
-  void add(OtherReading other);
   std::vector<Comparison> apart(const std::function<void()>& compare);
   Judged judged_once(Tables& tables, const std::string& program);
   std::string cells_read();
@@ -329,7 +318,6 @@ class Statement {
 /// All statements that are linked, by their ids.
 struct Registered {
   std::string program;
-  int line;
   std::function<Judged(Tables&)> judge;
 };
 const std::map<std::string, Registered>& statements();
@@ -340,25 +328,23 @@ bool all_hold(const std::filesystem::path& folder);
 
 /// Adds one; throws std::logic_error for an id that is there.
 struct Register {
-  template <class One>
-  static Judged run(Tables& tables, const std::string& program) {
-    return One().judged(tables, program);
-  }
-  Register(const std::string& id, const char* file, int line,
-           Judged (*run)(Tables&, const std::string&));
+  Register(const std::string& id, const char* file, Judged (*judge)(Tables&, const std::string&));
 };
 
 }  // namespace report
 
-#define LATTICE_STATEMENT(id, name)                                                             \
-  namespace {                                                                                   \
-  struct name final : report::Statement {                                                       \
-    void judge() override;                                                                      \
-  };                                                                                            \
-  const report::Register register_##name(id, __FILE__, __LINE__, &report::Register::run<name>); \
-  }                                                                                             \
+#define LATTICE_STATEMENT(id, name)                                                               \
+  namespace {                                                                                     \
+  struct name final : report::Statement {                                                         \
+    void judge() override;                                                                        \
+  };                                                                                              \
+  const report::Register register_##name(id, __FILE__,                                            \
+                                         [](report::Tables& tables, const std::string& program) { \
+                                           return name().judged(tables, program);                 \
+                                         });                                                      \
+  }                                                                                               \
   void name::judge()
 #define LATTICE_EXPANDED(id, number) LATTICE_STATEMENT(id, Statement_##number)
+#define LATTICE_AT(id, number) LATTICE_EXPANDED(id, number)
 /// A statement of the list with this id; its body follows.
 #define STATEMENT(id) LATTICE_AT(id, __COUNTER__)
-#define LATTICE_AT(id, number) LATTICE_EXPANDED(id, number)

@@ -47,9 +47,6 @@ Cells::Cells(std::initializer_list<Entry> entries) {
 // Rows come one by one or many at once, and columns are found by their names
 void Table::add(Cells row) {
   bool fits = row.size() == columns.size();
-  if (fits && rows.empty())
-    for (std::size_t i = 0; i < row.size(); ++i)
-      if (columns[i].description.empty()) columns[i].kind = Kind(row[i].index());
   for (std::size_t i = 0; fits && i < row.size(); ++i)
     fits = row[i].index() == std::size_t(columns[i].kind);
   if (!fits) throw std::invalid_argument("a row does not fit the columns of its table");

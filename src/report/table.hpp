@@ -50,12 +50,10 @@ Column count(std::string name, std::string description, std::string unit = "");
 /// A column of texts.
 Column label(std::string name, std::string description);
 
-/// Columns one after the other; a list of them may hold single columns and other lists. One that is only named is of the
-/// kind that its first cell has.
+/// Columns one after the other; a list of them may hold single columns and other lists.
 struct Columns {
   std::vector<Column> all;
 
-  Columns(const char* name) : all{Column{name, "", ""}} {}
   Columns(Column column) : all{std::move(column)} {}
   Columns(std::vector<Column> columns) : all(std::move(columns)) {}
   Columns(std::initializer_list<Columns> lists);
@@ -87,7 +85,6 @@ class Cells : public std::vector<Cell> {
   };
 
   Cells() = default;
-  Cells(std::vector<Cell> cells) : std::vector<Cell>(std::move(cells)) {}
   Cells(std::initializer_list<Entry> entries);
 };
 

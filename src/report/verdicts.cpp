@@ -45,16 +45,13 @@ Table table_of(const Cases& rows) {
          {"comparisons", "how many there are", std::int64_t(found.comparisons.size())},
          {"failures", "how many of them fail", std::int64_t(found.failures())},
          {"verdict", "verdict, as explained in paper/verdicts.ecsv", verdict(one, rows)},
-         {"found", "the value, or the comparisons, of many the closest one", found.text()},
-         {"short", "the value, or up to three comparisons, of more the closest one",
-          found.short_text()},
+         {"found", "the value, or up to three comparisons, of more the closest one", found.text()},
          {"state", "judged here; not run: the recorded verdict; quick: from coarse tables",
           !found.not_run.empty() ? "not run"
           : found.is_quick       ? "quick"
                                  : "judged"},
          {"program", "program whose tables decide", found.program}});
   }
-  out.meta = {{"program", "verdicts"}};
   return out;
 }
 
@@ -77,7 +74,6 @@ Table table_of_readings(const Cases& rows, const Choices& choices) {
                 "beside words",
                 outcome(other, claim)}});
     }
-  out.meta = {{"program", "verdicts"}};
   return out;
 }
 
@@ -105,7 +101,6 @@ Table table_of_comparisons(const Cases& rows) {
     for (const Comparison& c : found.controls)
       add(claim, "control", c.what, c.small, c.large, word(c));
   }
-  out.meta = {{"program", "verdicts"}};
   return out;
 }
 
@@ -150,16 +145,19 @@ void judge_all(const fs::path& root, const fs::path& data, const fs::path& to) {
   if (!absent.empty()) std::printf("not run    : recorded verdicts are shown for");
   for (const std::string& program : absent) std::printf(" %s", program.c_str());
   if (!absent.empty()) std::printf("\n");
-  write(to, table_of(rows));
-  const auto write_beside = [&](const char* what, const Table& table) {
-    const fs::path path = to.parent_path() / (to.stem().string() + what + ".ecsv");
+  const auto write_to = [](const fs::path& path, Table table) {
+    table.meta = {{"program", "verdicts"}};
     if (table.rows.empty())
       fs::remove(path);
     else
       write(path, table);
   };
-  write_beside("_readings", table_of_readings(rows, read_choices(root)));
-  write_beside("_comparisons", table_of_comparisons(rows));
+  const auto beside = [&](const char* what) {
+    return to.parent_path() / (to.stem().string() + what + ".ecsv");
+  };
+  write_to(to, table_of(rows));
+  write_to(beside("_readings"), table_of_readings(rows, read_choices(root)));
+  write_to(beside("_comparisons"), table_of_comparisons(rows));
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include "report/statement.hpp"
 
-using namespace lattice;
 using namespace report;
 
 STATEMENT("thm.mean_force") {

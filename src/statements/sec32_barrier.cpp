@@ -7,7 +7,6 @@
 
 #include "report/statement.hpp"
 
-using namespace lattice;
 using namespace report;
 
 namespace {

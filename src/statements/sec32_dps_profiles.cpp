@@ -5,7 +5,6 @@
 
 #include "report/statement.hpp"
 
-using namespace lattice;
 using namespace report;
 
 STATEMENT("dps.scaling") {

@@ -5,7 +5,6 @@
 
 #include "report/statement.hpp"
 
-using namespace lattice;
 using namespace report;
 
 /// What an article's Gauss-Newton method may have found.

@@ -3,7 +3,6 @@
 
 #include "report/statement.hpp"
 
-using namespace lattice;
 using namespace report;
 
 STATEMENT("dps.bond_stable") {

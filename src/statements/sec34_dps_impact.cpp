@@ -4,7 +4,6 @@
 #include "lattice/numerics/line_fit.hpp"
 #include "report/statement.hpp"
 
-using namespace lattice;
 using namespace report;
 
 STATEMENT("impact.ansatz_orders") {

@@ -6,7 +6,6 @@
 
 #include "report/statement.hpp"
 
-using namespace lattice;
 using namespace report;
 
 // What is said of impacts below the blow-up is judged up to the first escape. In the last 0.05 before it (`ending`) the outcome
@@ -75,7 +74,7 @@ STATEMENT("impact.trapped") {
 struct Band {
   double first_escape = HUGE_VAL, last_survivor = 0;
   double survivors_above = 0, changes = 0;  // the former of stronger impacts than the first escape
-  Estimate disputed{};
+  Estimate disputed = exact(0);
 };
 static Band band(const Data& scan) {
   if (scan.size() < 2) throw Unresolved{"a scan of one impact"};
@@ -83,6 +82,7 @@ static Band band(const Data& scan) {
   bool before = false, is_first = true;
   for (const auto& impact : scan) {
     const bool escaped = impact["escaped"].value > 0;
+    out.disputed = out.disputed + exact(1) - impact["agree"];
     if (!(impact["agree"].value > 0)) continue;
     if (!is_first && escaped != before) ++out.changes;
     before = escaped, is_first = false;
@@ -93,7 +93,7 @@ static Band band(const Data& scan) {
       out.survivors_above += out.first_escape < HUGE_VAL ? 1 : 0;
   }
   if (is_first) throw Unresolved{"no impact has the same outcome at both steps"};
-  out.disputed = mean(scan, [](const Data::Row& impact) { return exact(1) - impact["agree"]; });
+  out.disputed = out.disputed / exact(double(scan.size()));
   return out;
 }
 

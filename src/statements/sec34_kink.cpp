@@ -6,7 +6,6 @@
 
 #include "report/statement.hpp"
 
-using namespace lattice;
 using namespace report;
 
 STATEMENT("impact.kink") {

@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-using namespace lattice;
 using namespace report;
 
 STATEMENT("scale.contact_time") {

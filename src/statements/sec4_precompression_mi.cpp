@@ -7,7 +7,6 @@
 
 #include "report/statement.hpp"
 
-using namespace lattice;
 using namespace report;
 
 constexpr double wells[] = {-1.0 / 6, 0, 1};

@@ -100,11 +100,11 @@ class Scratch(unittest.TestCase):
     def judged(self, verdict="discrepant", one=1.0):
         """What `verdicts` would have written."""
         nan = float("nan")
-        self.report(["claims", "a.one", one, 1e-3, "m", nan, nan, 0.0, verdict, "1 +- 1e-3 m", "1 +- 1e-3 m", "judged", "sec1_demo"],
-                    ["claims", "a.two", nan, nan, "", 0.5, 0.05, 0.0, "holds", *["results.value: 1 < 2 +- 0.1"] * 2, "judged", "sec1_demo"])
+        self.report(["claims", "a.one", one, 1e-3, "m", nan, nan, 0.0, verdict, "1 +- 1e-3 m", "judged", "sec1_demo"],
+                    ["claims", "a.two", nan, nan, "", 0.5, 0.05, 0.0, "holds", "results.value: 1 < 2 +- 0.1", "judged", "sec1_demo"])
 
     def report(self, *rows):
-        columns = ["list", "id", "value", "error", "unit", "margin", "margin_error", "failures", "verdict", "found", "short", "state", "program"]
+        columns = ["list", "id", "value", "error", "unit", "margin", "margin_error", "failures", "verdict", "found", "state", "program"]
         self.write("build/report/claims.ecsv", table(columns, rows))
 
     def beside(self, what, columns, *rows):

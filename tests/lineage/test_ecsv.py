@@ -130,7 +130,7 @@ class Here(unittest.TestCase):
                 columns = ecsv.header_of(ecsv.text_of(path))[0]
                 self.assertFalse([f"{path}: src/columns does not say what {column.name} is" for column in columns if not column.description])
                 written += [(path.stem, column.name) for column in columns]
-            listed = VOLUME / f"src/columns/{program}.ecsv"
-            for row in ecsv.read(listed, ("table", "column")).rows if listed.exists() else ():
+            listed = VOLUME / f"src/columns/{program}.csv"
+            for row in csv.DictReader(listed.open()) if listed.exists() else ():
                 self.assertTrue(any(column == row["column"] and row["table"] in ("", table) for table, column in written),
                                 f"{listed}: no {row['table'] or 'table'} has a column {row['column']} (src/columns)")

@@ -8,7 +8,6 @@
 #include "support/check.hpp"
 #include "support/commands.hpp"
 
-using namespace lattice;
 using namespace report;
 namespace fs = std::filesystem;
 

@@ -10,7 +10,6 @@
 #include "support/check.hpp"
 #include "support/run.hpp"
 
-using namespace lattice;
 using namespace report;
 namespace fs = std::filesystem;
 

@@ -8,15 +8,7 @@
 #include "support/check.hpp"
 #include "support/scratch.hpp"
 
-using namespace lattice;
 using namespace report;
-
-TEST_CASE("the sum is SHA-256", "[unit][sums]") {
-  // Of the standard, FIPS 180-2
-  CHECK(sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-  CHECK(sha256("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-  CHECK(sha256_of("/none").empty());
-}
 
 TEST_CASE("a run lists its tables for sha256sum, without what differs between machines",
           "[unit][sums]") {
@@ -43,13 +35,4 @@ TEST_CASE("a run lists its tables for sha256sum, without what differs between ma
   write(scratch.path / "speeds.ecsv", Table{number("x", "number")});
   CHECK(std::system(check.c_str()) != 0);
   unsetenv("LATTICE_REVISION");
-}
-
-TEST_CASE("a coarse table says so", "[unit][sums]") {
-  Table table{number("x", "number")};
-  CHECK_FALSE(is_quick(table));
-  table.meta = {{"command", "p --quick"}, {"parameters", "quick = no"}};
-  CHECK_FALSE(is_quick(table));
-  table.meta[1].second = "sites = 3, quick = yes";
-  CHECK(is_quick(table));
 }

@@ -3,14 +3,12 @@
 #include "report/table.hpp"
 
 #include <cstring>
-#include <numeric>
 #include <sstream>
 #include <utility>
 
 #include "support/check.hpp"
 #include "support/scratch.hpp"
 
-using namespace lattice;
 using namespace report;
 
 TEST_CASE("a table survives the round trip", "[unit][table]") {
@@ -80,23 +78,6 @@ TEST_CASE("writing where it cannot leaves nothing", "[unit][table]") {
   CHECK(scratch.empty());
 }
 
-TEST_CASE("a line break is refused when written and when read", "[unit][table]") {
-  const auto with = [](const std::string& cell, const std::string& meta, const std::string& unit) {
-    Table table{Column{"s", unit, "a text", Kind::text}};
-    table.add({cell});
-    table.meta = {{"command", meta}};
-    return to_text(table);
-  };
-  CHECK_NOTHROW(with("a, \"b\" # c", "d", "m"));
-  CHECK_THROWS_AS(with("two\nlines", "", ""), std::invalid_argument);
-  CHECK_THROWS_AS(with("return\r", "", ""), std::invalid_argument);
-  CHECK_THROWS_AS(with("", "two\nlines", ""), std::invalid_argument);
-  CHECK_THROWS_AS(with("", "", "two\nlines"), std::invalid_argument);
-  std::istringstream broken(
-      "# - {name: 's', unit: '', datatype: string, description: ''}\ns\n\"two\nlines\"\n");
-  check_line(refusal<std::runtime_error>([&] { from_text(broken); }), "line break");
-}
-
 TEST_CASE("numbers are read in one way", "[unit][table]") {
   for (const char* text : {"31", "031", "+31", "31.0", "3.1e1", "3.1e+01"}) {
     CAPTURE(text);
@@ -113,35 +94,4 @@ TEST_CASE("numbers are read in one way", "[unit][table]") {
   CHECK(short_text(1e6) == "1000000");
   CHECK(short_text(-0.1) == "-0.1");
   CHECK(short_text(1e-6) == "1e-06");
-}
-
-TEST_CASE("an estimate brings the column of its error", "[unit][table]") {
-  Table table{count("n", "site"), estimate("speed", "of the packet", "site per unit of time"),
-              estimate("force", "of a contact", "", "against the largest"), label("how", "word")};
-  REQUIRE(table.columns.size() == 6);
-  CHECK(table.columns[1].name == "speed");
-  CHECK(table.columns[2].name == "speed_error");
-  CHECK(table.columns[2].unit == "site per unit of time");
-  CHECK(table.columns[2].description == "difference of two resolutions");
-  CHECK(table.columns[4].description == "against the largest");
-  table.add({3U, Estimate{1.5, 0.25}, exact(2), "fast"});
-  CHECK(table.numbers("n")[0] == 3);
-  CHECK(table.numbers("speed_error")[0] == 0.25);
-  CHECK(table.numbers("force_error")[0] == 0);
-  CHECK(table.texts("how")[0] == "fast");
-  CHECK_THROWS_AS(table.numbers("y"), std::out_of_range);
-  CHECK_THROWS_AS(table.add({3, 1.5, exact(2), "fast"}), std::invalid_argument);
-  CHECK_THROWS_AS(table.add({3.0, exact(1), exact(2), "fast"}), std::invalid_argument);
-}
-
-TEST_CASE("rows are filled in their order", "[unit][table]") {
-  std::vector<double> x(1000), all{-1};
-  std::iota(x.begin(), x.end(), 0);
-  all.insert(all.end(), x.begin(), x.end());
-  Table table{number("x", "a number"), number("square", "its square")};
-  table.add({-1.0, 1.0});
-  table.fill(x, [](double y) { return Cells{y, y * y}; });
-  CHECK(table.numbers("x") == all);
-  CHECK(table.numbers("square").back() == 999.0 * 999.0);
-  CHECK_THROWS_AS(table.fill(x, [](double y) { return Cells{y}; }), std::invalid_argument);
 }

@@ -43,13 +43,13 @@ def here(id, row, numbers, verdicts):
     """What we have beside what is printed: an answer, or the comparisons that decide."""
     if id in numbers:
         return numbers[id].shown_like("1.000e0" if re.search(r"\de", row["printed"]) else "1.000") + numbers[id].shown_unit
-    text = re.sub(r" \+- [^\s<;]+", "", verdicts[id]["short"])
+    text = re.sub(r" \+- [^\s<;]+", "", verdicts[id]["found"])
     return re.sub(r"\d+\.\d+(?:e-?\d+)?", lambda number: f"{float(number[0]):.4g}", text)
 
 
 def statement_rows(rows, numbers, verdicts):
     """The statements that a chapter decides, for its end; None where one of them has not been judged."""
-    if any("short" not in verdicts[id] or verdicts[id]["state"] != "judged" for id in rows):
+    if any(verdicts[id]["state"] != "judged" for id in rows):
         return None
     return ["| statement | printed | here | verdict |", "|---|---|---|---|",
             *(f"| `{id}`: {row['quantity']} | {printed(row)} | {here(id, row, numbers, verdicts)} | {verdicts[id]['verdict']} |"
