@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "commands/multipliers.hpp"
-#include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/algebra/dense.hpp"
 #include "lattice/events/overlap.hpp"
 #include "lattice/numerics/progress.hpp"
 #include "lattice/orbits/floquet.hpp"
