@@ -22,7 +22,8 @@ TEST_CASE("a breather in between is found twice, by solutions of their own",
   problem.symmetry = even_in_time(21);
   Vector<double> x(22);
   x << site.x, 0.1525196;
-  const Vector<Wide> near = moved_to_centre(Held<double>{problem, along_s(), 0.25}, x).cast<Wide>();
+  const Vector<Wide> near =
+      moved_to_centre(Held<double>{problem, along_s<double>(), 0.25}, x).cast<Wide>();
   const Held<Wide> held{in_precision<Wide>(problem), along_s<Wide>(), Wide(0.25)};
   const Wide fine = newton(held.equations(), near, rule<Wide>(Resolution::fine)).x[21];
   const Wide coarse = newton(held.equations(), near, rule<Wide>(Resolution::coarse)).x[21];
@@ -36,7 +37,7 @@ TEST_CASE("a breather held at a centre: its equations and their derivative", "[u
   Shooting<double> problem = breather_problem(Centre::site, 1.3, 0.1, 7);
   const Orbit<double> orbit = find_breather(problem);
   problem.symmetry = even_in_time(7);
-  const Held<double> held{problem, along_omega(), 0.3};
+  const Held<double> held{problem, along_omega<double>(), 0.3};
   CHECK((Held<double>{}.centre == 0 && Held<double>{}.change == 1e-5));
   Vector<double> x(8);
   x << problem.reduce(orbit.start), 1.35;

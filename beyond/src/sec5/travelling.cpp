@@ -141,7 +141,7 @@ Branch branch_in_s(const Orbit<double>& start, int direction, double longest) {
   const auto problem = with_free_time(travelling_problem(time, 0, start.start.y.size() / 2 - 1));
   const Orbit<double> orbit = newton(problem, with_time(start.x, time));
   const Stride stride{.first = 0.02, .least = 1e-6, .most = longest};
-  return {problem, along_s(), orbit, direction, {}, stride};
+  return {problem, along_s<double>(), orbit, direction, {}, stride};
 }
 
 }  // namespace lattice

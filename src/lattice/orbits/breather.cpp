@@ -41,6 +41,9 @@ State<double> ansatz(Centre centre, double omega, std::size_t sites, Phase phase
   return state;
 }
 
+/// Up to this frequency, that of the article's figure 4, Newton's method starts from the quasi-continuum profile.
+static constexpr double direct_up_to = 1.1;
+
 /// Where Newton's method starts. The approximate breather knows the contacts and not the well. If the exponent comes
 /// near three both count alike, and the guess is the breather of harmonic wells, followed to the anharmonicity wanted.
 static Vector<double> guess_for(const Shooting<double>& problem, const Vector<double>& approximate,
@@ -82,7 +85,7 @@ Orbit<double> find_breather(const Shooting<double>& problem, Phase phase,
   const Orbit<double> start = newton(nearby, guess_for(nearby, approximate, rule), rule);
   refuse_other_families(nearby, start, sup<double>(approximate));
   if (nearby.omega == problem.omega) return start;
-  return Branch(nearby, along_omega(problem.chain.contact.exponent()), start, 1, rule)
+  return Branch(nearby, along_omega<double>(problem.chain.contact.exponent()), start, 1, rule)
       .orbit_at(problem.omega);
 }
 
@@ -97,7 +100,7 @@ std::vector<Orbit<double>> breathers_at(Shooting<double> problem,
                                         const std::vector<double>& omegas) {
   problem.omega = omegas.front();
   std::vector<Orbit<double>> orbits{find_breather(problem)};
-  Branch branch(problem, along_omega(problem.chain.contact.exponent()), orbits.front(), 1,
+  Branch branch(problem, along_omega<double>(problem.chain.contact.exponent()), orbits.front(), 1,
                 on_the_way());
   try {
     for (std::size_t k = 1; k < omegas.size(); ++k) orbits.push_back(branch.orbit_at(omegas[k]));

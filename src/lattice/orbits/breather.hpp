@@ -46,9 +46,6 @@ Shooting<T> breather_problem(Centre centre, const T& omega, double s, std::size_
   return breather_problem(centre, omega, Well(Quartic{s}), sites);
 }
 
-/// Up to this frequency, that of the article's figure 4, Newton's method starts from the quasi-continuum profile.
-constexpr double direct_up_to = 1.1;
-
 /// The breather of a problem in double precision, on the branch that begins at omega_b = 1. Throws
 /// NewtonFailed, and NoBranch if the branch does not reach the frequency.
 Orbit<double> find_breather(const Shooting<double>& problem, Phase phase = Phase::compressed,

@@ -15,19 +15,9 @@ namespace lattice {
 static constexpr int most_steps = 400, most_corrections = 6;
 static constexpr double tolerance = 1e-9;  // relative residual of the points on the curve
 
-Along along_omega(double alpha) {
-  return {"omega_b", [](const Shooting<double>& p) { return p.omega; },
-          [](Shooting<double>& p, double omega) { p.omega = omega; }, 0, 1 / (alpha - 1)};
-}
-
-Along along_s() {
-  return {"s", [](const Shooting<double>& p) { return std::get<Quartic>(p.chain.well.kind).s; },
-          [](Shooting<double>& p, double s) { p.chain.well = Quartic{s}; }, 1.0 / 1024};
-}
-
 // At the first point the border prescribes the parameter
-Branch::Branch(Shooting<double> problem, Along which, const Orbit<double>& start, int direction,
-               NewtonRule<double> rule, Stride stride)
+Branch::Branch(Shooting<double> problem, Along<double> which, const Orbit<double>& start,
+               int direction, NewtonRule<double> rule, Stride stride)
     : problem_(std::move(problem)),
       along_(std::move(which)),
       rule_(rule),
@@ -177,7 +167,9 @@ Estimate fold_of(const Branch& branch) {
   return with_error(Branch(branch).fold(16), Branch(branch).fold(32));
 }
 
-Chain between(const Chain& a, const Chain& b, double part) {
+/// The chain at `part` of the way from `a` to `b`, from 0 to 1. Masses, stiffnesses, the anharmonicity of quartic wells,
+/// the exponent and the root of the compression change linearly; all else is that of `b`.
+static Chain between(const Chain& a, const Chain& b, double part) {
   const auto mixed = [&](double from, double to) { return (1 - part) * from + part * to; };
   for (const Chain* chain : {&a, &b}) assert_fits(*chain, b.sites);
   Chain out = b;

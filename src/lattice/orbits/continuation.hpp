@@ -26,34 +26,51 @@ in these coordinates the small-amplitude limit (the DpS equation) is a straight 
 exponent $\alpha$ of the contact force the power is $1/(\alpha-1)$ in place of 2. Any other parameter is itself
 the coordinate $\ell$. The derivative with respect to the frequency is exact; with respect to another parameter
 it is a central difference, whose error affects only how fast the corrector converges. */
+template <class T>
 struct Along {
-  std::string name;                                    ///< for messages
-  std::function<double(const Shooting<double>&)> get;  ///< reads it from a problem,
-  std::function<void(Shooting<double>&, double)> set;  ///< and writes it there
+  std::string name;                                 ///< for messages
+  std::function<T(const Shooting<T>&)> get;         ///< reads it from a problem,
+  std::function<void(Shooting<T>&, const T&)> set;  ///< and writes it there
   double change = 0;  ///< of the central difference; 0 for the frequency
   double power = 2;   ///< of omega_b - 1 in the unit of the unknowns
 
   /// Whether the parameter is the frequency, for which the coordinates are those of the limit.
   bool is_frequency() const { return change == 0; }
   /// By what the unknowns are multiplied at `ell`: this power of omega_b - 1, else one.
-  double scale(double ell) const { return is_frequency() ? std::exp(power * ell) : 1; }
+  T scale(T ell) const {
+    using std::exp;
+    return is_frequency() ? exp(T(power) * ell) : T(1);
+  }
   /// The parameter at `ell`.
-  double parameter(double ell) const { return is_frequency() ? 1 + std::exp(ell) : ell; }
+  T parameter(T ell) const {
+    using std::exp;
+    return is_frequency() ? T(1) + exp(ell) : ell;
+  }
   /// ell for this parameter; a frequency must be above one.
-  double coordinate(double parameter) const {
-    return is_frequency() ? std::log(parameter - 1) : parameter;
+  T coordinate(T parameter) const {
+    using std::log;
+    return is_frequency() ? log(parameter - T(1)) : parameter;
   }
   /// The problem at another value of the parameter.
-  Shooting<double> at(Shooting<double> problem, double value) const {
+  Shooting<T> at(Shooting<T> problem, const T& value) const {
     set(problem, value);
     return problem;
   }
 };
 
 /// Along the frequency omega_b, for contacts of exponent `alpha`.
-Along along_omega(double alpha = 1.5);
+template <class T>
+Along<T> along_omega(double alpha = 1.5) {
+  return {"omega_b", [](const Shooting<T>& p) { return p.omega; },
+          [](Shooting<T>& p, const T& omega) { p.omega = omega; }, 0, 1 / (alpha - 1)};
+}
+
 /// Along the anharmonicity s of a quartic well.
-Along along_s();
+template <class T>
+Along<T> along_s() {
+  return {"s", [](const Shooting<T>& p) { return T(std::get<Quartic>(p.chain.well.kind).s); },
+          [](Shooting<T>& p, const T& s) { p.chain.well = Quartic{double(s)}; }, 1.0 / 1024};
+}
 
 /// Lengths of the steps in the space of (xi, ell), where xi is scaled to a maximum of one.
 struct Stride {
@@ -69,7 +86,7 @@ struct NoBranch : std::runtime_error {
 class Branch {
  public:
   /// Begins at a converged orbit and moves towards larger parameters if `direction` > 0.
-  Branch(Shooting<double> problem, Along which, const Orbit<double>& start, int direction,
+  Branch(Shooting<double> problem, Along<double> which, const Orbit<double>& start, int direction,
          NewtonRule<double> rule = {}, Stride stride = {});
 
   /// The parameter at the point where the branch stands.
@@ -108,7 +125,7 @@ class Branch {
   bool correct(Vector<double>& z, const Vector<double>& tangent, Vector<double>& next_tangent);
 
   Shooting<double> problem_;
-  Along along_;
+  Along<double> along_;
   NewtonRule<double> rule_;
   Stride stride_;
   double length_;
@@ -126,11 +143,6 @@ Estimate fold_of(const Branch& branch);
 
 The quasi-continuum profile knows exponents of contacts but neither compression nor masses: such breathers are reached
 on a path from a chain whose breather is known, at one frequency. */
-/// The chain at `part` of the way from `a` to `b`, from 0 to 1, of the same length. Masses, stiffnesses, the
-/// anharmonicity of quartic wells, the exponent and the root of the compression change linearly; ends, other wells and
-/// a contact of the caller's own are those of `b`.
-Chain between(const Chain& a, const Chain& b, double part);
-
 /// The orbit of `problem` followed to the chain `target` at fixed frequency. A step is halved if it fails or goes
 /// farther than a tenth of the amplitude, which may lead to another family, and doubled otherwise. Throws NewtonFailed
 /// where the branch folds back, with how far the path went; std::invalid_argument if the lengths differ.

@@ -5,7 +5,6 @@
 #include "lattice/events/event_driven.hpp"
 #include "lattice/impact/impact.hpp"
 #include "lattice/orbits/breather.hpp"
-#include "lattice/orbits/continuation.hpp"
 #include "lattice/quadruple/orbits.hpp"
 #include "sec3/breather_like.hpp"
 #include "support/check.hpp"
@@ -185,6 +184,5 @@ TEST_CASE("a chain runs with the length of its masses and in states of that leng
     CHECK_THROWS_AS(linearise(chain, state.y), std::invalid_argument);
   }
   CHECK_THROWS_AS(lengthened(eight, 10), std::invalid_argument);
-  CHECK_THROWS_AS(between(eight, Chain{8}, 0.5), std::invalid_argument);
   CHECK_THROWS_AS(on_long_chain({1, twelve, 20}), std::invalid_argument);
 }
