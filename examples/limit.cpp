@@ -1,6 +1,6 @@
 // The limit of small amplitude: a packet of the DpS equation, struck at one end, and its speed.
 #include <iostream>
-#include "lattice/dps/dps_impact.hpp"
+#include "lattice/dps/evolve.hpp"
 
 using namespace lattice;
 

@@ -25,7 +25,7 @@ How a command is read, runs beside the interpreter, and answers. Each module inc
 #include <vector>
 
 #include "lattice/integrators/refinement.hpp"
-#include "lattice/numerics/interrupt.hpp"
+#include "lattice/numerics/progress.hpp"
 #include "report/command_line.hpp"
 
 namespace py = pybind11;

@@ -30,7 +30,7 @@ localized state (c, d).](fig:x16)
 #include <string>
 #include <vector>
 
-#include "lattice/diagnostics/observe.hpp"          // energy_density, window_sum
+#include "lattice/diagnostics/path.hpp"             // energy_density, window_sum
 #include "lattice/events/event_driven.hpp"          // largest, largest_difference
 #include "lattice/gsl/random.hpp"                   // perturbed
 #include "lattice/gsl/reference.hpp"                // Reference: GSL

@@ -44,7 +44,7 @@ $$\dot y_n(T_b/2) = 0 \quad\text{(bond)},\qquad
 
 #include "commands/one_breather.hpp"
 #include "lattice/algebra/dense.hpp"
-#include "lattice/diagnostics/observe.hpp"
+#include "lattice/diagnostics/path.hpp"
 #include "lattice/events/event_driven.hpp"
 #include "lattice/gsl/random.hpp"
 #include "lattice/model/dps.hpp"
@@ -99,13 +99,13 @@ struct Iterate {
   double residual, step;  // the step from here on
   Softness soft;          // condition of DR and its least singular vector
 };
-using Path = std::vector<Iterate>;
+using Iterates = std::vector<Iterate>;
 
 /// x <- x - DR(x)^-1 R(x) from the ansatz, without directions of a singular value below `least`.
-Path iterate(const Shooting<double>& problem, Resolution resolution, double least) {
+Iterates iterate(const Shooting<double>& problem, Resolution resolution, double least) {
   Vector<double> x =
       problem.reduce(ansatz(Centre::site, problem.omega, sites, Phase::compressed, contact));
-  Path path;
+  Iterates path;
   while (path.size() <= most_steps) {
     const Evaluation<double> now = problem.evaluate(x, rule<double>(resolution).events);
     const Vector<double>& R = now.residual;
@@ -161,15 +161,17 @@ double return_after_period(const Shooting<double>& problem, const Vector<double>
 }
 
 /// A point of a path in numbers, compared with the breather.
-Row row_of(const char* equations, std::size_t k, const TwoRuns<Path>& paths,
+Row row_of(const char* equations, std::size_t k, const TwoRuns<Iterates>& paths,
            const Shooting<double>& problem, const Orbit<double>& breather) {
-  const auto returned = [&](const Path& path) { return return_after_period(problem, path[k].x); };
-  const auto last_step = [&](const Path& path) { return path[k - 1].step; };
-  const auto excess = [&](const Path& path) {
+  const auto returned = [&](const Iterates& path) {
+    return return_after_period(problem, path[k].x);
+  };
+  const auto last_step = [&](const Iterates& path) { return path[k - 1].step; };
+  const auto excess = [&](const Iterates& path) {
     return energy(problem.chain, problem.expand(path[k].x)) - breather.energy;
   };
-  const auto condition = [&](const Path& path) { return path[k].soft.condition; };
-  const auto pinning = [&](const Path& path) {
+  const auto condition = [&](const Iterates& path) { return path[k].soft.condition; };
+  const auto pinning = [&](const Iterates& path) {
     return alignment(path[k].soft.softest, discrete_gradient({path[k].x.begin(), path[k].x.end()}));
   };
   return Row{{"equations", equations},
@@ -184,14 +186,14 @@ Row row_of(const char* equations, std::size_t k, const TwoRuns<Path>& paths,
 void report_convergence(Report& report) {
   // The same iteration on a quarter of the period, and on the whole with and without the mode
   const auto both = [](const Shooting<double>& equations, double least) {
-    return TwoRuns<Path>{iterate(equations, Resolution::coarse, least),
-                         iterate(equations, Resolution::fine, least)};
+    return TwoRuns<Iterates>{iterate(equations, Resolution::coarse, least),
+                             iterate(equations, Resolution::fine, least)};
   };
   const Shooting<double> symmetric = conditions(Centre::site, omega_b);
   Shooting<double> returning_after = symmetric;
   returning_after.symmetry = returning(sites);
-  const TwoRuns<Path> quarter = both(symmetric, 0), whole = both(returning_after, 0),
-                      without = both(returning_after, least_kept);
+  const TwoRuns<Iterates> quarter = both(symmetric, 0), whole = both(returning_after, 0),
+                          without = both(returning_after, least_kept);
   Table& history = report.table("iterations");
   for (std::size_t k = 0; k <= most_steps; ++k)
     history.add({{"steps", k},

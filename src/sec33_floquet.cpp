@@ -55,7 +55,7 @@ and Cretegny 1998). Its $\kappa$ is now a simple eigenvalue: an error $\eta$ of 
 
 #include "commands/exchanges.hpp"
 #include "commands/multipliers.hpp"
-#include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/algebra/dense.hpp"
 #include "lattice/numerics/line_fit.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/standing/spectrum.hpp"

@@ -50,7 +50,7 @@ $X(t)$ fitted from site 20 on (`fit_from`). The article fits far from the bounda
 #include <string>
 #include <vector>
 
-#include "lattice/dps/dps_impact.hpp"
+#include "lattice/dps/evolve.hpp"
 #include "lattice/gsl/reference.hpp"
 #include "lattice/impact/impact.hpp"
 #include "report/program.hpp"

@@ -52,7 +52,6 @@ sites 20 and 60, and take the linear well and the two soft ones that the article
 #include <vector>
 
 #include "commands/one_impact.hpp"
-#include "lattice/diagnostics/observe.hpp"
 #include "lattice/diagnostics/path.hpp"
 #include "lattice/impact/impact.hpp"
 #include "lattice/orbits/floquet.hpp"

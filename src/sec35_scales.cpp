@@ -35,7 +35,7 @@ $(5/8)^{2/5}\,\delta$. */
 #include "commands/all_scales.hpp"
 #include "lattice/cantilever/cantilever.hpp"
 #include "lattice/diagnostics/pulse.hpp"
-#include "lattice/dps/dps_impact.hpp"
+#include "lattice/dps/evolve.hpp"
 #include "lattice/impact/impact.hpp"
 #include "report/program.hpp"
 #include "sec35/collision.hpp"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "commands/phonon_band.hpp"
-#include "lattice/dps/dps_impact.hpp"
+#include "lattice/dps/evolve.hpp"
 #include "lattice/impact/turning.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "lattice/standing/spectrum.hpp"

@@ -3,7 +3,7 @@
 #include <complex>
 
 #include "commands/one_turn.hpp"
-#include "lattice/dps/dps_impact.hpp"
+#include "lattice/dps/evolve.hpp"
 #include "lattice/gsl/reference.hpp"
 #include "lattice/impact/impact.hpp"
 #include "sec34/acceleration.hpp"

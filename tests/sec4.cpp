@@ -4,7 +4,7 @@
 
 #include "commands/compressed_impact.hpp"
 #include "commands/phonon_band.hpp"
-#include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/algebra/dense.hpp"
 #include "lattice/gsl/random.hpp"
 #include "lattice/gsl/reference.hpp"
 #include "lattice/impact/impact.hpp"

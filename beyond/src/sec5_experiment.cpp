@@ -48,7 +48,7 @@ that of the energy, $T_E$. */
 #include <string>
 #include <vector>
 
-#include "lattice/diagnostics/observe.hpp"
+#include "lattice/diagnostics/path.hpp"
 #include "lattice/integrators/event_corrected.hpp"
 #include "lattice/model/dps.hpp"
 #include "lattice/numerics/line_fit.hpp"

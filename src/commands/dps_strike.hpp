@@ -22,7 +22,7 @@ and where the two runs differ by half of the largest amplitude, nothing is known
 #include <string>
 
 #include "commands/why_no_speed.hpp"
-#include "lattice/dps/dps_impact.hpp"
+#include "lattice/dps/evolve.hpp"
 #include "lattice/numerics/parallel.hpp"
 #include "report/program.hpp"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lattice/orbits/breather.hpp"
-#include "lattice/orbits/other_chains.hpp"
+#include "lattice/orbits/continuation.hpp"
 
 namespace lattice {
 

@@ -10,8 +10,8 @@ What the chapter `sec34_dps_impact` measures on states of the chain (y and v) an
 #include <numeric>
 #include <vector>
 
-#include "lattice/diagnostics/observe.hpp"
-#include "lattice/dps/dps_impact.hpp"
+#include "lattice/diagnostics/path.hpp"
+#include "lattice/dps/evolve.hpp"
 #include "lattice/impact/impact.hpp"
 #include "report/program.hpp"
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/algebra/dense.hpp"
 
 namespace lattice {
 

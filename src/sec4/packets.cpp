@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "lattice/diagnostics/observe.hpp"
+#include "lattice/diagnostics/path.hpp"
 #include "lattice/impact/impact.hpp"
 #include "lattice/integrators/refinement.hpp"
 #include "lattice/numerics/line_fit.hpp"

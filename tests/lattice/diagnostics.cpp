@@ -5,7 +5,7 @@
 #include <array>
 
 #include "lattice/diagnostics/pulse.hpp"
-#include "lattice/dps/dps_impact.hpp"
+#include "lattice/dps/evolve.hpp"
 #include "lattice/impact/impact.hpp"
 #include "support/check.hpp"
 
@@ -14,14 +14,6 @@ using namespace lattice;
 namespace {
 
 using Numbers = std::vector<double>;
-
-/// Numbers between 0 and 1 without any order.
-Numbers dust(std::size_t count, double seed) {
-  Numbers x(count);
-  for (std::size_t n = 0; n < count; ++n)
-    x[n] = std::pow(std::sin(seed + 12.9898 * double(n * n) + 3.7 * double(n)), 2);
-  return x;
-}
 
 }  // namespace
 
@@ -127,23 +119,15 @@ TEST_CASE("the largest peak is found between samples", "[unit][observe]") {
 }
 
 TEST_CASE("a path is smoothed, and vertices are found, by hand", "[unit][turning]") {
-  Path path;
-  const Numbers centre = dust(30, 0.2), energy = dust(30, 0.9);
-  for (std::size_t i = 0; i < 30; ++i)
-    path.samples.push_back({3 + 0.5 * double(i), centre[i], energy[i]});
-  // Four samples on either side, with the width 5 of the weight
-  const Path smoothed = smooth(path, 4.3);
-  REQUIRE(smoothed.size() == 22);
-  for (std::size_t i = 0; i < 22; ++i) {
-    double sum = 0, x = 0, y = 0;
-    for (std::size_t k = 0; k <= 8; ++k) {
-      const double weight = std::pow(std::cos(M_PI * (double(k) - 4) / 10), 2);
-      sum += weight, x += weight * centre[i + k], y += weight * energy[i + k];
-    }
-    check_close(smoothed[i].t, path[i + 4].t, 1e-10);
-    check_close(smoothed[i].centre, x / sum, 1e-10);
-    check_close(smoothed[i].energy, y / sum, 1e-10);
-  }
+  // Two samples on either side, with the weights 1/2, 3/2, 2, 3/2 and 1/2
+  Path path = path_of({0, 1, 8, 0, 3, 5}, Numbers(6));
+  for (std::size_t i = 0; i < 6; ++i) path.samples[i].energy = double(i * i);
+  const Path smoothed = smooth(path, 4);
+  REQUIRE(smoothed.size() == 2);
+  CHECK(smoothed[0].t == 2);
+  check_close(smoothed[0].centre, (1.5 + 16 + 1.5) / 6, 1e-14);
+  check_close(smoothed[1].centre, (0.5 + 12 + 4.5 + 2.5) / 6, 1e-14);
+  check_close(smoothed[1].energy, (0.5 + 6 + 18 + 24 + 12.5) / 6, 1e-14);
   Path three = path_of({1, 2, 3}, {1, 1, 1});
   CHECK(smooth(three, 1).size() == 1);
   three.samples.pop_back();

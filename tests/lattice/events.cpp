@@ -85,34 +85,22 @@ TEST_CASE("the event-driven flow is exact, reversible and conserves energy", "[p
 }
 
 TEST_CASE("a flow that is not accurate throws, and is reported by try_flow", "[unit][events]") {
-  const Chain soft{1, Quartic{-1}};  // its rim is at one
-  const auto started = [](double y) {
-    State<double> s(1);
-    s.y[0] = y;
-    return s;
-  };
   const auto check_refused = [&](const Chain& chain, double y, double time,
                                  const EventTolerance<double>& rule, const char* why) {
-    State<double> s = started(y);
-    FlowReport<double> report;
-    CHECK_NOTHROW(report = try_flow(chain, s, time, rule));
+    State<double> s(1);
+    s.y[0] = y;
+    State<double> other = s;
+    const FlowReport<double> report = try_flow(chain, s, time, rule);
     CHECK_FALSE(is_accurate(report, rule));
-    s = started(y);
-    check_line(refusal<FlowFailed>([&] { flow(chain, s, time, rule); }), why);
+    check_line(refusal<FlowFailed>([&] { flow(chain, other, time, rule); }), why);
     return report;
   };
-  CHECK_FALSE(check_refused(soft, 1.1, 10, {}, "runs away").error <= 1);
+  CHECK_FALSE(check_refused(Chain{1, Quartic{-1}}, 1.1, 10, {}, "runs away").error <= 1);
   // No more than two leapfrogs a step, and steps of 1/16384 of a long run are still too long
   EventTolerance<double> poor;
   poor.levels = 2;
   CHECK(check_refused(Chain{1}, 0.5, 1000, poor, "(allowed: ").error <= 1);
-  // Within the rim both do the same
-  State<double> one = started(0.9), other = one;
-  const FlowReport<double> thrown = flow(soft, one, 10.0), returned = try_flow(soft, other, 10.0);
-  CHECK(is_accurate(returned, {}));
-  CHECK(returned.steps == thrown.steps);
-  CHECK((one.y == other.y && one.v == other.v && one.t == other.t));
-  FlowReport<double> missed = thrown;
+  FlowReport<double> missed;
   missed.missed_events = 1;
   CHECK_FALSE(is_accurate(missed, {}));
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "lattice/diagnostics/observe.hpp"
+#include "lattice/diagnostics/path.hpp"
 #include "lattice/gsl/random.hpp"
 #include "lattice/integrators/event_corrected.hpp"
 #include "lattice/orbits/breather.hpp"

@@ -13,7 +13,7 @@ is left out; what is found is exact where it holds too, and so at $\varphi = 0$.
 #include <cstddef>
 #include <numbers>
 
-#include "lattice/dps/dps_impact.hpp"
+#include "lattice/dps/evolve.hpp"
 #include "lattice/orbits/newton.hpp"
 
 namespace lattice {

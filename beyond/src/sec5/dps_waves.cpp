@@ -4,7 +4,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/algebra/dense.hpp"
 #include "lattice/integrators/event_corrected.hpp"
 #include "lattice/orbits/newton.hpp"
 

@@ -12,7 +12,7 @@ sec5_travelling_breathers.cpp. */
 #include <cstddef>
 #include <vector>
 
-#include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/algebra/dense.hpp"
 #include "lattice/impact/impact.hpp"
 #include "lattice/numerics/estimate.hpp"
 #include "lattice/numerics/progress.hpp"

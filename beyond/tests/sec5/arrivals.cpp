@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "lattice/cantilever/cantilever.hpp"
-#include "lattice/diagnostics/observe.hpp"
+#include "lattice/diagnostics/path.hpp"
 #include "lattice/diagnostics/pulse.hpp"
 #include "lattice/dps/evolve.hpp"
 #include "lattice/impact/impact.hpp"

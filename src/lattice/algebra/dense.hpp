@@ -3,9 +3,11 @@
 # Dense matrices
 
 Eigen's solvers, in `double` and `long double` (and quadruple precision where quadruple.hpp says so). They take the compiler a
-quarter of a minute each, so they are compiled once, these here and those of eigenvalues.hpp. */
+quarter of a minute each, so they are compiled once. */
 
 #include <Eigen/Core>
+#include <complex>
+#include <vector>
 
 #include "lattice/numerics/ieee.hpp"
 
@@ -41,5 +43,10 @@ struct Softness {
 
 /// Of a matrix with independent columns, from its singular values; it may have more rows than columns.
 Softness condition_of(const Matrix<double>& matrix);
+
+/// All eigenvalues of a square matrix, in Eigen's order. Throws std::runtime_error where the iteration
+/// does not converge.
+template <class T>
+std::vector<std::complex<T>> eigenvalues_of(const Matrix<T>& matrix);
 
 }  // namespace lattice

@@ -1,4 +1,4 @@
-#include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/algebra/dense.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

@@ -2,12 +2,11 @@
 /**
 # Decorated cantilevers
 
-Section 3.6 of the article proposes an experiment: a row of elastic beams, each clamped at both ends
-and carrying two beads at its middle, with which it touches the beads of its neighbours. If each beam
-is described by its largest deflection $x_n$ alone, the Hamiltonian is that of Eq. (31),
+The array of section 3.6 is a row of elastic beams, each clamped at both ends and carrying two beads at its middle, with
+which it touches the beads of its neighbours. If each beam is described by its largest deflection $x_n$ alone, the
+Hamiltonian is that of Eq. (31),
 $$H = \sum_n \frac{m_n}{2}\,\dot x_n^2 + \frac k2\,x_n^2 + \frac25\,\gamma_n\,(x_n-x_{n+1})_+^{5/2}.$$
-This file derives the coefficients from beam theory and Hertz's law, in SI units, and turns them
-into the dimensionless chain of Eq. (32). */
+This file derives the coefficients from beam theory and Hertz's law, in SI units, and those of Eq. (32). */
 
 #include <array>
 #include <cmath>
@@ -77,10 +76,8 @@ struct ClampedBeam {
 double clamped_root();
 
 /**
-A chain in SI units becomes that of Eq. (9) once length and time are measured in suitable units. Two
-beads that collide at the speed $V$ touch for a time of order $\tau_h$ and are compressed by a length of
-order $\delta$. The well adds the period $2\pi\tau_c$, and the displacement $\xi$ at which its force
-equals that of a contact:
+Two beads that collide at the speed $V$ touch for a time of order $\tau_h$ and are compressed by a length of order
+$\delta$. The well adds the period $2\pi\tau_c$, and the displacement $\xi$ at which its force equals that of a contact:
 $$\tau_h = \Bigl(\frac{m^2}{\gamma^2 V}\Bigr)^{1/5},\quad \delta = \Bigl(\frac{mV^2}{\gamma}\Bigr)^{2/5},\quad
 \tau_c = \sqrt{m/k},\quad \xi = (k/\gamma)^2,\quad \lambda = \frac{m}{k\,\tau_h^2}.$$
 In the units $\xi$ and $\tau_c$ the chain is that of Eq. (9), and the impact velocity is

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "lattice/events/columns.hpp"
-#include "lattice/numerics/interrupt.hpp"
 #include "lattice/numerics/progress.hpp"
 
 namespace lattice {

@@ -2,10 +2,9 @@
 /**
 # The smooth segments between contact events
 
-Along an orbit the force of a contact behaves like $(t-t^*)_+^{3/2}$ where it opens or closes, at $t^*$, and its
-stiffness like $(t-t^*)_+^{1/2}$. With $t = t^* + u^2$ the solution is a power series in $u$ and a formula has its full
-accuracy; the appendix (`secA_integrators`) shows it for one bead. This file has the map and the leapfrog;
-event_driven.cpp extrapolates it across a segment and finds the ends. */
+With $t = t^* + u^2$ about an instant $t^*$ at which a contact opens or closes the solution is a power series in $u$, and
+a formula has its full accuracy; the appendix (`secA_integrators`) shows it for one bead. This file has the map and the
+leapfrog; event_driven.cpp extrapolates it across a segment and finds the ends. */
 
 #include <cstddef>
 #include <limits>
@@ -24,10 +23,7 @@ $$t = a + L\,\varphi(s), \qquad \varphi(s) = 3s^2 - 2s^3, \qquad 0 \le s \le 1,$
 for which $t - a \simeq 3Ls^2$ and $a + L - t \simeq 3L(1-s)^2$. We use it on every interval; at an end
 without an event it does no harm. Unlike a cosine it has the same bits everywhere.
 
-The tangent map passes a contact event without a jump. In general the derivative of a flow across a surface
-in phase space gains a term proportional to the jump of the vector field there. Here the contact force
-is continuous and the jump is zero; that the instant of the event depends on the initial state does not
-matter to first order. */
+The tangent map passes a contact event without a jump, because the contact force is continuous. */
 /// $\varphi(e)-\varphi(s)$, in factors, so that short intervals lose no digits to cancellation.
 template <class T>
 T span(T s, T e) {

@@ -20,18 +20,13 @@ to it that nothing comes back from the far end. */
 namespace lattice {
 
 /**
-A far end that the motion reaches sends it back, and what comes back is no property of the impact. In front
-of everything else run either linear waves or, if the contacts are not compressed, strongly nonlinear
-pulses. Beads with the stiffness $k$ of their wells and $K$ of their contacts have phonons between
-$\sqrt k$ and $\sqrt{k+4K}$; the fastest of them travels at half the width of this band,
-$$c = \tfrac12\bigl(\sqrt{k+4K}-\sqrt k\bigr)\ \text{sites per unit of time.}$$
-In a chain without wells, $k = 0$, the strongest pulse of an impact has the overlap $x$ at most whose energy is
-$x^{\alpha+1}/(\alpha+1) = \frac25 v_0^2$, which is $v_0^{4/5}$ for spheres, and
-the speed of the sound for which $K = \frac45 v_0^2/x^2$, or $\frac45 v_0^{2/5}$. So we insert the larger of this and the
-stiffness at rest, and give the chain 15 per cent more than this way and a hundred sites.
-
-This is an estimate and not a bound. What counts is whether the far end has remained at rest: a run refuses to give a
-result if the velocity of its last bead exceeds `far_end` times the impact's. */
+A far end that the motion reaches sends it back, and what comes back is no property of the impact. In front of
+everything else run linear waves or, if the contacts are not compressed, strongly nonlinear pulses. Wells of stiffness
+$k$ and contacts of stiffness $K$ let phonons travel at half the width of their band at most,
+$c = \frac12(\sqrt{k+4K}-\sqrt k)$ sites per unit of time. The strongest pulse of an impact has the overlap $x$ at most
+whose energy is $x^{\alpha+1}/(\alpha+1) = \frac25 v_0^2$, and the speed of the sound for which $K = \frac45 v_0^2/x^2$.
+We insert the larger of this and the stiffness at rest, and add 15 per cent and a hundred sites. This is an estimate and
+not a bound: a run refuses to give a result if the velocity of its last bead exceeds `far_end` times the impact's. */
 /// For `far_end`: the far end may move, as part of the experiment.
 inline constexpr double may_move = std::numeric_limits<double>::infinity();
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "lattice/model/kernel.hpp"
-#include "lattice/numerics/interrupt.hpp"
+#include "lattice/numerics/progress.hpp"
 
 namespace lattice {
 namespace {

@@ -55,10 +55,9 @@ stiffness $K$, pass this on to its velocity. Summed over the stages the error is
 which the same quadrature gives. So we subtract
 $$\frac{K h^3}{\mu}\Bigl[\int_0^1 \tfrac12 (1-s)^2 F\,ds
  - \sum_j \Bigl(\sum_i b_i a_{ij}\Bigr) F_j\Bigr] = O(h^{9/2}).$$
-What remains are errors in $h^5$ per switching, mostly from the quintic, and those of the steps beyond the reach, where
-a sum of order six errs by $h^{5/2}k^{-9/2}$ at a distance of $k$ steps. With two steps they prevail once $h$ is below 0.01 or so, with six only near rounding. A contact
-that is corrected is left out of $K$, so a longer reach also makes the $O(h^{9/2})$ terms of neighbours return. The
-scheme is neither symplectic nor reversible; its energy drifts by as much as its error.
+What remains are errors in $h^5$ per switching, mostly from the quintic, and those of the steps beyond the reach. A
+contact that is corrected is left out of $K$, so that a longer reach makes the $O(h^{9/2})$ terms of neighbours return.
+The scheme is neither symplectic nor reversible; its energy drifts by as much as its error.
 
 Under a stiff contact, or one of light beads, the overlap vibrates with the frequency $\omega$,
 $\omega^2 = \eta V''\,(1/\mu_n + 1/\mu_{n+1})$. Once $\omega h$ is of order one it may close, turn round and open

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "lattice/model/precisions.hpp"
-#include "lattice/numerics/interrupt.hpp"
 #include "lattice/numerics/progress.hpp"
 
 namespace lattice {

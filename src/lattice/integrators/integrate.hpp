@@ -4,10 +4,8 @@
 
 The Hamiltonian, Eq. (6), is a sum of two parts that can each be solved exactly: the kinetic energy
 makes the beads drift at constant velocity, the potential energy kicks them at fixed positions. Alternating exact kicks
-and drifts (schemes.hpp) is symplectic, reversible and cheap. A contact that *switches*, that is opens or closes, at
-$t^*$ has a force like $(t-t^*)_+^{3/2}$, and a step of length $h$ across $t^*$ makes an error $O(h^{5/2})$, however
-high the order of the scheme; event_corrected.hpp has the remedy. A precompressed chain whose contacts stay closed
-has the full order. */
+and drifts (schemes.hpp) is symplectic, reversible and cheap. Its order falls where contacts open or close;
+event_corrected.hpp has the remedy. */
 
 #include <cmath>
 #include <concepts>

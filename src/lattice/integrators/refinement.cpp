@@ -37,7 +37,9 @@ EventCorrected method_for(double tolerance, double step, int halvings) {
   return method;
 }
 
-bool hopeless(double error, double tolerance, int halvings, int left) {
+// Whether the `error` after `halvings` of the largest step at which a run holds cannot come down to the tolerance by the
+// `left` ones: each divides it by 64 at best. The first two errors do not tell, nor does an infinite one
+static bool hopeless(double error, double tolerance, int halvings, int left) {
   return halvings >= 3 && std::isfinite(error) && error * std::pow(largest_gain, -left) > tolerance;
 }
 

@@ -4,10 +4,8 @@
 
 `refined` repeats a computation with half the step until two successive runs agree, and returns both: the finer one is
 the result, and the error of whatever is derived from it is its difference from the coarser one, which overestimates it
-(about twentyfold at the order 4.5 of event_corrected.hpp). Two runs can also agree by chance, so that the run before
-them is kept, too, and sets a least error (`after_halving` in estimate.hpp): no halving is believed to gain more than the
-one before it did, or 64. Where the first two runs agree, that run is made for this purpose with twice the step, which
-costs a sixth of what they cost together:
+(about twentyfold at the order 4.5 of event_corrected.hpp). The run before the two is kept, too, and sets a least error,
+lest they agree by chance (`after_halving`); where the first two runs agree it is made for this purpose:
 
     const auto runs = refined(1e-6, [&](const EventCorrected& method) { return strike(method, impact); });
     const Estimate speed = runs.of([](const ImpactRun& run) { return packet_speed(run.path); });
@@ -96,10 +94,6 @@ struct Refined : TwoRuns<Result> {
     return e;
   }
 };
-
-/// Whether the `error` after `halvings` of the largest step at which a run holds cannot come down to the tolerance by the
-/// `left` ones: each divides it by 64 at best. The first two errors do not tell, nor does an infinite one.
-bool hopeless(double error, double tolerance, int halvings, int left);
 
 /// Decides which step comes next and when two runs agree; of runs that end early the times must. The energy drifts of
 /// two runs have to agree as well: a large one that does not change with the step belongs to a wrong force.

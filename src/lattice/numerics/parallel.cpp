@@ -11,7 +11,6 @@
 #include <thread>
 #include <vector>
 
-#include "lattice/numerics/interrupt.hpp"
 #include "lattice/numerics/progress.hpp"
 
 namespace lattice {

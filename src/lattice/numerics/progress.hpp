@@ -1,9 +1,10 @@
 #pragma once
 /**
-# How far a computation is
+# How far a computation is, and stopping it
 
 A long loop says where it is by a `Progress` that lives as long as the loop. A program on a terminal shows it
-(report/heartbeat.hpp). No result depends on it. */
+(report/heartbeat.hpp). A library that computes inside another program gives up its work when that is interrupted: the
+caller lends it a flag, at which the long loops look. No result depends on either. */
 
 #include <atomic>
 #include <cstddef>
@@ -43,5 +44,30 @@ class Progress {
   std::atomic<std::size_t> parts_{0};
   std::atomic<double> share_{0};
 };
+
+/// Thrown by a computation that was asked to stop. It is no std::exception, so that nobody who is prepared
+/// for a failure takes it for one.
+struct Interrupted {};
+
+/// The flag that this thread looks at, if there is one; `parallel_for` hands it on to its workers.
+inline thread_local const std::atomic<bool>* stop_flag = nullptr;
+
+/// As long as it lives the computations of this thread end soon after `flag` has been set.
+class Interruptible {
+ public:
+  /// `flag` must live as long; null stands for no flag.
+  explicit Interruptible(const std::atomic<bool>* flag) : before_(stop_flag) { stop_flag = flag; }
+  ~Interruptible() { stop_flag = before_; }
+  Interruptible(const Interruptible&) = delete;
+  Interruptible& operator=(const Interruptible&) = delete;
+
+ private:
+  const std::atomic<bool>* before_;
+};
+
+/// Throws Interrupted if this thread was asked to stop.
+inline void heed_stop() {
+  if (stop_flag && stop_flag->load(std::memory_order_relaxed)) throw Interrupted{};
+}
 
 }  // namespace lattice

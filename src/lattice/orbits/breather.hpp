@@ -3,19 +3,36 @@
 # Static breathers of the chain
 
 A static breather is a vibration with one frequency $\omega_b$ that is localized at a few sites. At small amplitude its
-profile is known approximately (ansatz.hpp), and close to $\omega_b = 1$ Newton's method converges from there. To reach higher frequencies we follow the
-branch (continuation.hpp), so that we know to which family a breather belongs. */
+profile $u_n$ is known approximately (quasi_continuum.hpp), Eqs. (18) to (20),
+$$y_n(0) = 2\epsilon\,u_n,\qquad \epsilon = \bigl(2\tau_0(\omega_b-1)\bigr)^2,$$
+and close to $\omega_b = 1$ Newton's method converges from there. To reach higher frequencies we follow the branch
+(continuation.hpp), so that we know to which family a breather belongs. */
 
 #include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "lattice/orbits/ansatz.hpp"
+#include "lattice/model/sites.hpp"
 #include "lattice/orbits/continuation.hpp"
 #include "lattice/orbits/shooting.hpp"
 
 namespace lattice {
+
+/// A bond-centred breather at t = 0: its central contact is compressed, as in Eq. (18), or stretched,
+/// as it is half a period later.
+enum class Phase { compressed, stretched };
+
+/// The approximate breather of Eq. (20), at rest, and the same for contacts that are none of spheres. Throws
+/// std::invalid_argument unless the exponent of the contact is above one.
+State<double> ansatz(Centre centre, double omega, std::size_t sites,
+                     Phase phase = Phase::compressed, const Contact& contact = Hertz{});
+
+/// That of a chain: around a bond if it has an even number of sites.
+inline State<double> ansatz(const Chain& chain, double omega, Phase phase) {
+  return ansatz(chain.sites % 2 == 0 ? Centre::bond : Centre::site, omega, chain.sites, phase,
+                chain.contact);
+}
 
 /// The problem of a breather of frequency `omega` in wells of a kind. No overlap is negligible, because
 /// the tail is part of the breather. Throws std::invalid_argument if the number of sites does not fit the
@@ -28,9 +45,6 @@ template <class T>
 Shooting<T> breather_problem(Centre centre, const T& omega, double s, std::size_t sites) {
   return breather_problem(centre, omega, Well(Quartic{s}), sites);
 }
-
-/// Up to this frequency, that of the article's figure 4, Newton's method starts from the quasi-continuum profile.
-constexpr double direct_up_to = 1.1;
 
 /// The breather of a problem in double precision, on the branch that begins at omega_b = 1. Throws
 /// NewtonFailed, and NoBranch if the branch does not reach the frequency.
@@ -89,11 +103,11 @@ double alignment(const Vector<double>& a, const Vector<double>& b);
 /**
 ## The barrier
 
-The Peierls-Nabarro barrier is the difference of the energies of site- and bond-centred breathers. The article, section
-3.2, takes it at the same frequency. The effective Hamiltonian that it refers to compares breathers of the same action
-integral, $2\pi$ times the action (the article calls it area), $\mathcal A = \oint\sum\dot y_n^2\,dt$ instead. We keep the frequency of the bond-centred breather and correct that
-of the site-centred one until the action integrals agree. Along a branch $dE = d\mathcal A/T_b$, which turns the remaining
-difference of them into energy; what is neglected is of second order in it, less than rounding. */
+The Peierls-Nabarro barrier is the difference of the energies of site- and bond-centred breathers, in the article's
+section 3.2 at the same frequency. The effective Hamiltonian that it refers to compares breathers of the same action
+integral $\mathcal A = \oint\sum\dot y_n^2\,dt$, the article's area, instead. We correct the frequency of the
+site-centred one until these agree. Along a branch $dE = d\mathcal A/T_b$, which turns the remaining difference into
+energy; what is neglected is of second order in it, less than rounding. */
 template <class T>
 struct Barrier {
   T equal_frequency{};  ///< E_site - E_bond at the same frequency

@@ -138,4 +138,14 @@ class Branch {
 /// The parameter at the next fold, with the error that steps of two lengths tell. Throws NoBranch.
 Estimate fold_of(const Branch& branch);
 
+/**
+## Other chains
+
+The quasi-continuum profile knows exponents of contacts but neither compression nor masses: such breathers are reached
+on a path from a chain whose breather is known, at one frequency. */
+/// The orbit of `problem` followed to the chain `target` at fixed frequency. A step is halved if it fails or goes
+/// farther than a tenth of the amplitude, which may lead to another family, and doubled otherwise. Throws NewtonFailed
+/// where the branch folds back, with how far the path went; std::invalid_argument if the lengths differ.
+Orbit<double> continue_to(Shooting<double> problem, const Orbit<double>& from, const Chain& target);
+
 }  // namespace lattice

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/algebra/dense.hpp"
 #include "lattice/model/precisions.hpp"
 #include "lattice/numerics/progress.hpp"
 
@@ -66,8 +66,10 @@ static Matrix<T> in_momenta(const Chain& chain, Matrix<T> f) {
   return f;
 }
 
+/// In positions and momenta the derivative of a Hamiltonian flow is symplectic, $F^T\Omega F = \Omega$ with
+/// $\Omega = \bigl(\begin{smallmatrix} 0 & 1\\ -1 & 0\end{smallmatrix}\bigr)$. By how much it is not.
 template <class T>
-T symplectic_error(const Matrix<T>& f) {
+static T symplectic_error(const Matrix<T>& f) {
   const Eigen::Index n = f.rows() / 2;
   Matrix<T> turned(2 * n, 2 * n);
   turned << f.bottomRows(n), -f.topRows(n);
@@ -77,8 +79,9 @@ T symplectic_error(const Matrix<T>& f) {
   return sup<T>(wrong.reshaped());
 }
 
+/// K = B^T C of a half-period map in momenta.
 template <class T>
-Matrix<T> pair_matrix(const Matrix<T>& half) {
+static Matrix<T> pair_matrix(const Matrix<T>& half) {
   const Eigen::Index n = half.rows() / 2;
   const Matrix<T> above = half.topRightCorner(n, n), below = half.bottomLeftCorner(n, n);
   return above.transpose() * below;
@@ -186,8 +189,6 @@ Estimate excess(const std::vector<MultiplierPair>& pairs, std::size_t first) {
 #define LIST(T)                                                                           \
   template Matrix<T> monodromy<T>(const Chain&, const State<T>&, const T&,                \
                                   const EventTolerance<T>&);                              \
-  template T symplectic_error<T>(const Matrix<T>&);                                       \
-  template Matrix<T> pair_matrix<T>(const Matrix<T>&);                                    \
   template Matrix<T> perpendicular_to<T>(const Vector<T>&);                               \
   template MultiplierPairs<T> floquet_pairs<T>(const Chain&, const State<T>&, const T&,   \
                                                const EventTolerance<T>&);                 \

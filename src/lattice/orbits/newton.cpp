@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "lattice/model/precisions.hpp"
+#include "lattice/orbits/shooting.ipp"
 
 namespace lattice {
 
@@ -22,5 +23,13 @@ NewtonFailed::NewtonFailed(const std::string& what, History steps)
       history(std::move(steps)) {}
 
 LATTICE_IN_EACH_PRECISION(LATTICE_NEWTON)
+LATTICE_IN_EACH_PRECISION(LATTICE_SHOOTING)
+
+#ifndef __wasm__
+// An orbit begins at one of double precision, or of extended precision
+template Orbit<long double> newton<long double, long double>(const Shooting<long double>&,
+                                                             const Orbit<long double>&,
+                                                             const NewtonRule<long double>&);
+#endif
 
 }  // namespace lattice

@@ -27,10 +27,6 @@ T pi() {
   return acos(T(-1));
 }
 
-/// The tangent at the start: one column for each direction of the basis.
-template <class T>
-Tangent<T> tangent_of(const Basis& basis, std::size_t sites);
-
 /// The problem of finding a periodic orbit of `chain` with `symmetry`. The contacts of a localized orbit should have
 /// `negligible = 0` (contact.hpp), because the tail is part of it.
 template <class T>

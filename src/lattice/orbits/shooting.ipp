@@ -9,6 +9,7 @@
 
 namespace lattice {
 
+/// The tangent at the start: one column for each direction of the basis.
 template <class T>
 Tangent<T> tangent_of(const Basis& basis, std::size_t sites) {
   Tangent<T> tangent(sites, basis.size());
@@ -250,7 +251,6 @@ Orbit<T> newton(const Shooting<T>& problem, const Orbit<From>& from, const Newto
 
 /// The functions of this file in a number type.
 #define LATTICE_SHOOTING(T)                                                                \
-  template Tangent<T> tangent_of<T>(const Basis&, std::size_t);                            \
   template struct Shooting<T>;                                                             \
   template T reach<T>(const Chain&, const State<T>&, const T&);                            \
   template Orbit<T> newton<T>(const Shooting<T>&, const Vector<T>&, const NewtonRule<T>&); \

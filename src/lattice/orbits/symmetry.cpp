@@ -13,7 +13,7 @@ Symmetry even_in_time(std::size_t sites) {
 }
 
 // Antisymmetric about a bond: the right half of the chain tells all
-Symmetry bond_centred(std::size_t sites) {
+static Symmetry bond_centred(std::size_t sites) {
   Symmetry s{.name = "bond-centred", .parts = 2};
   for (std::size_t n = sites / 2; n < sites; ++n) {
     s.unknowns.push_back({{n, 1}, {sites - 1 - n, -1}});
@@ -23,7 +23,7 @@ Symmetry bond_centred(std::size_t sites) {
 }
 
 // After a quarter of a period positions are odd about the site and velocities even
-Symmetry site_centred(std::size_t sites) {
+static Symmetry site_centred(std::size_t sites) {
   Symmetry s{.name = "site-centred", .parts = 4};
   for (std::size_t n = 0; n < sites; ++n) {
     const std::size_t mirror = sites - 1 - n;

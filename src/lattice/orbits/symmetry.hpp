@@ -53,23 +53,19 @@ Symmetry even_in_time(std::size_t sites);
 
 /**
 The article's bond-centred breathers obey $y_{1-n} = -y_n$, which holds at all times if it holds at the
-start. So half of the positions are unknown, and half of the equations above remain. */
-Symmetry bond_centred(std::size_t sites);
+start. So half of the positions are unknown, and half of the equations above remain.
 
-/**
 The site-centred ones have a symmetry that is less easy to see. A mirror image of the motion is no motion
 of the chain, because beads push and do not pull; but it is one if the signs are changed too. The article
 finds these breathers invariant under $S'$, $y_n(t) \to -y_{-n}(t+T_b/2)$. Combined with evenness this
 relates the times $T_b/4 \pm t$, and with the reflection $P : n \to -n$ it is enough that
 $(1+P)\,y(T_b/4) = 0$ and $(1-P)\,\dot y(T_b/4) = 0$: as many equations as sites, after a quarter of a
 period. */
-Symmetry site_centred(std::size_t sites);
+/// That of a static breather with the given centre.
+Symmetry centred(Centre centre, std::size_t sites);
 
 /// The article's own: the start is at rest, and the whole state returns after the whole period. These are twice as many
 /// equations as unknowns, to be solved in the sense of least squares.
 Symmetry returning(std::size_t sites);
-
-/// That of a static breather with the given centre.
-Symmetry centred(Centre centre, std::size_t sites);
 
 }  // namespace lattice

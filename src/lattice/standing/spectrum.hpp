@@ -2,18 +2,14 @@
 /**
 # Small motions about a stationary DpS state
 
-Is a stationary state $v_n = u_n e^{i\mu t}$ (stationary.hpp) stable? We write a perturbation of it as
-$v_n = e^{i\mu t}(u_n + x_n + iy_n)$. The force of a contact, $z|z|^{\alpha-1}$, changes with
-$z = d_n = u_{n+1}-u_n$ at the rate $\alpha|d_n|^{\alpha-1}$ along $d_n$, which is real, and at the rate
+A perturbation of a stationary state (stationary.hpp) is written as $v_n = e^{i\mu t}(u_n + x_n + iy_n)$. The force of a
+contact changes at the rate $\alpha|d_n|^{\alpha-1}$ along the strain $d_n = u_{n+1}-u_n$, and at the rate
 $|d_n|^{\alpha-1}$ across it. With the gradient $(\nabla x)_n = x_{n+1}-x_n$ both follow from one matrix,
-$$M = \nabla^T\,\mathrm{diag}\,|d_n|^{\alpha-1}\,\nabla, \qquad
-  \dot x = L_-y,\quad \dot y = -L_+x, \qquad L_- = \mu - M,\quad L_+ = \mu - \alpha M.$$
-Each eigenvector of $M$, with eigenvalue $m$, therefore moves independently, like $e^{\lambda t}$ with
-$$\lambda^2 = -(\mu-m)(\mu-\alpha m).$$
-Eq. (14) says $Mu = \mu u$. Where neighbours have opposite signs, by the Perron–Frobenius theorem $m_1 = \mu$ is simple
-and the largest: $0 \le m < \mu$ for all others. Hence such a state is spectrally unstable if and only if the second
-eigenvalue exceeds $\mu/\alpha$, for spheres $2\mu/3$, and then with one real pair $\pm\lambda$ for each such $m$. Far
-out, where contacts are slack, $m = 0$ and $\lambda = \pm i\mu$: the essential spectrum. */
+$$M = \nabla^T\,\mathrm{diag}\,|d_n|^{\alpha-1}\,\nabla, \qquad \dot x = (\mu - M)y,\quad \dot y = -(\mu - \alpha M)x.$$
+Each eigenvector of $M$, with eigenvalue $m$, moves independently, like $e^{\lambda t}$ with
+$\lambda^2 = -(\mu-m)(\mu-\alpha m)$. Eq. (14) says $Mu = \mu u$. Where neighbours have opposite signs, by the
+Perron–Frobenius theorem $m_1 = \mu$ is simple and the largest. Hence such a state is spectrally unstable if and only
+if the second eigenvalue exceeds $\mu/\alpha$, with one real pair $\pm\lambda$ for each such $m$. */
 
 #include <cmath>
 #include <complex>

@@ -86,8 +86,7 @@ std::vector<T> displacements(Centre centre, const T& mu, const std::vector<T>& r
 The iteration stops when no strain is corrected by more than a hundred roundings, times $\alpha$ for each
 site, because $r_n \sim |r_{n-1}|^\alpha$ makes a relative error that much larger from site to site. */
 template <class T>
-void converge_strains(Centre centre, const T& mu, std::vector<T>& r, double alpha,
-                      std::vector<double>& history) {
+void converge_strains(Centre centre, const T& mu, std::vector<T>& r, double alpha) {
   const double bound =
       100 * double(std::numeric_limits<T>::epsilon()) * std::pow(alpha, double(r.size()));
   std::ostringstream text;
@@ -101,7 +100,6 @@ void converge_strains(Centre centre, const T& mu, std::vector<T>& r, double alph
       r[n] *= T(1) + eta(Eigen::Index(n));
     }
     text << (k > 0 ? ", " : "") << largest;
-    history.push_back(largest);
     if (largest <= bound) return;
     if (!std::isfinite(largest)) break;
   }
@@ -120,9 +118,9 @@ Stationary<T> stationary_from(Centre centre, const T& mu, std::vector<T> start, 
                               double alpha) {
   using std::abs;
   const T least = least_exact<T>();
-  Stationary<T> out{centre, mu, {}, std::move(start), {}, alpha};
+  Stationary<T> out{centre, mu, {}, std::move(start), alpha};
   for (;;) {
-    converge_strains(centre, mu, out.strain, alpha, out.history);
+    converge_strains(centre, mu, out.strain, alpha);
     const T next = -force_of(out.strain.back(), alpha) / mu;
     if (out.strain.size() == sites / 2 || abs(next) < least) break;
     out.strain.push_back(next);

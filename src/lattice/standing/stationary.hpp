@@ -22,11 +22,10 @@ namespace lattice {
 template <class T>
 struct Stationary {
   Centre centre;
-  T mu;                         ///< frequency
-  std::vector<T> u;             ///< one entry per site
-  std::vector<T> strain;        ///< one entry per contact of the right half that is not zero
-  std::vector<double> history;  ///< largest relative correction of each Newton step
-  double exponent = 1.5;        ///< alpha, of the contact force
+  T mu;                   ///< frequency
+  std::vector<T> u;       ///< one entry per site
+  std::vector<T> strain;  ///< one entry per contact of the right half that is not zero
+  double exponent = 1.5;  ///< alpha, of the contact force
 
   /// N = sum u_n^2.
   T norm() const;

@@ -7,7 +7,7 @@
 
 #include "commands/one_barrier.hpp"
 #include "commands/one_breather.hpp"
-#include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/algebra/dense.hpp"
 #include "lattice/model/potential_names.hpp"
 #include "lattice/quadruple/orbits.hpp"
 #include "sec3/article_chains.hpp"
@@ -230,6 +230,7 @@ TEST_CASE("what has no breather is refused in one line", "[unit][chains]") {
   };
   CHECK(in(Toda{}) == "a site- or bond-centred breather needs symmetric wells, W(-y) = W(y)");
   CHECK(in(Naive{}) == digits_hint);
+  check_line(in(NoWell{}), "W''(0) = 1");
   for_each_potential<Well>([&](const auto& well) {
     if (well.stiffness(0.0) == 1) CHECK(in(OwnWell(well)) == "");
   });
@@ -275,25 +276,6 @@ TEST_CASE("the discrete gradient, its direction, and how many sites a tail needs
   CHECK(needed({0, strong, 1, -1, -strong, 0}) == 6);
   CHECK(needed({0, 0, 0, 0, 0, 0, 0, 0}) == 4);
   CHECK(needed({0, 0, 0, 0, 0, 0, 0}) == 3);
-}
-
-TEST_CASE("a breather far up its branch is the same on chains that are shorter or longer",
-          "[property][orbits]") {
-  const double omega = 1.15;
-  REQUIRE(omega > direct_up_to);
-  const auto middle = [](const Fitted& f) { return f.orbit.start.y[f.problem.chain.sites / 2]; };
-  for (Centre centre : both_centres) {
-    const std::size_t odd = centre == Centre::site;
-    const auto fitted = [&](std::size_t sites) {
-      return fit_chain(centre, omega, Harmonic{}, sites, 16 + odd, 1e-10, Phase::compressed);
-    };
-    const Fitted usual = fitted(0), longer = fitted(40 + odd);
-    CHECK(usual.problem.chain.sites == 16 + odd);
-    CHECK(longer.problem.chain.sites == 40 + odd);
-    check_close(longer.orbit.energy, usual.orbit.energy, 0, 1e-9);
-    check_close(middle(longer), middle(usual), 0, 1e-9);
-    CHECK_THROWS_AS(fitted(4 + odd), ShortChain);
-  }
 }
 
 TEST_CASE("the linear tail is long enough, and falls at the rate of the band",

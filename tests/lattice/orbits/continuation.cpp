@@ -2,7 +2,6 @@
 
 #include "lattice/orbits/continuation.hpp"
 
-#include "lattice/orbits/other_chains.hpp"
 #include "sec3/article_chains.hpp"
 #include "support/check.hpp"
 #include "support/return_error.hpp"
@@ -98,12 +97,6 @@ TEST_CASE("a path in the exponent ends at the breather of the ansatz", "[propert
     const Orbit<double> followed = continue_to(spheres, find_breather(spheres), other.chain);
     const Orbit<double> direct = find_breather(other);
     CHECK(sup<double>(followed.x - direct.x) < 1e-12 * direct.amplitude);
-    // Halfway is halfway, in the exponent and in the masses
-    Chain heavy = other.chain;
-    vary(heavy, std::vector<double>(heavy.sites, 3), {});
-    const Chain middle = between(spheres.chain, heavy, 0.5);
-    CHECK(middle.contact.exponent() == 1.625);
-    CHECK(middle.mass_of(0) == 2);
     CHECK_THROWS_AS(continue_to(spheres, direct, Chain{35}), std::invalid_argument);
   }
 }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <complex>
 
-#include "lattice/algebra/eigenvalues.hpp"
+#include "lattice/algebra/dense.hpp"
 #include "lattice/dps/evolve.hpp"
 #include "lattice/gsl/random.hpp"
 #include "lattice/model/contact.hpp"
