@@ -81,8 +81,8 @@ double Tables::changed(const CellRead& cell, double value) const {
 A cell is named by its table, its column, and as many of the first cells of its row as no other row has;
 results, which have errors, do not name a row. */
 static bool is_result(const Table& table, const std::string& column) {
-  return std::ranges::any_of(table.columns,
-                             [&](const Column& c) { return c.name == column + "_error"; });
+  const std::string error = column + "_error";
+  return std::ranges::any_of(table.columns, [&](const Column& c) { return c.name == error; });
 }
 
 static std::string shown(const Cell& cell) {
@@ -137,7 +137,9 @@ static bool is_same(double a, double b) {
 Data Data::chosen(const std::string& column, const std::function<bool(const Cell&)>& is,
                   const std::string& wanted) const {
   Data out(*this);
-  std::erase_if(out.rows_, [&](const Row& row) { return !is(row.cell(column)); });
+  if (rows_.empty()) return out;
+  const std::size_t c = source_->find(column);
+  std::erase_if(out.rows_, [&](const Row& row) { return !is(source_->table.rows[row.at][c]); });
   if (out.rows_.empty())
     throw Unresolved{source_->program + "/" + source_->name + " has no row with " + column +
                      wanted};
@@ -188,12 +190,13 @@ double Data::Row::operator()(const std::string& column) const {
 // The number and its error, after the change that a test makes
 Quantity Data::Row::operator[](const std::string& column) const {
   const auto& [table, program, name, reading] = *source;
+  const std::size_t here = source->find(column);
   const CellRead read{program, name, column, at};
-  const double value = number_in(cell(column), column), now = reading.tables->changed(read, value);
-  reading.all.insert(read);
-  reading.latest.insert(read);
+  const double value = number_in(table.rows[at][here], column),
+               now = reading.tables->changed(read, value);
+  if (!reading.tables->change) reading.all.insert(read), reading.latest.insert(read);
 
-  const Column& heading = table.columns[source->find(column)];
+  const Column& heading = table.columns[here];
   const std::string with_error = column + "_error";
   const double error = heading.kind == Kind::integer ? 0 : number_in(cell(with_error), with_error);
   if (!std::isfinite(now) || !std::isfinite(error) || error < 0)

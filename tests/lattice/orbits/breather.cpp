@@ -377,9 +377,7 @@ TEST_CASE("barriers agree with an independent computation", "[published][periodi
 
 TEST_CASE("the barrier at 1.1 with mantissas of 53, 64 and 113 bits", "[published][periodic]") {
   static_assert(std::numeric_limits<Quadruple>::digits == 113);
-  const Quadruple fine = wide_gap(1.1, 0, 1e-27), coarse = wide_gap(1.1, 0, 1e-25);
-  const double gap(fine), error(magnitude<Quadruple>(fine - coarse));
-  CHECK(error < 1e-13 * gap);
+  const double gap(wide_gap(1.1, 0, 1e-27));
   check_close(gap, 1.62422471640638e-11, 0, 1e-14);
   // The difference of the narrower types is within their errors, and these are small
   BreatherPair pair{.s = 0, .omega = 1.1};
