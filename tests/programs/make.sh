@@ -66,6 +66,9 @@ printf '#!/bin/sh\necho launched >> "$STUB_LOG"\nshift\nexec "$@"\n' | stub srun
 printf '#!/bin/sh\necho "${STUB_IMAGE-<svg></svg>}"\n' | stub gnuplot
 printf '#!/bin/sh\nwhile [ $# -gt 1 ]; do shift; done\necho "${STUB_IMAGE-image %%%%EOF IEND}" > "$1"\n' | stub rsvg-convert
 PATH="$scratch/bin:$PATH"
+# The python that draws is looked for once, and not by each make.
+for PYTHON in python3 /usr/bin/python3; do "$PYTHON" -c 'import matplotlib' 2>/dev/null && break; done
+export PYTHON
 fail() { echo "$1"; cat "$STUB_LOG" "$scratch/out" 2>/dev/null; exit 1; }
 run() { : > "$STUB_LOG"; make DEPS=skip "$@" > "$scratch/out" 2>&1 || fail "make $*"; }
 refused() { : > "$STUB_LOG"; ! make DEPS=skip "$@" > "$scratch/out" 2>&1 || fail "make $* is not refused"; }
