@@ -28,7 +28,6 @@ Table table_of(const Cases& rows) {
   for (const Case& one : rows) {
     const auto& [claim, found] = one;
     const Estimate none = undefined;
-    const auto* closest = found.closest();
     out.add(
         {{"list", "claims of the article, our findings, or literature", claim.list},
          {"id", "identifier", claim.id},
@@ -39,9 +38,6 @@ Table table_of(const Cases& rows) {
           found.answer ? found.answer->value : none.value},
          {"error", "error of the value", found.answer ? found.answer->error : none.error},
          {"unit", "unit of value and error", found.answer ? found.answer->unit : ""},
-         {"margin", "least difference of the two sides of a comparison, relative to the larger one",
-          closest ? closest->margin().value : none.value},
-         {"margin_error", "error of the margin", closest ? closest->margin().error : none.error},
          {"comparisons", "how many there are", std::int64_t(found.comparisons.size())},
          {"failures", "how many of them fail", std::int64_t(found.failures())},
          {"verdict", "verdict, as explained in paper/verdicts.ecsv", verdict(one, rows)},

@@ -42,7 +42,7 @@ STATEMENT("a.two") {
 RESULTS = ["name", "value", "value_error"]
 RESULTS_OF_DEMO = ["one", 1.0, 1e-3], ["other", 1.0, 0.0], ["two", 2.0, 0.1]
 FIGURES = ["id", "label", "section", "program", "script", "data", "caption", "details"]
-REAL = ("value", "error", "value_error", "margin", "margin_error", "failures", "small", "small_error", "large", "large_error", "seconds",
+REAL = ("value", "error", "value_error", "failures", "small", "small_error", "large", "large_error", "seconds",
         "lowest", "highest")
 NAN = float("nan")
 DESCRIPTION = ["command", "option", "meaning", "takes", "lowest", "highest", "unit", "words", "default", "chosen_by", "choices"]
@@ -78,7 +78,7 @@ class Scratch(unittest.TestCase):
         self.write("src/statements/sec1_demo.cpp", STATEMENTS)
         self.write("paper/converged.ecsv", table(LOCK, [
             ["sec1_demo", "answer", "a.one", 1.0000000000000002, 1e-3, "m"],
-            ["sec1_demo", "margin", "a.two", 0.5, 0.05, ""], ["sec1_demo", "cell", "results/name=two/value", 2.0, 0.1, ""]]))
+            ["sec1_demo", "cell", "results/name=two/value", 2.0, 0.1, ""]]))
         self.write("figures/figures.ecsv", table(FIGURES, [
             ["01", "demo", "1", "sec1_demo", "fig01.gp", "results", "A line.", "(a–c) At $t = \\frac12$."]]))
         self.write("paper/costs.ecsv", table(["program", "seconds"], [["sec1_demo", 3.0]]))
@@ -100,11 +100,11 @@ class Scratch(unittest.TestCase):
     def judged(self, verdict="discrepant", one=1.0):
         """What `verdicts` would have written."""
         nan = float("nan")
-        self.report(["claims", "a.one", one, 1e-3, "m", nan, nan, 0.0, verdict, "1 +- 1e-3 m", "judged", "sec1_demo"],
-                    ["claims", "a.two", nan, nan, "", 0.5, 0.05, 0.0, "holds", "results.value: 1 < 2 +- 0.1", "judged", "sec1_demo"])
+        self.report(["claims", "a.one", one, 1e-3, "m", 0.0, verdict, "1 +- 1e-3 m", "judged", "sec1_demo"],
+                    ["claims", "a.two", nan, nan, "", 0.0, "holds", "results.value: 1 < 2 +- 0.1", "judged", "sec1_demo"])
 
     def report(self, *rows):
-        columns = ["list", "id", "value", "error", "unit", "margin", "margin_error", "failures", "verdict", "found", "state", "program"]
+        columns = ["list", "id", "value", "error", "unit", "failures", "verdict", "found", "state", "program"]
         self.write("build/report/claims.ecsv", table(columns, rows))
 
     def beside(self, what, columns, *rows):

@@ -52,7 +52,7 @@ class Rows(Scratch):
         self.assertEqual(self.lineage("refresh", "--check")[0], 1)
 
         nan = float("nan")
-        self.report(["findings", "pull", nan, nan, "", 0.1, 0.01, 0.0, "holds", "one: 0.9 < 1 +- 1e-3; one: 1 < 2", "judged", "sec1_demo"])
+        self.report(["findings", "pull", nan, nan, "", 0.0, "holds", "one: 0.9 < 1 +- 1e-3; one: 1 < 2", "judged", "sec1_demo"])
         out = self.lineage("show", "pull")[1]
         self.assertIn("we found   Up to t = 10 it is 1.00 and $x_1 > 0$.", out)
         self.assertIn("found      one: 0.9 < 1 +- 1e-3\n  found      one: 1 < 2\n  judged     src/statements/sec1_demo.cpp:9\n", out)

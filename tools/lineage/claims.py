@@ -134,14 +134,12 @@ def runs_of(data, programs):
 
 
 def read_answers(root, report=None):
-    """What statements that were judged on full runs found, by (program, answer, margin or failures, id): numbers, the least
-    margin of comparisons, and how many of them fail if not all hold."""
+    """What statements that were judged on full runs found, by (program, answer or failures, id): numbers, and how many
+    comparisons fail if not all hold."""
     out = {}
     for id, row in read_judged(root, report).items():
-        for what, value, error in (("answer", "value", "error"), ("margin", "margin", "margin_error")):
-            if row["state"] == "judged" and not math.isnan(row[value]):
-                found = Finding(row["program"], id, row[value], row[error], row["unit"], what=what)
-                out[found.key] = found
+        if row["state"] == "judged" and not math.isnan(row["value"]):
+            out[row["program"], "answer", id] = Finding(row["program"], id, row["value"], row["error"], row["unit"], what="answer")
         if row["state"] == "judged" and row["failures"]:
             out[row["program"], "failures", id] = Finding(row["program"], id, row["failures"], what="failures")
     return out

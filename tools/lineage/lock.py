@@ -1,7 +1,6 @@
 """The reference values, paper/converged.ecsv: what we found, with its error.
 
-It has the answer to every statement that is a number, the least margin of every other one, and the cells that prose, paper
-or book quote. A fresh value has to agree with the locked one within the sum of the two errors.
+It has the answer to every statement that is a number, and the cells that prose, paper or book quote. A fresh value has to agree with the locked one within the sum of the two errors.
 
 The programs give the same bits on every machine, but another compiler or mathematical library may round a
 logarithm differently, so that a relative difference of 1e-12 is always allowed."""
@@ -18,7 +17,7 @@ from .volumes import joined, volumes
 
 COLUMNS = [
     ecsv.Column("program", "string", "program that computes it"),
-    ecsv.Column("what", "string", "cell of a table; answer to a statement; margin: least one of its comparisons, relative to the larger side; failures: how many of them fail"),
+    ecsv.Column("what", "string", "cell of a table; answer to a statement; failures: how many of them fail"),
     ecsv.Column("id", "string", "address of the cell, or statement"),
     ecsv.Column("value", "float64", "converged value"),
     ecsv.Column("error", "float64", "absolute error; 0 for an exact value"),
@@ -101,7 +100,7 @@ def changes(locked, now, kept):
 
 
 def fresh_values(root, data, names):
-    """What the programs that have run wrote: answers, margins, and the cells of these names."""
+    """What the programs that have run wrote: answers, and the cells of these names."""
     ecsv.check_all_written(data)
     return read_cells(data, programs_of(root), names) | read_answers(root, Path(data).parent / "report")
 

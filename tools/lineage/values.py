@@ -28,14 +28,13 @@ def without_zeros(text):
 
 @dataclass(frozen=True)
 class Finding:
-    """One value of one program: a cell of a table, the answer to a statement, the least margin of its comparisons, or how
-    many of them fail."""
+    """One value of one program: a cell of a table, the answer to a statement, or how many of its comparisons fail."""
     program: str
     id: str
     value: float
     error: float = 0.0
     unit: str = ""
-    what: str = "cell"  # or answer, margin, failures
+    what: str = "cell"  # or answer, failures
 
     @property
     def key(self):
