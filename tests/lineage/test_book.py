@@ -104,12 +104,10 @@ class Repository(Scratch):
                 self.assertIn(piece, self.read(f"build/book/{name}.html"))
 
     def test_what_stops_the_build(self):
-        faults = [("statement:a.one", "statement:a.none", "WARNING: 'a.none' has no reference value and no computed value"),
-                  ("[2.0 ± 0.1]", "[3.0 ± 0.1]", "WARNING: .* is stale: the text has 3.0"), ("[0.50]", "[0.51]", "WARNING: .* is stale: the text has 0.51"),
-                  ("fig:01", "fig:02", "WARNING: .*no figure '02'"), ("Eq. (9)", "Eq. (99)", "WARNING: .*no Eq. .99."),
-                  ("$b$", r"$\nonsense{x}$", "WARNING: KaTeX.*nonsense"), ("$x^2$", "[there](nowhere.html)", "WARNING: .*nowhere"),
-                  ("$a$", r"it costs \$5 or", "WARNING: .*left as text"),
-                  ("*this*", '<a href="sec1_demo.html#none">x</a>', "Extension error:\n.*\n.*leads nowhere")]
+        faults = [("statement:a.one", "statement:a.none", "'a.none' has no reference value and no computed value"), ("$b$", r"$\nonsense{x}$", "KaTeX.*nonsense"),
+                  ("[2.0 ± 0.1]", "[3.0 ± 0.1]", "is stale: the text has 3.0"), ("[0.50]", "[0.51]", "is stale: the text has 0.51"), ("fig:01", "fig:02", "no figure '02'"),
+                  ("Eq. (9)", "Eq. (99)", "no Eq. .99."), ("$x^2$", "[there](nowhere.html)", r"nowhere\.html"), ("$a$", r"it costs \$5 or", "left as text"),
+                  ("*this*", '<a href="sec1_demo.html#none">x</a>', "leads nowhere")]
         # What is no warning stops at once
         for several in (faults, [('"results"', '"others"', "no line of the sources names")], [("cell:n=1", "cell:n=3", "no row of .* with n = 3")]):
             text = CHAPTER
