@@ -223,7 +223,7 @@ The nine limits agree: the order is [1.50](statement:dps.error_order), their mea
 covers all nine limits with their error bars. (The article prints $\tau_0 =$ [1.545](statement:dps.tau0), the closed
 form; tests/lattice/dps.cpp compares it with the integral.) */
 void report_errors(Report& report) {
-  const auto eps = amplitudes(report.quick ? amplitude_count - 1 : amplitude_count);
+  const auto eps = amplitudes(report.quick ? amplitude_count - 2 : amplitude_count);
   Table &errors = report.table("dps_error"), &limits = report.table("limits");
   for (const Start& start : starts) {
     const auto all = coefficients(start, Harmonic{}, horizons, eps);
@@ -265,7 +265,7 @@ struct Asymmetric {
 void report_wells(Report& report) {
   const std::vector<std::pair<const char*, Well>> wells{{"hard", Quartic{1}},
                                                         {"asymmetric", Asymmetric{}}};
-  const auto eps = amplitudes(report.quick ? amplitude_count - 2 : amplitude_count - 1);
+  const auto eps = amplitudes(report.quick ? amplitude_count - 3 : amplitude_count - 1);
   Table& table = report.table("other_wells");
   for (const auto& [name, well] : wells)
     for (const Start& start : {starts[0], starts[1]}) {
@@ -360,7 +360,7 @@ double wave_distance(bool equal_frequency, std::size_t wavelength, double eps,
 }
 
 void report_waves(Report& report) {
-  auto eps = amplitudes(report.quick ? amplitude_count - 1 : amplitude_count);
+  auto eps = amplitudes(report.quick ? amplitude_count - 2 : amplitude_count);
   eps.erase(eps.begin(), eps.end() - 4);
   const std::vector<std::size_t> wavelengths{2, 3, 4};
   report.table("travelling_waves").fill(wavelengths, [&](std::size_t wavelength) {

@@ -262,7 +262,7 @@ std::vector<NoiseGroup> all_groups(const PinnedBreather& site, const PinnedBreat
 }
 
 void run_seeds(NoiseGroup& group, bool quick) {
-  const std::size_t seeds = quick ? group.seeds / 4 : group.seeds;
+  const std::size_t seeds = quick ? group.seeds / 16 : group.seeds;
   group.runs.coarse.resize(seeds);
   group.runs.fine.resize(seeds);
   parallel_for("perturbed breathers", seeds, [&](std::size_t i) {

@@ -86,7 +86,7 @@ Plan make_plan(bool quick) {
   plan.strong = plan.unchecked = {.coarse = {0.4}, .fine = {0.2}};
   plan.weak = plan.threshold = {.coarse = {0.4}, .fine = {0.3}};
   plan.travel = 6000;
-  plan.watch = {2e4, 2e4, 2e4};
+  plan.watch = {4e3, 4e3, 4e3};
   plan.around_site = plan.around_bond = {c_strong};
   return plan;
 }
@@ -346,6 +346,7 @@ std::vector<Threshold> report_thresholds(Report& report, const Plan& plan, const
                                          const Breathers& on_longer_chain) {
   const BreatherPair pair = barriers_at(omega_b, s);
   std::vector<Threshold> all{{"bond_stretched", at.stretched}, {"bond_compressed", at.compressed}};
+  if (report.quick) all.pop_back();
   parallel_for("thresholds", all.size(), [&](std::size_t i) {
     Threshold& one = all[i];
     one.law = predict_threshold(one.at, pair.equal_action);

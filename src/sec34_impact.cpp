@@ -161,7 +161,7 @@ Row sweep_row(double s, SweepPoint& p, bool ending) {
 // In soft wells up to the first escape, `ends`
 void report_sweep(Report& report, const std::vector<std::optional<double>>& ends) {
   Table& sweep = report.table("velocity_sweep");
-  const double spacing = report.quick ? 0.05 : 0.01;
+  const double spacing = report.quick ? 0.2 : 0.01;
   std::vector<SweepPoint> linear;
   for (std::size_t w = 0; w < wells.size(); ++w) {
     const double largest = std::min(wells[w].largest_v0, ends[w].value_or(far_away));

@@ -261,7 +261,7 @@ void report_regime(Report& report, const TwoRuns<Packet>& dps) {
   const auto row = [&](double impact) {
     return joined({{"impact", impact}}, compared(impact, dps, report.quick).columns);
   };
-  report.table("dps_regime").fill(impacts, row, "DpS regime");
+  report.table("dps_regime").fill(report.quick ? std::vector{0.1} : impacts, row, "DpS regime");
   report.table("far").add({{"impact", cradle_lambda_5_2},
                            {"speed", compared(cradle_lambda_5_2, dps, report.quick).speed}});
 }

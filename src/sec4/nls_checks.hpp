@@ -274,8 +274,8 @@ inline AnsatzError ansatz_error(const Carrier& wave, double eps, double step, in
 // For amplitudes that are halved, with two steps
 inline void report_ansatz(Report& report, double d) {
   const Carrier wave{-1.0 / 6, pi / 4, d, 0};
-  std::vector<double> eps{0.2, 0.1, 0.05};
-  if (!report.quick) eps.push_back(0.025);
+  std::vector<double> eps{0.2, 0.1};
+  if (!report.quick) eps.insert(eps.end(), {0.05, 0.025});
   std::vector<TwoRuns<AnsatzError>> runs(eps.size());
   parallel_for("error of the ansatz", eps.size(), [&](std::size_t k) {
     runs[k] = {ansatz_error(wave, eps[k], 0.8, 5000), ansatz_error(wave, eps[k], 0.4, 8000)};
