@@ -127,7 +127,7 @@ TEST_CASE("breathers of other chains return by another integrator", "[property][
   };
   for (const Other& o : {Other{1.2, 1.2},
                          {1.2, 1.5, 1e-4, 1, 1, true},
-                         {1.3, 1.5, 0, 0.9, 1.2},
+                         {1.2, 1.5, 0, 1.5, 1.2},
                          {1.5, 1.7, 1e-3, 0.9}}) {
     CAPTURE(o.omega, o.alpha, o.d, o.r, o.defect, o.at_bond);
     OneBreather one =
