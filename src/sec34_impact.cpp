@@ -588,8 +588,8 @@ divided by; its scan has to begin with survivors and end with escapes, or the pr
 1. *Easy.* Where is the energy in a soft well? `build/bin/sec34_impact run --s -0.7 --velocity 0.9` gives
    `boundary_energy_fraction` = 0.76318 and `packet_energy_fraction` = 0.073459. Hint: with `--s 0` the packet has 0.43,
    the first five sites 0.07, and the waves between the rest.
-2. *Harder.* Does the surface mode last? `build/bin/sec34_impact run --s -0.7 --velocity 0.94 --time 2000` gives
-   `boundary_energy_fraction` = 0.78599. Hint: compare with `--time 300`. What does 2.02 leave at $s = -\frac16$?
+2. *Harder.* Does the surface mode last? `build/bin/sec34_impact run --s -0.7 --velocity 0.94 --time 1000` gives
+   `boundary_energy_fraction` = 0.79077. Hint: compare with `--time 300`. What does 2.02 leave at $s = -\frac16$?
 3. *Harder.* Where does the energy go after 0.95? `build/bin/sec34_impact run --s -0.7 --velocity 0.95 --time 480` gives
    `strongest_site` = 10 and `centre` = 63.854. Hint: `--profile` shows both packets, and `--time 2000` where they get.
 

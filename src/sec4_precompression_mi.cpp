@@ -605,9 +605,9 @@ this one only. The criterion for localization is `is_localized`, the exponents a
 
 1. *Easy.* Is there a compression at which phonons of linear wells are unstable on both sides of $q_c$?
    `build/bin/sec4_precompression_mi band --d 4 --s 0` gives `unstable_to_2` = 1.424. Hint: where does $\beta$ vanish?
-2. *Harder.* Does the packet still turn round by $t = 2000$ at $d = 0.03$?
-   `build/bin/sec4_precompression_mi impact --d 0.03 --time 2000` gives `centre` = 85.4, and with `--time 1500` it is
-   76.1. Hint: a packet that turns was farther before. */
+2. *Harder.* Does the packet still turn round by $t = 1200$ at $d = 0.03$?
+   `build/bin/sec4_precompression_mi impact --d 0.03 --time 1200` gives `centre` = 68.9, and with `--time 1000` it is
+   61.5. Hint: a packet that turns was farther before. */
 int main(int argc, char** argv) {
   return run({"sec4_precompression_mi", "4", "Precompression: modulation and impact (section 4)",
               reproduce, commands<OneWavenumber, Band, CompressedImpact>()},

@@ -84,7 +84,7 @@ TEST_CASE("two impacts part because they differ, not because of the step", "[pro
     double velocity, s, time;
     std::size_t sites;
     double when;
-  } rows[] = {{25.5, 0.0491, 100, 80, 290}, {1.22, 5.34, 100, 80, 364}, {50, 0.01, 200, 120, 730}};
+  } rows[] = {{1.22, 5.34, 100, 80, 364}, {50, 0.01, 200, 120, 730}};
   for (const auto& [velocity, s, time, sites, when] : rows) {
     CAPTURE(velocity, s);
     const OneTurn one{
@@ -114,7 +114,7 @@ TEST_CASE("another integrator finds the same packet", "[property]") {
 
 TEST_CASE("another integrator finds the same turn", "[property][boomeron]") {
   const Impact impact{.velocity = 1.9,
-                      .chain = {150, Quartic{1}},
+                      .chain = {60, Quartic{1}},
                       .time = 1000,
                       .every = path_sampling,
                       .denser = false,

@@ -305,11 +305,10 @@ TEST_CASE("no error is zero by chance, or forgets how an option is rounded", "[c
   const Result kick = call("sec33_mobility kick --centre site --omega 1.05 --c 1e-4 --time 3000");
   const double way = quantity(kick, "sites_travelled");
   check_close(way, -1.933421496708, quantity(kick, "sites_travelled", "error"));
-  for (const std::string command :
-       {"sec32_newton_breathers breather --centre site --omega 1.1 --contact power --alpha 2.8",
-        "sec32_newton_breathers breather --centre bond --omega 1.2 --contact power --alpha 2.4"})
-    for (const std::string name : {"amplitude", "energy", "area"})
-      CHECK(quantity(call(command), name, "error") > 0);
+  const Result breather =
+      call("sec32_newton_breathers breather --centre site --omega 1.1 --contact power --alpha 2.8");
+  for (const std::string name : {"amplitude", "energy", "area"})
+    CHECK(quantity(breather, name, "error") > 0);
   // Of the exponents only the two zeros of the phase are exact
   for (const std::string chain :
        {"site --mu .37 --alpha 3 --sites 13", "bond --mu 2.1 --sites 12"}) {

@@ -50,7 +50,6 @@ TEST_CASE("what has no breather is refused in one line by the program", "[cli][c
     check_refused(command + "--well none --precompression 0.1", "there is no breather");
   }
   check_refused(barriers + "--precompression 0.01 --omega 1.2", "[1, 1.26491]");
-  check_failure(breather + "--defect-mass 10", "continuation to this chain stops at the fraction");
 }
 
 TEST_CASE("commands take an exponent", "[cli][exponents]") {

@@ -126,12 +126,8 @@ TEST_CASE("breathers of other chains return by another integrator", "[property][
     bool at_bond = false;
   };
   for (const Other& o : {Other{1.2, 1.2},
-                         {1.2, 3, 0, 1, 1, true},
-                         {1.32, 1.5, 1e-3},
                          {1.2, 1.5, 1e-4, 1, 1, true},
-                         {1.3, 1.5, 0, 0.8},
-                         {1.2, 1.5, 0, 1.5},
-                         {1.3, 1.5, 0, 0.9, 1.2},
+                         {1.2, 1.5, 0, 1.5, 1.2},
                          {1.5, 1.7, 1e-3, 0.9}}) {
     CAPTURE(o.omega, o.alpha, o.d, o.r, o.defect, o.at_bond);
     OneBreather one =
@@ -182,8 +178,7 @@ TEST_CASE("between steep contacts a hard well has the breather of the harmonic o
   struct {
     Centre centre;
     double omega, s, alpha, amplitude, energy;
-  } const rows[] = {{Centre::bond, 1.001, 5, 2.9, 0.0150951177668, 0.000229875300978},
-                    {Centre::site, 1.01, 3, 3, 0.0760185322418, 0.00312077634279},
+  } const rows[] = {{Centre::site, 1.01, 3, 3, 0.0760185322418, 0.00312077634279},
                     {Centre::bond, 1.0301, 8.117, 2.543, 0.0613860022410, 0.00405195871356}};
   for (const auto& [centre, omega, s, alpha, amplitude, energy] : rows) {
     CAPTURE(omega, s, alpha);
@@ -342,7 +337,8 @@ namespace {
 Quadruple wide_gap(double omega, double s, double tolerance) {
   Quadruple energy[2];
   for (int k : {0, 1}) {
-    const auto problem = problem_of(both_centres[k], omega, s);
+    const auto problem =
+        breather_problem(both_centres[k], omega, s, sites_of(both_centres[k], Length::shortest));
     NewtonRule<Quadruple> how;
     how.events.tolerance = Quadruple(tolerance);
     const auto orbit = newton(in_precision<Quadruple>(problem), find_breather(problem), how);
