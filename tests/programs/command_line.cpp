@@ -30,7 +30,7 @@ TEST_CASE("help and version", "[cli]") {
   CHECK(matches(run, "such as -1/6").size() == 1);
   CHECK(help.find("(default: build/data/sec34_impact,") != std::string::npos);
   // Wherever lines are broken
-  const std::string words = std::regex_replace(run, std::regex("\\s+"), " ");
+  const std::string words = in_one_line(run);
   for (const char* shown : {"(default: 1.87)", "(default: quartic)", "(default: as many as needed)",
                             "(default: standard output)", "is nan; the column reason says why"})
     CHECK(words.find(shown) != std::string::npos);

@@ -13,22 +13,22 @@ namespace fs = std::filesystem;
 
 TEST_CASE("what the prose tells a reader to type is there", "[cli]") {
   // `sec34_impact run --velocity 4`, with or without its folder, over the end of a line too
-  const std::regex typed("`(?:build/bin/)?(sec[0-9A-Z]+_\\w+) ([a-z]+)(\\s[^`]*)?`"),
-      option("--([a-z][a-z-]*)");
+  const char* typed = "`(build/bin/)?(sec[0-9A-Z]+_\\w+) ([a-z]+)(\\s[^`]*)?`";
   std::size_t found = 0;
   for (const auto& entry : fs::recursive_directory_iterator(fs::path(VOLUME_DIR) / "src")) {
     if (!entry.is_regular_file()) continue;
     std::ifstream in(entry.path());
     const std::string text(std::istreambuf_iterator<char>(in), {});
-    for (std::sregex_iterator at(text.begin(), text.end(), typed), end; at != end; ++at, ++found) {
-      const std::string command = (*at)[1].str() + " " + (*at)[2].str(), rest = (*at)[3];
-      INFO(entry.path().string() + ": " + at->str());
+    for (const auto& line : matches(text, typed)) {
+      ++found;
+      const std::string command = line[2] + " " + line[3];
+      INFO(entry.path().string() + ": " + line[0]);
       // A chapter of volume two may call a program of the article, and never the other way round
       CHECK((offers().count(command) || std::string(VOLUME_DIR) != SOURCE_DIR));
       const std::string help = call(command + " --help").output;
       REQUIRE(!help.empty());
-      for (std::sregex_iterator word(rest.begin(), rest.end(), option); word != end; ++word)
-        CHECK(help.find("--" + (*word)[1].str() + " ") != std::string::npos);
+      for (const auto& option : matches(line[4], "--[a-z][a-z-]*"))
+        CHECK(help.find(option[0] + " ") != std::string::npos);
     }
   }
   CHECK(found > 10);

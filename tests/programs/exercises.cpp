@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <vector>
 
 #include "report/table.hpp"
@@ -31,20 +30,17 @@ struct Expected {
 
 /// All that the chapters of this volume say of the form "`build/bin/sec... ...` gives `quantity` = number".
 std::vector<Expected> all_expected() {
-  const std::regex said(
-      "`build/bin/(sec[^`]+)` gives ((?:(?:,? and |, )?`\\w+` = -?[0-9.]+(?:e-?[0-9]+)?)+)"),
-      one("`(\\w+)` = (-?[0-9]+(?:\\.[0-9]+)?(?:e-?[0-9]+)?)"), space("\\s+");
+  const char* said =
+      "`build/bin/(sec[^`]+)` gives (((,? and |, )?`\\w+` = -?[0-9.]+(e-?[0-9]+)?)+)";
+  const char* one = "`(\\w+)` = (-?[0-9]+(\\.[0-9]+)?(e-?[0-9]+)?)";
   std::vector<Expected> out;
   for (const auto& entry : fs::directory_iterator(fs::path(VOLUME_DIR) / "src")) {
     if (entry.path().extension() != ".cpp") continue;
     std::ifstream in(entry.path());
-    const std::string source(std::istreambuf_iterator<char>(in), {}),
-        text = std::regex_replace(source, space, " ");
-    for (std::sregex_iterator at(text.begin(), text.end(), said), end; at != end; ++at) {
-      const std::string values = (*at)[2];
-      for (std::sregex_iterator v(values.begin(), values.end(), one); v != end; ++v)
-        out.push_back({(*at)[1], (*v)[1], (*v)[2]});
-    }
+    const std::string source(std::istreambuf_iterator<char>(in), {});
+    for (const auto& command : matches(in_one_line(source), said))
+      for (const auto& value : matches(command[2], one))
+        out.push_back({command[1], value[1], value[2]});
   }
   return out;
 }

@@ -2,17 +2,10 @@
 // What the programs of a volume offer, and what is asked of each command.
 
 #include <map>
-#include <regex>
 #include <set>
 #include <vector>
 
 #include "support/run.hpp"
-
-/// The lines of a text that match, by what their first group matches.
-inline std::vector<std::smatch> matches(const std::string& text, const char* pattern) {
-  const std::regex line(pattern, std::regex::multiline);
-  return {std::sregex_iterator(text.begin(), text.end(), line), std::sregex_iterator()};
-}
 
 /// All programs of the volume, each by its name and then with its commands, and their help.
 inline const std::map<std::string, std::string>& offers() {
@@ -23,8 +16,8 @@ inline const std::map<std::string, std::string>& offers() {
       if (entry.path().extension() != ".cpp") continue;
       const std::string& help = out[program] = call(program + " --help").output;
       const std::string commands = help.substr(std::min(help.find("\nCommands"), help.size()));
-      for (const auto& found : matches(commands, "^  ([a-z]+) ")) {
-        const std::string one = program + " " + found[1].str();
+      for (const auto& found : matches(commands, "\n  ([a-z]+) ")) {
+        const std::string one = program + " " + found[1];
         out[one] = call(one + " --help").output;
       }
     }

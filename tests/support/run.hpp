@@ -1,6 +1,7 @@
 #pragma once
 // A program called as a reader calls it, through a shell, and what it answers.
 
+#include <regex.h>
 #include <sys/wait.h>
 
 #include <array>
@@ -9,6 +10,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "report/table.hpp"
 #include "support/check.hpp"
@@ -86,6 +88,30 @@ inline double quantity(const Result& r, const std::string& name,
 inline std::string text_of(const Result& r, const std::string& name, const std::string& column) {
   const report::Table t = table_of(r);
   return t.texts(column)[row_of(t, name)];
+}
+
+/// Every match of an extended POSIX expression: the whole, then its groups. The compiler needs seconds for std::regex.
+inline std::vector<std::vector<std::string>> matches(const std::string& text, const char* pattern) {
+  regex_t compiled;
+  REQUIRE(regcomp(&compiled, pattern, REG_EXTENDED) == 0);
+  std::vector<std::vector<std::string>> all;
+  std::array<regmatch_t, 6> groups{};
+  for (const char* from = text.c_str();
+       regexec(&compiled, from, groups.size(), groups.data(), 0) == 0; from += groups[0].rm_eo) {
+    all.emplace_back();
+    for (const auto& [begin, end] : groups)
+      all.back().push_back(begin < 0 ? "" : std::string(from + begin, from + end));
+  }
+  regfree(&compiled);
+  return all;
+}
+
+/// A text in one line.
+inline std::string in_one_line(const std::string& text) {
+  std::istringstream in(text);
+  std::string out;
+  for (std::string each; in >> each;) out += each + " ";
+  return out;
 }
 
 /// The rows of a table without its header, which tells the command.
