@@ -13,8 +13,6 @@ using namespace report;
 namespace {
 
 const std::string impact = "sec34_impact run --time 20 ";
-const std::string breather = "sec32_newton_breathers breather ";
-const std::string multipliers = "sec33_floquet multipliers ";
 const std::string squeezed = "sec4_precompression_mi impact --time 100 ";
 const std::string boomeron = "sec34_boomeron run --time 60 ";
 

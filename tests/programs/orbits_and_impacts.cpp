@@ -9,8 +9,6 @@ using namespace report;
 
 namespace {
 
-const std::string breather = "sec32_newton_breathers breather ";
-const std::string multipliers = "sec33_floquet multipliers ";
 const std::string barriers = "sec32_barrier barrier ";
 
 }  // namespace

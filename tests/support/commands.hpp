@@ -7,6 +7,10 @@
 
 #include "support/run.hpp"
 
+/// Commands that several tests call.
+inline const std::string breather = "sec32_newton_breathers breather ",
+                         multipliers = "sec33_floquet multipliers ";
+
 /// All programs of the volume, each by its name and then with its commands, and their help.
 inline const std::map<std::string, std::string>& offers() {
   static const auto all = [] {
