@@ -69,9 +69,10 @@ void Tables::restore() {
   whole_.clear();
 }
 
-double Tables::changed(const CellRead& cell, double value) const {
-  const bool is_meant = change && change->program == cell.program && change->table == cell.table &&
-                        change->column == cell.column && (!change->row || *change->row == cell.row);
+double Tables::changed(const Source& from, const std::string& column, std::size_t row,
+                       double value) const {
+  const bool is_meant = change && change->column == column && change->table == from.name &&
+                        change->program == from.program && change->row.value_or(row) == row;
   return is_meant ? change->factor * value + change->offset : value;
 }
 
@@ -191,16 +192,20 @@ double Data::Row::operator()(const std::string& column) const {
 Quantity Data::Row::operator[](const std::string& column) const {
   const auto& [table, program, name, reading] = *source;
   const std::size_t here = source->find(column);
-  const CellRead read{program, name, column, at};
   const double value = number_in(table.rows[at][here], column),
-               now = reading.tables->changed(read, value);
-  if (!reading.tables->change) reading.all.insert(read), reading.latest.insert(read);
+               now = reading.tables->changed(*source, column, at, value);
+  // Who changes a cell asks for the verdict alone
+  if (!reading.tables->change) {
+    reading.all.insert({program, name, column, at});
+    reading.latest.insert({program, name, column, at});
+  }
 
   const Column& heading = table.columns[here];
   const std::string with_error = column + "_error";
   const double error = heading.kind == Kind::integer ? 0 : number_in(cell(with_error), with_error);
   if (!std::isfinite(now) || !std::isfinite(error) || error < 0)
-    throw Unresolved{program + ": " + name_of(read, table) + " is not a number, or has no error"};
+    throw Unresolved{program + ": " + name_of({program, name, column, at}, table) +
+                     " is not a number, or has no error"};
   if (error == 0) return {{exact(now)}, heading.unit};
   return {{Estimate(now, now == value ? error : std::abs(now / value) * error)}, heading.unit};
 }

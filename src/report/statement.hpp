@@ -86,6 +86,8 @@ struct Unresolved {
   std::string why;
 };
 
+struct Source;
+
 /// The tables of the programs in a folder.
 class Tables {
  public:
@@ -94,7 +96,9 @@ class Tables {
 
   /// Throws NotRun if the program has not finished, Unresolved if it has no such table.
   const Table& of(const std::string& program, const std::string& name);
-  double changed(const CellRead& cell, double value) const;
+  /// What a cell says after the change.
+  double changed(const Source& table, const std::string& column, std::size_t row,
+                 double value) const;
 
   std::optional<Change> change{};
   /// Leaves only the first `rows` rows of a table, until `restore`.
