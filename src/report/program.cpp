@@ -96,6 +96,14 @@ static Meta build() {
           {"libraries", LATTICE_LIBRARIES}};
 }
 
+Table& Output::add(const std::string& name, Table table) {
+  return tables_.emplace_back(name, std::move(table)).second;
+}
+
+Table& Report::table(const std::string& name, const Columns& columns) {
+  return output.add(name, {columns});
+}
+
 void Output::finish() {
   Sums sums;
   for (const auto& [name, table] : tables_) {

@@ -80,9 +80,7 @@ class Output {
   /// Something that the headers of all tables say.
   void note(const std::string& key, const std::string& value) { provenance_.set(key, value); }
   /// Keeps `table` to be written as `name`.ecsv when the whole run has succeeded; returns it.
-  Table& add(const std::string& name, Table table) {
-    return tables_.emplace_back(name, std::move(table)).second;
-  }
+  Table& add(const std::string& name, Table table);
   /// Where the tables go; work in progress may wait there under a name that begins with a dot.
   const std::filesystem::path& folder() const { return folder_; }
   /// Writes all tables, then `run.ecsv`, and last `SHA256SUMS` (sums.hpp).
@@ -100,9 +98,7 @@ struct Report {
   bool quick;  ///< whether the run has coarse parameters
 
   /// A new table of the output, to be filled; without columns its first row has them.
-  Table& table(const std::string& name, const Columns& columns = {}) {
-    return output.add(name, {columns});
-  }
+  Table& table(const std::string& name, const Columns& columns = {});
 };
 
 /**

@@ -86,7 +86,7 @@ struct Unresolved {
   std::string why;
 };
 
-struct Source;
+struct Source;  // a table, below
 
 /// The tables of the programs in a folder.
 class Tables {

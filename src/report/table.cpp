@@ -53,6 +53,8 @@ void Table::add(Cells row) {
   rows.push_back(std::move(row));
 }
 
+Row::Row(std::initializer_list<Headed> headed) : cells(headed) {}
+
 void Table::add(const Row& row) {
   std::vector<Column> headings;
   Cells cells;

@@ -105,7 +105,7 @@ struct Headed {
 struct Row {
   std::vector<Headed> cells{};
   Row() = default;
-  Row(std::initializer_list<Headed> headed) : cells(headed) {}
+  Row(std::initializer_list<Headed> headed);
 };
 
 /// Ordered `key: value` pairs of the header's `meta` block.

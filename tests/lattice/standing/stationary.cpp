@@ -66,7 +66,11 @@ TEST_CASE("static breathers of any exponent solve their equation", "[unit][dps][
       CHECK(residual(s, alpha + 0.01) > 1e-4);
       check_close(s.contact_sum() / (s.mu * s.norm()), 1, 1e-13);
       const auto wide = stationary<Quadruple>(centre, Quadruple(2), sites, alpha);
+#ifdef LATTICE_FLOAT128
       CHECK(residual(wide, alpha) < 1e-31);
+#else  // Boost's own type takes powers by exp(alpha ln r) and loses the digits of ln r, down to -1e4 in the tails
+      CHECK(residual(wide, alpha) < 2e-34 * alpha * 1e4);
+#endif
       // At another frequency the same profile is found, larger by the scaling law
       const auto one = stationary<double>(centre, 1, sites, alpha);
       const double factor = std::pow(2, 1 / (alpha - 1));
